@@ -16,7 +16,7 @@ pub enum Who<'name> {
     Speaker,
     /// The speaker, whose name the program knows: also the curves with that name, such as `mara.fear`, so that `mara feels fear`
     /// in her own line moves her face as `feels fear` does. Of two that are for the same, the one counts that is farther from
-    /// neutral.
+    /// neutral; of two curves of poses, the one with the name.
     SpeakerNamed(&'name str),
     /// Somebody else: the curves with this name.
     Other(&'name str),

@@ -26,10 +26,10 @@ impl Lock {
     /// where nobody may write: what has to be written there says so.
     ///
     /// # Errors
-    /// If the file or its folder cannot be made, for other reasons.
+    /// If the file or its folder cannot be made, for other reasons, or the lock is another user's and cannot be opened.
     #[cfg(any(feature = "shards", test))]
     pub(crate) fn wait(path: &Path) -> Result<Lock, Report> {
-        Lock::take(path, File::lock).map_err(|error| failed(path, &error))
+        Lock::take(path, |file| file.lock().map(|()| true))
     }
 
     /// The same, but not longer than half a minute.
@@ -38,54 +38,55 @@ impl Lock {
     /// The same, and if another run still has the lock.
     pub(crate) fn wait_briefly(path: &Path) -> Result<Lock, Report> {
         let until = Instant::now() + PATIENCE;
-        let lock = |file: &File| loop {
-            match file.try_lock() {
-                Ok(()) => return Ok(()),
-                Err(TryLockError::Error(error)) => return Err(error),
-                Err(TryLockError::WouldBlock) if Instant::now() > until => return Err(io::ErrorKind::TimedOut.into()),
-                Err(TryLockError::WouldBlock) => thread::sleep(PAUSE),
+        Lock::take(path, |file| {
+            loop {
+                match file.try_lock() {
+                    Ok(()) => return Ok(true),
+                    Err(TryLockError::Error(error)) => return Err(error),
+                    Err(TryLockError::WouldBlock) if Instant::now() > until => return Ok(false),
+                    Err(TryLockError::WouldBlock) => thread::sleep(PAUSE),
+                }
             }
-        };
-        Lock::take(path, lock).map_err(|error| match error.kind() {
-            io::ErrorKind::TimedOut => {
-                failed(path, &io::Error::other("another run has been writing it for half a minute"))
-            }
-            _ => failed(path, &error),
         })
     }
 
-    fn take(path: &Path, lock: impl Fn(&File) -> io::Result<()>) -> io::Result<Lock> {
-        match Lock::locked(path, lock) {
-            Err(error)
-                if matches!(error.kind(), io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem) =>
-            {
-                Ok(Lock(None))
-            }
-            locked => locked.map(|locked| Lock(Some(locked))),
-        }
-    }
-
-    fn locked(path: &Path, lock: impl Fn(&File) -> io::Result<()>) -> io::Result<(PathBuf, File)> {
+    /// The lock, which `lock` takes; it returns false if it would wait too long.
+    fn take(path: &Path, lock: impl Fn(&File) -> io::Result<bool>) -> Result<Lock, Report> {
         let folder = folder_of(path);
-        fs::create_dir_all(folder)?;
         let mut name = OsString::from(".");
         name.push(path.file_name().unwrap_or_default());
         name.push(SUFFIX);
-        let path = folder.join(name);
+        let place = folder.join(name);
+        let refused = [io::ErrorKind::PermissionDenied, io::ErrorKind::ReadOnlyFilesystem];
+        let taken = fs::create_dir_all(folder).and_then(|()| Lock::locked(&place, lock));
+        match taken {
+            Ok(Some(file)) => Ok(Lock(Some((place, file)))),
+            Ok(None) => Err(failed(path, &io::Error::other("another run has been writing it for half a minute"))),
+            Err(error) if place.symlink_metadata().is_ok() => Err(failed(&place, &error)),
+            Err(error) if refused.contains(&error.kind()) => Ok(Lock(None)),
+            Err(error) => Err(failed(path, &error)),
+        }
+    }
+
+    /// The file at `place`, locked if the file system knows locks; `None` if `lock` would wait too long.
+    fn locked(place: &Path, lock: impl Fn(&File) -> io::Result<bool>) -> io::Result<Option<File>> {
         loop {
-            let made = File::options().create(true).truncate(false).write(true).open(&path);
-            // One that somebody else has left can still be locked.
-            let file = made.or_else(|error| File::open(&path).map_err(|_| error))?;
+            let made = File::options().create(true).truncate(false).write(true).open(place);
+            let may_write = made.is_ok();
+            // One that somebody else has left can mostly still be locked.
+            let file = made.or_else(|error| File::open(place).map_err(|_| error))?;
             let is_known = loop {
                 match lock(&file) {
                     Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                    Err(error) if error.kind() == io::ErrorKind::TimedOut => return Err(error),
-                    locked => break locked.is_ok(),
+                    Err(error) if !may_write => return Err(error),
+                    Err(_) => break false,
+                    Ok(false) => return Ok(None),
+                    Ok(true) => break true,
                 }
             };
             // The run that had it before has removed it by now, and another one may have made it anew.
-            if !is_known || is_at(&file, &path) {
-                return Ok((path, file));
+            if !is_known || is_at(&file, place) {
+                return Ok(Some(file));
             }
         }
     }
@@ -154,10 +155,13 @@ mod tests {
         fs::set_permissions(&left, fs::Permissions::from_mode(0o444)).unwrap();
         assert!(Lock::wait(&path).unwrap().0.is_some());
         assert!(!left.exists());
+        fs::write(&left, "").unwrap();
+        fs::set_permissions(&left, fs::Permissions::from_mode(0o000)).unwrap();
+        // Root may read and write everywhere.
+        let is_root = fs::read(&left).is_ok();
+        assert_eq!(Lock::wait(&path).is_ok(), is_root, "a lock that cannot be opened may be held");
         fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o555)).unwrap();
-        // Root may write everywhere.
-        let may_write = fs::write(folder.path().join("a"), "").is_ok();
-        assert_eq!(Lock::wait(&path).unwrap().0.is_some(), may_write);
+        assert_eq!(Lock::wait(&folder.path().join("other")).unwrap().0.is_some(), is_root);
         fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
     }
 }

@@ -65,7 +65,7 @@ fn a_speaker_with_a_name_is_the_speaker() {
     }
 }
 
-/// Whatever the order of their names.
+/// Curves are in the order of their names: `mara.pose` comes before `pose`, `zoe.pose` behind it.
 #[test]
 fn of_two_curves_of_poses_that_of_the_name_counts() {
     for name in ["mara", "zoe"] {

@@ -108,7 +108,7 @@ impl Clip<'_, '_> {
     ) -> Face {
         let who = who.into();
         let is_pose = |curve: &Curve<'_>| who.purpose(curve.name().bytes()) == Some(FaceCurve::Pose.name().as_bytes());
-        let (seed, mouth) = self.moved(who, self.curves().filter(is_pose).fold(None, own));
+        let (seed, mouth) = self.moved(who, self.curves().filter(is_pose).fold(None, named_pose));
         let steps = Steps { seed, ms: milliseconds(time) };
         let [pitch, yaw, roll] = mouth.map(|mouth| head::motion(profile, steps, &mouth)).unwrap_or_default();
         let eyes = eyes::target(profile, steps, look);
@@ -152,7 +152,7 @@ impl Clip<'_, '_> {
                 .purpose(curve.name().bytes())
                 .and_then(|name| FaceCurve::ALL.iter().copied().find(|known| known.name().as_bytes() == name));
             match (known, position) {
-                (Some(FaceCurve::Pose), _) => poses = own(poses, curve),
+                (Some(FaceCurve::Pose), _) => poses = named_pose(poses, curve),
                 (Some(known), Some(position)) => curves.set(known, curve.value_in(position).thousandths()),
                 _ => {}
             }
@@ -178,8 +178,8 @@ impl FaceProfile<'_> {
     }
 }
 
-/// Of the poses of a speaker, those with their name in front: of what is theirs, it says more.
-fn own<'m>(before: Option<Curve<'m>>, curve: Curve<'m>) -> Option<Curve<'m>> {
+/// Of two curves of poses, the one with the character's name in front.
+fn named_pose<'m>(before: Option<Curve<'m>>, curve: Curve<'m>) -> Option<Curve<'m>> {
     match before {
         Some(before) if before.name().bytes().len() > curve.name().bytes().len() => Some(before),
         _ => Some(curve),

@@ -73,7 +73,7 @@ impl Row {
         let has_something = |entry: &Entry| !entry.text.text.is_empty() || entry.mark.is_some();
         incoming.entries.extend(header.texts_of(self.cells.len()).filter_map(entry).filter(has_something));
         if incoming.entries.len() == before {
-            incoming.entries.extend(header.texts_of(usize::MAX).next().and_then(entry));
+            incoming.entries.extend(header.texts_of(usize::MAX).find_map(entry));
         }
         // Columns whose marks stand before them came first.
         incoming.entries[before..].sort_by_key(|entry| entry.text.span);

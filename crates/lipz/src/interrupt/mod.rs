@@ -19,8 +19,6 @@ const EXIT_CODE: i32 = 128 + 2;
 
 /// Held while files are written.
 static WRITING: Mutex<()> = Mutex::new(());
-/// Taken by the thread that ends the process, and never given back: the others have nothing to say.
-static ENDING: Mutex<()> = Mutex::new(());
 /// Whether the run was asked to end.
 static IS_ASKED: AtomicBool = AtomicBool::new(false);
 
@@ -48,7 +46,7 @@ impl Files {
         whole(|| self.0.rewrite(path, before, after))
     }
 
-    /// What waits, for a [`whole`] run that writes all of its files.
+    /// What waits, for a [`whole_files`] run that writes all of its files.
     pub(crate) fn waiting(&self) -> &Replacements {
         &self.0
     }
@@ -100,9 +98,8 @@ fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the process, whichever of several threads comes first.
+/// Ends the process. Who calls it holds `WRITING`, so that nobody else writes or ends it, too.
 fn end() -> ! {
-    let _first = ENDING.lock();
     if let Some(files) = WAITING.lock().unwrap_or_else(PoisonError::into_inner).take() {
         files.abandon();
     }

@@ -2,9 +2,10 @@
 
 use super::patched;
 use crate::cache::old_bank::OldBank;
-use crate::cache::recall::Recall;
+use crate::cache::recall::{Recall, checksum_of};
 use crate::compile::Run;
 use crate::{Compiler, Input, Options};
+use lipz_layout::CHECKED_FROM;
 use proptest::prelude::*;
 
 /// What a clip is made of, a text for each of three locales.
@@ -115,6 +116,37 @@ fn texts_that_start_inside_of_the_new_one_are_found() {
     for is_stripped in [false, true] {
         let (patched, made) = both(&before, &after, &options(is_stripped)).unwrap();
         assert!(patched.is_none_or(|patched| patched == made));
+    }
+}
+
+/// Tables and directory are asked before anything is proven.
+#[test]
+fn a_damaged_bank_is_not_patched() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("old.lipzbank");
+    let mut long = scene();
+    long.extend((0..90).map(|number| parts("MAE", [&format!("{number}. ").repeat(300), "Na", ""], "")));
+    for (clips, step) in [(scene(), 1), (long, 509)] {
+        let mut after = clips.clone();
+        after[1] = parts("MAEOO", ["Line", "Eine ganz andere Zeile", ""], "");
+        let options = options(false);
+        let inputs: Vec<Input> = clips.iter().enumerate().map(|(at, clip)| input(at, clip)).collect();
+        let bank = Compiler::new(options.clone()).compile(&inputs).into_bank().unwrap();
+        let checksum = checksum_of(&bank).unwrap();
+        let run = Run::read(&[input(1, &after[1])], &options, None, &|_| {});
+        let patched_from = |bytes: &[u8]| {
+            std::fs::write(&path, bytes).unwrap();
+            let old = OldBank::open(&path, checksum)?;
+            patched(&Recall::new(&old)?, &run.changed_clips(), Vec::new())
+        };
+        assert!(patched_from(&bank).is_some());
+        for at in (CHECKED_FROM..bank.len()).step_by(step) {
+            for bit in [0, 3, 6, 7] {
+                let mut damaged = bank.clone();
+                damaged[at] ^= 1 << bit;
+                assert!(patched_from(&damaged).is_none(), "bit {bit} of byte {at}");
+            }
+        }
     }
 }
 
