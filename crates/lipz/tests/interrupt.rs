@@ -1,4 +1,4 @@
-//! `lipz pack`, `lipz unpack` and `lipz sync`, interrupted at any moment, leave whole files and nothing else.
+//! `lipz pack`, `lipz unpack`, `lipz sync` and others, interrupted at any moment, leave whole files and nothing else.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -139,6 +139,30 @@ fn an_interrupted_fmt_leaves_whole_files_and_no_others() {
     interrupt(
         folder,
         &["fmt", "voices"],
+        || names.iter().for_each(|name| support::write(folder, &format!("voices/{name}"), old)),
+        || {
+            assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
+            for name in &names {
+                let text = fs::read_to_string(folder.join("voices").join(name)).unwrap();
+                assert!(text == old || text == new, "{name}: {text:?}");
+            }
+        },
+    );
+}
+
+/// Several threads read and write: none ends the process while another one writes.
+#[test]
+fn an_interrupted_import_leaves_whole_files_and_no_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    support::write(folder, "lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+    let names: Vec<String> = (0..200).map(|clip| format!("{clip:04}.lipz")).collect();
+    let table: String = names.iter().map(|name| format!("{},Ja.\n", name.trim_end_matches(".lipz"))).collect();
+    support::write(folder, "de.csv", format!("key,de-de\n{table}"));
+    let (old, new) = ("{ \"text_en-us\": \"Aye.\" }\n", "{ \"text_en-us\": \"Aye.\", \"text_de-de\": \"Ja.\" }\n");
+    interrupt(
+        folder,
+        &["texts", "import", "de.csv", "--quiet"],
         || names.iter().for_each(|name| support::write(folder, &format!("voices/{name}"), old)),
         || {
             assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
