@@ -130,6 +130,15 @@ fn an_interrupted_sync_leaves_whole_files_and_goes_on_where_it_ended() {
     });
 }
 
+/// Checks that each file in `voices` is whole, the old one or the new one, and that there are no others.
+fn are_old_or_new(folder: &Path, names: &[String], (old, new): (&str, &str)) {
+    assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
+    for name in names {
+        let text = fs::read_to_string(folder.join("voices").join(name)).unwrap();
+        assert!(text == old || text == new, "{name}: {text:?}");
+    }
+}
+
 #[test]
 fn an_interrupted_fmt_leaves_whole_files_and_no_others() {
     let folder = tempfile::tempdir().unwrap();
@@ -140,13 +149,7 @@ fn an_interrupted_fmt_leaves_whole_files_and_no_others() {
         folder,
         &["fmt", "voices"],
         || names.iter().for_each(|name| support::write(folder, &format!("voices/{name}"), old)),
-        || {
-            assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
-            for name in &names {
-                let text = fs::read_to_string(folder.join("voices").join(name)).unwrap();
-                assert!(text == old || text == new, "{name}: {text:?}");
-            }
-        },
+        || are_old_or_new(folder, &names, (old, new)),
     );
 }
 
@@ -164,13 +167,7 @@ fn an_interrupted_import_leaves_whole_files_and_no_others() {
         folder,
         &["texts", "import", "de.csv", "--quiet"],
         || names.iter().for_each(|name| support::write(folder, &format!("voices/{name}"), old)),
-        || {
-            assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
-            for name in &names {
-                let text = fs::read_to_string(folder.join("voices").join(name)).unwrap();
-                assert!(text == old || text == new, "{name}: {text:?}");
-            }
-        },
+        || are_old_or_new(folder, &names, (old, new)),
     );
 }
 
