@@ -121,6 +121,12 @@ fn what_does_not_fit() {
     scene.write("voices/act1/mayor.lipz", MAYOR);
     scene.write("de-de.po", po(&[("shoe", "Shoes, {name}!", "A, {name}"), ("shoe", "Shoes, {name}!", "B, {name}")]));
     scene.expect("LZ1905-text-conflict-twice", &import);
+    // Rows of two tables, one of which has no texts in the locale, are no conflict, in whatever order.
+    for rows in ["shoe,\nshoe,\"Schuhe, {name}!\"", "shoe,\"Schuhe, {name}!\"\nshoe,"] {
+        scene.write("a.csv", format!("key,de-de\n{rows}\n"));
+        let imported = lipz(scene.path(), ["texts", "import", "a.csv"]);
+        assert!(imported.code == 0 && !imported.stderr.contains("LZ1905"), "{imported:?}");
+    }
     scene.write("de-de.po", po(&[("shoe", "Shoes, {name}!", "Schuhe, {nmae}!")]));
     scene.expect("LZ1906-placeholder", &[&import[..], &["--deny", "placeholder"]].concat());
     assert_eq!(read(scene.path(), "voices/shoe.lipz"), SHOE, "what is denied is not imported");

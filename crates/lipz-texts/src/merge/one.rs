@@ -46,7 +46,9 @@ pub(super) fn merge(
     let mut places: BTreeMap<usize, (&Entry, String)> = BTreeMap::new();
     for entry in entries {
         let Some(parts) = clip.parts(entry, found) else { continue };
-        for (at, text) in parts {
+        // What is not translated is no other translation.
+        let is_translation = !entry.text.text.is_empty() || entry.mark.is_some();
+        for (at, text) in parts.into_iter().filter(|_| is_translation) {
             match places.get(&at) {
                 Some((_, other)) if *other != text => found.push((entry.file, twice(entry))),
                 Some(_) => continue,
