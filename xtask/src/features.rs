@@ -66,5 +66,6 @@ fn same_bytes() -> Result<(), Failure> {
         println!("{SOURCES} gives the same bank without features and with all of them");
         return Ok(());
     }
-    Err(format!("a feature of {CRATE} changes the bank of {SOURCES}"))
+    let (none, all, _kept) = (none.display(), all.display(), folder.keep());
+    Err(format!("a feature of {CRATE} changes the bank of {SOURCES}: compare {none} and {all}"))
 }

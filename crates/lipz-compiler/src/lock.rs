@@ -1,8 +1,9 @@
 //! One run at a time where several files belong together.
 
+use crate::discover::display;
 use crate::output::failed;
 use crate::temporary::folder_of;
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{Code, Report};
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
@@ -57,13 +58,27 @@ impl Lock {
         name.push(path.file_name().unwrap_or_default());
         name.push(SUFFIX);
         let place = folder.join(name);
-        let refused = [io::ErrorKind::PermissionDenied, io::ErrorKind::ReadOnlyFilesystem];
-        let taken = fs::create_dir_all(folder).and_then(|()| Lock::locked(&place, lock));
+        let attempt = || fs::create_dir_all(folder).and_then(|()| Lock::locked(&place, &lock));
+        let is_there = || place.symlink_metadata().is_ok();
+        let is_refused = |error: &io::Error| {
+            matches!(error.kind(), io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem) && !is_there()
+        };
+        let taken = match attempt() {
+            // Who had the lock may have removed it between two looks.
+            Err(error) if is_refused(&error) => attempt(),
+            taken => taken,
+        };
         match taken {
             Ok(Some(file)) => Ok(Lock(Some((place, file)))),
-            Ok(None) => Err(failed(path, &io::Error::other("another run has been writing it for half a minute"))),
-            Err(error) if place.symlink_metadata().is_ok() => Err(failed(&place, &error)),
-            Err(error) if refused.contains(&error.kind()) => Ok(Lock(None)),
+            Ok(None) => {
+                let help = "run it again when the other run has ended";
+                Err(held(path, "another run has been writing it for half a minute", help))
+            }
+            Err(error) if is_refused(&error) => Ok(Lock(None)),
+            Err(error) if is_there() => {
+                let why = format!("its lock `{}` cannot be opened: {error}", display(&place));
+                Err(held(path, &why, "wait for the run of another user; if there is none, delete that file"))
+            }
             Err(error) => Err(failed(path, &error)),
         }
     }
@@ -90,6 +105,13 @@ impl Lock {
             }
         }
     }
+}
+
+/// The report that the file at `path` is not written because another run may be writing it.
+fn held(path: &Path, why: &str, help: &str) -> Report {
+    let shown = display(path);
+    let message = format!("`{shown}` cannot be written: {why}");
+    Report::failure(shown, Code::OutputFailed, message, help)
 }
 
 impl Drop for Lock {
