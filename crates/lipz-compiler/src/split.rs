@@ -129,7 +129,7 @@ impl<'data> WholeBank<'data> {
         let mut places: Vec<Option<u32>> = Vec::with_capacity(self.bank.clip_count());
         for found in self.bank.clips() {
             let own = || found.segments().map(|segment| segment.text_bytes(locale).unwrap_or_default());
-            if texts.runs.len() + own().map(<[u8]>::len).sum::<usize>() > MAX_TEXTS_BYTES {
+            if texts.runs.byte_count() + own().map(<[u8]>::len).sum::<usize>() > MAX_TEXTS_BYTES {
                 return Err(too_large("texts"));
             }
             let first = found.segment(0).and_then(|segment| segment.text(locale));
@@ -141,7 +141,7 @@ impl<'data> WholeBank<'data> {
         }
         pool_of(&numbering, |at| {
             let text = texts.texts.get(places[at]? as usize)?;
-            let (ends, displays) = split_run(texts.whole_run(text), numbering.segments(at).len());
+            let (displays, ends) = split_run(texts.whole_run(text), numbering.segments(at).len());
             Some(Run::of(text, ends, displays))
         })
     }

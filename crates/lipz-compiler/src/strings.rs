@@ -17,6 +17,13 @@ impl Strings {
         self.ends.push(self.text.len());
     }
 
+    /// Adds all strings of a list.
+    pub(crate) fn append(&mut self, strings: &Strings) {
+        let start = self.text.len();
+        self.text.push_str(&strings.text);
+        self.ends.extend(strings.ends.iter().map(|end| start + end));
+    }
+
     /// Removes all strings and keeps the room.
     pub(crate) fn clear(&mut self) {
         self.text.clear();
@@ -38,11 +45,6 @@ impl Strings {
     /// All strings, one behind the other.
     pub(crate) fn text(&self) -> &str {
         &self.text
-    }
-
-    /// Where each string ends in [`Strings::text`].
-    pub(crate) fn ends(&self) -> &[usize] {
-        &self.ends
     }
 
     fn start(&self, number: usize) -> usize {
@@ -83,6 +85,10 @@ mod tests {
         assert_eq!(strings.iter().collect::<Vec<_>>(), ["", "ab", "", "ü"]);
         assert_eq!(strings.range(1..3).collect::<Vec<_>>(), ["ab", ""]);
         assert_eq!((strings.get(0), strings.get(3), strings.count()), ("", "ü", 4));
+        let mut others = Strings::default();
+        others.push("é");
+        others.append(&strings);
+        assert_eq!(others.iter().collect::<Vec<_>>(), ["é", "", "ab", "", "ü"]);
         strings.clear();
         assert_eq!(strings.iter().next(), None);
     }

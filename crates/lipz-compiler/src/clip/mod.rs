@@ -4,6 +4,7 @@ mod curves;
 mod locales;
 mod packed;
 mod part;
+mod runs;
 #[cfg(feature = "shards")]
 mod staying;
 mod store;
@@ -11,10 +12,12 @@ mod store;
 pub(crate) use curves::{Curves, Key};
 pub(crate) use locales::Locales;
 pub(crate) use part::Part;
+pub(crate) use runs::{Runs, split_run};
 #[cfg(feature = "shards")]
 pub(crate) use staying::{ClipFile, SectionStarts, StayingSource, Window};
-pub(crate) use store::{Clip, Clips, split_run};
+pub(crate) use store::{Clip, Clips};
 
+#[cfg(feature = "shards")]
 use crate::hashed::hash;
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
@@ -37,9 +40,9 @@ pub(crate) struct ClipData {
     pub(crate) starts: Vec<u32>,
     /// Texts in the order of their locales' tags.
     pub(crate) texts: Vec<ClipText>,
-    /// The runs of all texts: where each text of a locale ends, modulo 2¹⁶, then the texts.
-    pub(crate) runs: Vec<u8>,
-    /// Room for the display texts of one locale, before they become a run.
+    /// The runs of all texts.
+    pub(crate) runs: Runs,
+    /// Room for the display texts of one locale that may change before they become a run.
     pub(crate) displays: Strings,
     /// Whether the file has an `events` element.
     pub(crate) has_events: bool,
@@ -133,40 +136,31 @@ impl ClipData {
 
     /// Adds `self.displays` as the texts of a locale.
     pub(crate) fn add_displays(&mut self, locale: u32) {
-        let start = self.runs.len();
-        self.displays.ends().iter().for_each(|&end| self.runs.extend_from_slice(&(end as u16).to_le_bytes()));
-        let texts = self.displays.text().as_bytes();
-        self.runs.extend_from_slice(texts);
-        self.add_run(locale, start, hash(texts), false);
+        self.displays.iter().for_each(|text| self.runs.push(text.as_bytes()));
+        self.end_run(locale, false);
     }
 
     /// Adds texts that lie in a bank, one per segment, as those of a locale.
     pub(crate) fn add_texts<'b>(&mut self, locale: u32, texts: impl Iterator<Item = &'b [u8]>, is_fallback: bool) {
-        let start = self.runs.len();
-        let texts_start = start + size_of::<U16>() * self.starts.len();
-        self.runs.resize(texts_start, 0);
-        for (number, text) in texts.enumerate() {
-            self.runs.extend_from_slice(text);
-            let end = (self.runs.len() - texts_start) as u16;
-            self.runs[start + size_of::<U16>() * number..][..size_of::<U16>()].copy_from_slice(&end.to_le_bytes());
-        }
-        self.add_run(locale, start, hash(&self.runs[texts_start..]), is_fallback);
+        texts.for_each(|text| self.runs.push(text));
+        self.end_run(locale, is_fallback);
     }
 
-    /// Adds what stands in `runs` from `start` on as the texts of a locale.
-    fn add_run(&mut self, locale: u32, start: usize, hash: u64, is_fallback: bool) {
-        let own = ClipText { locale, start: start as u32, end: self.runs.len() as u32, hash: hash as u32 };
+    /// Makes the run that was pushed to `self.runs` the texts of a locale.
+    pub(crate) fn end_run(&mut self, locale: u32, is_fallback: bool) {
+        let (place, hash) = self.runs.end();
+        let own = ClipText { locale, start: place.start as u32, end: place.end as u32, hash: hash as u32 };
         self.texts.push(if is_fallback { own.as_fallback_of(locale) } else { own });
     }
 
-    /// The run of a text: where each of its segments ends, and the segments.
+    /// The run of a text: the segments, and where each of them ends.
     pub(crate) fn whole_run(&self, text: &ClipText) -> &[u8] {
-        self.runs.get(text.place()).unwrap_or_default()
+        self.runs.get(text.place())
     }
 
     /// The display texts alone, one behind the other.
     pub(crate) fn text_of(&self, text: &ClipText) -> &[u8] {
-        self.whole_run(text).get(size_of::<U16>() * self.starts.len()..).unwrap_or_default()
+        split_run(self.whole_run(text), self.starts.len()).0
     }
 
     /// Bytes of the display texts alone, without the table of ends.
@@ -176,10 +170,7 @@ impl ClipData {
 
     /// Whether a segment of a text displays nothing.
     pub(crate) fn is_blank(&self, text: &ClipText, segment: usize) -> bool {
-        let end = |number: usize| {
-            let at = text.place().start + size_of::<U16>() * number;
-            self.runs.get(at..at + size_of::<U16>())
-        };
-        end(segment) == segment.checked_sub(1).map_or(Some(&[0, 0][..]), end)
+        let (_, ends) = split_run(self.whole_run(text), self.starts.len());
+        ends.get(segment) == segment.checked_sub(1).map_or(Some(&U16::ZERO), |before| ends.get(before))
     }
 }

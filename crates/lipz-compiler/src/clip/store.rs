@@ -2,14 +2,13 @@
 
 #[cfg(feature = "shards")]
 use super::staying::{ClipFile, StayingSource};
-use super::{ClipData, ClipText, Curves, Key, Locales, Part};
+use super::{ClipData, ClipText, Curves, Key, Locales, Part, split_run};
 use crate::hashed::{Hashed, hash};
 use crate::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use lipz_layout::U16;
 use std::collections::BTreeSet;
 use std::ops::Range;
-use zerocopy::FromBytes;
 
 /// Clips, part by part: all frames in one buffer, all texts in one, and so on. A clip is where its
 /// parts end in them; they start where those of the clip before it end.
@@ -77,7 +76,7 @@ impl Clips {
     fn push_tables(&mut self, key: &str, clip: &ClipData, ends: Ends) {
         self.keys.push(key);
         self.starts.extend_from_slice(&clip.starts);
-        clip.events.iter().for_each(|event| self.events.push(event));
+        self.events.append(&clip.events);
         clip.curves.iter().for_each(|(name, keys)| self.curves.push(name, keys.iter().copied()));
         self.heads.push(Head {
             fps: clip.fps,
@@ -98,7 +97,7 @@ impl Clips {
     fn push_texts(&mut self, clip: &ClipData) {
         let first = self.displays.len();
         for text in &clip.texts {
-            let (ends, displays) = split_run(clip.whole_run(text), clip.starts.len());
+            let (displays, ends) = split_run(clip.whole_run(text), clip.starts.len());
             let start = self.displays.len() - first;
             self.text_ends.extend_from_slice(ends);
             self.displays.extend_from_slice(displays);
@@ -215,11 +214,6 @@ impl Clips {
         let numbers: Vec<u32> = locales.tags().iter().map(number).collect();
         self.texts.iter_mut().for_each(|text| text.locale = numbers[text.locale as usize]);
     }
-}
-
-/// Where the texts of a run end, of which there are so many, and the texts.
-pub(crate) fn split_run(run: &[u8], count: usize) -> (&[U16], &[u8]) {
-    <[U16]>::ref_from_prefix_with_elems(run, count).unwrap_or_default()
 }
 
 /// Leaves the first `length` items, in no more room than they need.

@@ -1,6 +1,6 @@
 //! The source record of a clip whose elements are told one by one, without a document.
 
-use super::{FIRST_TEXT, Kind, NAMED, held_bytes, push_number, push_spelled, push_text};
+use super::{FIRST_TEXT, Kind, NAMED, push_number, push_spelled, push_text};
 use crate::clip::ClipData;
 
 /// The record of a clip that has all elements of its file, none of them joined.
@@ -22,10 +22,16 @@ impl<'c> Recorder<'c> {
         push_spelled(&mut self.record, Kind::Number, spelled);
     }
 
-    /// Adds another element that a record mentions by number: `viseme_type`, `visemes` or `events`.
-    pub(crate) fn known(&mut self, name: &str, string: &str) {
+    /// Adds an element that the bank holds as it is spelled: `viseme_type` or `visemes`.
+    pub(crate) fn as_in_bank(&mut self, name: &str) {
         self.name(name);
-        push_text(&mut self.record, string, held_bytes(name, None, self.clip), self.clip.starts.len());
+        self.record.push(Kind::AsInBank as u8);
+    }
+
+    /// Adds the events.
+    pub(crate) fn events(&mut self, string: &str) {
+        self.name("events");
+        push_text(&mut self.record, string, Some(self.clip.events.text().len()), self.clip.starts.len());
     }
 
     /// Adds the text that is in this place among those of the clip.

@@ -1,15 +1,11 @@
 //! The members of a file's object, found in one pass, if they are written as nearly all are.
 
-use memchr::{memchr, memchr2};
+use lipz_file::text::DELIMITER;
+use memchr::{memchr, memchr2, memchr3_iter};
+use std::ops::Range;
 
 /// A file that is to be read by the full parser.
 pub(super) struct Unclean;
-
-/// What stands behind a name.
-pub(super) enum Value<'s> {
-    String(&'s str),
-    Number(&'s str),
-}
 
 /// The members of an object without escapes, and with nothing but strings and numbers in it.
 pub(super) struct Members<'s> {
@@ -17,7 +13,6 @@ pub(super) struct Members<'s> {
     at: usize,
     /// Control characters that are still to come. All of them must stand between names and values.
     control_count: usize,
-    is_first: bool,
     /// Whether a string can have braces.
     pub(super) has_braces: bool,
 }
@@ -26,26 +21,33 @@ impl<'s> Members<'s> {
     /// Those of a file.
     pub(super) fn of(text: &'s str) -> Result<Members<'s>, Unclean> {
         let bytes = text.as_bytes();
-        if memchr(b'\\', bytes).is_some() {
+        // Two of them are the braces of the object, and usually there are no others.
+        let has_braces = memchr3_iter(b'{', b'}', b'\\', bytes).nth(2).is_some();
+        if has_braces && memchr(b'\\', bytes).is_some() {
             return Err(Unclean);
         }
-        let (control_count, brace_count) = counts(bytes);
-        let mut members = Members { text, at: 0, control_count, is_first: true, has_braces: brace_count > 2 };
-        members.white_space();
-        members.take(b'{')?;
-        Ok(members)
+        Ok(Members { text, at: 0, control_count: control_count(bytes), has_braces })
     }
 
-    /// The next member; `None` behind the last one, at the end of the file.
-    pub(super) fn next(&mut self) -> Result<Option<(&'s str, Value<'s>)>, Unclean> {
+    /// Goes behind `spelled`, if that comes next: white space and names with so many control characters.
+    pub(super) fn pass(&mut self, spelled: &str, control_count: usize) -> bool {
+        let rest = self.text.as_bytes().get(self.at..).unwrap_or_default();
+        let is_next = rest.starts_with(spelled.as_bytes());
+        if is_next {
+            self.at += spelled.len();
+            self.control_count = self.control_count.wrapping_sub(control_count);
+        }
+        is_next
+    }
+
+    /// Goes to the next value: its name, and all that stands before it. `None` behind the last one, at the end of the file.
+    pub(super) fn name(&mut self) -> Result<Option<(&'s str, &'s str)>, Unclean> {
+        let start = self.at;
         self.white_space();
-        match (self.byte(), std::mem::take(&mut self.is_first)) {
-            (Some(b','), false) => {
-                self.at += 1;
-                self.white_space();
-            }
-            (Some(b'"'), true) => {}
-            (Some(b'}'), false) => {
+        match self.byte() {
+            Some(b'{') if start == 0 => self.at += 1,
+            Some(b',') if start > 0 => self.at += 1,
+            Some(b'}') if start > 0 => {
                 self.at += 1;
                 self.white_space();
                 let is_whole = self.at == self.text.len() && self.control_count == 0;
@@ -53,15 +55,12 @@ impl<'s> Members<'s> {
             }
             _ => return Err(Unclean),
         }
-        let name = self.string()?;
+        self.white_space();
+        let (name, _) = self.string(|_| Ok(()))?;
         self.white_space();
         self.take(b':')?;
         self.white_space();
-        let value = match self.byte() {
-            Some(b'"') => Value::String(self.string()?),
-            _ => Value::Number(self.number()?),
-        };
-        Ok(Some((name, value)))
+        Ok(Some((self.text.get(name).ok_or(Unclean)?, self.text.get(start..self.at).ok_or(Unclean)?)))
     }
 
     fn byte(&self) -> Option<u8> {
@@ -83,16 +82,30 @@ impl<'s> Members<'s> {
         }
     }
 
-    fn string(&mut self) -> Result<&'s str, Unclean> {
+    /// Where a string is, whose segments go to `each`, and how many there are: one look at it finds all of them and its end.
+    pub(super) fn string(
+        &mut self,
+        mut each: impl FnMut(&'s str) -> Result<(), Unclean>,
+    ) -> Result<(Range<usize>, usize), Unclean> {
+        self.white_space();
         self.take(b'"')?;
-        let rest = self.text.get(self.at..).ok_or(Unclean)?;
-        let length = memchr(b'"', rest.as_bytes()).ok_or(Unclean)?;
-        self.at += length + 1;
-        rest.get(..length).ok_or(Unclean)
+        let bytes = self.text.as_bytes();
+        let (start, mut count) = (self.at, 0);
+        loop {
+            let rest = bytes.get(self.at..).ok_or(Unclean)?;
+            let end = self.at + memchr2(b'"', DELIMITER as u8, rest).ok_or(Unclean)?;
+            each(self.text.get(self.at..end).ok_or(Unclean)?)?;
+            self.at = end + 1;
+            count += 1;
+            if bytes.get(end) == Some(&b'"') {
+                return Ok((start..end, count));
+            }
+        }
     }
 
-    /// A number above 0 without sign and exponent.
-    fn number(&mut self) -> Result<&'s str, Unclean> {
+    /// Where a number above 0 is, without sign and exponent.
+    pub(super) fn number(&mut self) -> Result<Range<usize>, Unclean> {
+        self.white_space();
         let rest = self.text.get(self.at..).ok_or(Unclean)?;
         let digits = |from: usize| rest.bytes().skip(from).take_while(u8::is_ascii_digit).count();
         let whole = digits(0);
@@ -101,28 +114,17 @@ impl<'s> Members<'s> {
         if whole == 0 || rest.starts_with('0') || has_fraction && fraction == 0 {
             return Err(Unclean);
         }
-        let length = whole + usize::from(has_fraction) + fraction;
-        self.at += length;
-        rest.get(..length).ok_or(Unclean)
+        let start = self.at;
+        self.at += whole + usize::from(has_fraction) + fraction;
+        Ok(start..self.at)
     }
 }
 
 /// Bytes that are counted in a byte, which makes the loop vector code.
 const COUNTED_AT_ONCE: usize = 240;
 
-/// How many control characters there are, and how many braces.
-fn counts(bytes: &[u8]) -> (usize, usize) {
-    let count = |chunk: &[u8], is_counted: fn(u8) -> bool| -> usize {
-        let count = chunk.iter().fold(0_u8, |count, &byte| count.wrapping_add(u8::from(is_counted(byte))));
-        usize::from(count)
-    };
-    bytes.chunks(COUNTED_AT_ONCE).fold((0, 0), |(controls, braces), chunk| {
-        let controls = controls + count(chunk, |byte| byte < b' ');
-        (controls, braces + count(chunk, |byte| byte == b'{' || byte == b'}'))
-    })
-}
-
-/// Whether a string has `{meta}`, or a brace alone.
-pub(super) fn has_braces(string: &str) -> bool {
-    memchr2(b'{', b'}', string.as_bytes()).is_some()
+/// How many control characters there are.
+pub(super) fn control_count(bytes: &[u8]) -> usize {
+    let count = |chunk: &[u8]| chunk.iter().fold(0_u8, |count, &byte| count.wrapping_add(u8::from(byte < b' ')));
+    bytes.chunks(COUNTED_AT_ONCE).map(|chunk| usize::from(count(chunk))).sum()
 }

@@ -5,6 +5,7 @@
 //! [`check`](super::check) read the file anew: so all diagnostics are theirs. Where both read a file, they make the same clip;
 //! a test holds them to that.
 
+mod gaps;
 mod members;
 mod strings;
 #[cfg(test)]
@@ -16,10 +17,12 @@ use crate::clip::{ClipData, Locales};
 use crate::options::GestureKeys;
 use crate::source_record::Recorder;
 use crate::{Options, TextLimits};
+use gaps::Gaps;
 use lipz_bank::{Fps, VisemeType};
 use lipz_file::{rate, text};
 use lipz_layout::TEXT_MAX_BYTES;
-use members::{Members, Unclean, Value, has_braces};
+use members::{Members, Unclean};
+use std::ops::Range;
 use strings::CleanStrings;
 
 /// What a thread remembers from one clean file to the next.
@@ -28,10 +31,13 @@ pub(crate) struct CleanFiles<'o> {
     /// Whether files can be clean: nothing is asked for that needs a document.
     is_possible: bool,
     strings: CleanStrings,
+    gaps: Gaps,
     /// The rate that the last file spelled so.
     rate: Option<(String, Fps)>,
     /// For each locale its place in the order of the tags.
     ranks: Vec<u32>,
+    /// For each locale of a text of the last file the place of that.
+    places: Vec<usize>,
     /// The elements of a file, with places in it.
     elements: Vec<Element>,
     /// The emotions in the events of a file, with the numbers of their segments.
@@ -49,11 +55,10 @@ enum Role {
     Text(u32),
 }
 
-/// An element, and where its value stands.
+/// An element, and where its value stands, without quotes.
 struct Element {
     role: Role,
-    start: usize,
-    end: usize,
+    place: Range<usize>,
 }
 
 impl<'o> CleanFiles<'o> {
@@ -62,8 +67,10 @@ impl<'o> CleanFiles<'o> {
             options,
             is_possible: are_possible(options),
             strings: CleanStrings::new(),
+            gaps: Gaps::default(),
             rate: None,
             ranks: Vec::new(),
+            places: Vec::new(),
             elements: Vec::new(),
             feelings: Vec::new(),
         }
@@ -88,40 +95,42 @@ impl<'o> CleanFiles<'o> {
         // Of all elements, which must have as many.
         let mut segment_count = None;
         let (mut has_blank, mut fps, mut viseme_type) = (false, None, None);
-        while let Some((name, value)) = members.next()? {
-            let role = role(name, locales)?;
-            let (string, found) = match (role, value) {
-                (Role::Fps, Value::Number(number)) => {
-                    only_once(fps.replace(self.rate(number)?).is_some())?;
+        while let Some(role) = self.gaps.next(self.elements.len(), &mut members, |name| role(name, locales))? {
+            let (place, found) = match role {
+                Role::Fps => {
+                    let number = members.number()?;
+                    only_once(fps.replace(self.rate(&file[number.clone()])?).is_some())?;
                     (number, None)
                 }
-                (Role::VisemeType, Value::String(string)) => {
-                    let named = string.parse::<VisemeType>().map_err(|_| Unclean)?;
+                Role::VisemeType => {
+                    let (string, _) = members.string(|_| Ok(()))?;
+                    let named = file[string.clone()].parse::<VisemeType>().map_err(|_| Unclean)?;
                     only_once(viseme_type.replace(named).is_some())?;
                     (string, None)
                 }
-                (Role::Visemes, Value::String(string)) => {
+                Role::Visemes => {
                     only_once(std::mem::replace(&mut clip.has_visemes, true))?;
-                    visemes::divide(string, clip);
-                    (string, Some(clip.starts.len()))
+                    let (string, count) = members.string(|codes| {
+                        visemes::add_segment(codes, clip);
+                        Ok(())
+                    })?;
+                    (string, Some(count))
                 }
-                (Role::Events, Value::String(string)) => {
+                Role::Events => {
                     only_once(std::mem::replace(&mut clip.has_events, true))?;
-                    (string, Some(self.events(string, clip)?))
+                    let (string, count) = self.events(&mut members, clip)?;
+                    (string, Some(count))
                 }
-                (Role::Text(locale), Value::String(string)) => {
-                    self.displays(string, members.has_braces, clip)?;
-                    has_blank |= clip.displays.iter().any(str::is_empty);
-                    clip.add_displays(locale);
-                    (string, Some(clip.displays.count()))
+                Role::Text(locale) => {
+                    let (string, count) = self.displays(&mut members, clip, &mut has_blank)?;
+                    clip.end_run(locale, false);
+                    (string, Some(count))
                 }
-                _ => return Err(Unclean),
             };
             if found.is_some_and(|found| *segment_count.get_or_insert(found) != found) {
                 return Err(Unclean);
             }
-            let start = string.as_ptr() as usize - file.as_ptr() as usize;
-            self.elements.push(Element { role, start, end: start + string.len() });
+            self.elements.push(Element { role, place });
         }
         clip.fps = fps.or(self.options.default_fps);
         clip.viseme_type = viseme_type.or(self.options.default_viseme_type);
@@ -152,39 +161,34 @@ impl<'o> CleanFiles<'o> {
         Ok(fps)
     }
 
-    /// Adds the events of all segments, and counts these.
-    fn events(&mut self, string: &str, clip: &mut ClipData) -> Result<usize, Unclean> {
-        for (number, range) in text::segments(string).enumerate() {
-            let segment = &string[range];
-            let feelings = &mut self.feelings;
-            let add = |feeling: &Feeling| feelings.push((number, feeling.clone()));
-            if !self.strings.has_events(segment, self.options, add) {
-                return Err(Unclean);
-            }
+    /// Adds the events of all segments of a string; where that is, and how many they are.
+    fn events(&mut self, members: &mut Members<'_>, clip: &mut ClipData) -> Result<(Range<usize>, usize), Unclean> {
+        members.string(|segment| {
+            let number = clip.events.count();
+            let add = |feeling: &Feeling| self.feelings.push((number, feeling.clone()));
             clip.events.push(text::trim(segment));
-        }
-        Ok(clip.events.count())
+            if self.strings.has_events(segment, self.options, add) { Ok(()) } else { Err(Unclean) }
+        })
     }
 
-    /// Makes the display texts of all segments.
-    fn displays(&mut self, string: &str, may_have_braces: bool, clip: &mut ClipData) -> Result<(), Unclean> {
-        clip.displays.clear();
-        let has_meta = may_have_braces && !self.options.literal_braces && has_braces(string);
-        for range in text::segments(string) {
-            if has_meta {
-                let segment = &string[range];
-                let mut metas = text::meta_ranges(segment).into_iter();
-                let are_clean = metas.all(|meta| self.strings.has_meta(&segment[meta], self.options));
-                let display = text::display(segment);
-                if !are_clean || !display.unbalanced.is_empty() || !display.nested.is_empty() {
-                    return Err(Unclean);
-                }
-                clip.displays.push(&display.text);
-            } else {
-                clip.displays.push(text::trim(&string[range]));
-            }
-        }
-        if clip.displays.text().is_empty() { Err(Unclean) } else { Ok(()) }
+    /// Makes a run of the display texts of all segments of a string; where that is, and how many they are.
+    fn displays(
+        &mut self,
+        members: &mut Members<'_>,
+        clip: &mut ClipData,
+        has_blank: &mut bool,
+    ) -> Result<(Range<usize>, usize), Unclean> {
+        let may_have_meta = members.has_braces && !self.options.literal_braces;
+        let (string, count) = members.string(|segment| {
+            let shown = match may_have_meta {
+                true => self.strings.without_meta(segment, self.options).ok_or(Unclean)?,
+                false => text::trim(segment),
+            };
+            *has_blank |= shown.is_empty();
+            clip.runs.push(shown.as_bytes());
+            Ok(())
+        })?;
+        if clip.runs.is_blank() { Err(Unclean) } else { Ok((string, count)) }
     }
 
     /// Puts the texts into the order of their tags. Those that are packed must be all there are, and there to be packed.
@@ -194,12 +198,14 @@ impl<'o> CleanFiles<'o> {
             let mut order: Vec<u32> = (0..tags.len() as u32).collect();
             order.sort_unstable_by_key(|&number| &tags[number as usize]);
             self.ranks.resize(tags.len(), 0);
+            self.places.resize(tags.len(), 0);
             (0..).zip(order).for_each(|(rank, number)| self.ranks[number as usize] = rank);
         }
         clip.texts.sort_unstable_by_key(|text| self.ranks[text.locale as usize]);
         if clip.texts.array_windows().any(|[one, next]| one.locale == next.locale) {
             return Err(Unclean);
         }
+        clip.texts.iter().enumerate().for_each(|(place, text)| self.places[text.locale as usize] = place);
         let Some(packed) = &self.options.locales else { return Ok(()) };
         let is_packed = |locale| packed.contains(locales.tag(locale));
         let are_the_same = clip.texts.len() == packed.len() && clip.texts.iter().all(|text| is_packed(text.locale));
@@ -220,20 +226,16 @@ impl<'o> CleanFiles<'o> {
         if self.options.strip {
             return;
         }
-        let rank = |locale: u32| self.ranks[locale as usize];
         let buffer = std::mem::take(&mut clip.source);
         let mut record = Recorder::new(clip, buffer, self.elements.len());
-        for Element { role, start, end } in &self.elements {
-            let spelled = &file[*start..*end];
+        for Element { role, place } in &self.elements {
+            let spelled = &file[place.clone()];
             match *role {
                 Role::Fps => record.fps(spelled),
-                Role::VisemeType => record.known("viseme_type", spelled),
-                Role::Visemes => record.known("visemes", spelled),
-                Role::Events => record.known("events", spelled),
-                Role::Text(locale) => {
-                    let place = clip.texts.binary_search_by_key(&rank(locale), |text| rank(text.locale));
-                    record.text(place.unwrap_or_else(|place| place), spelled);
-                }
+                Role::VisemeType => record.as_in_bank("viseme_type"),
+                Role::Visemes => record.as_in_bank("visemes"),
+                Role::Events => record.events(spelled),
+                Role::Text(locale) => record.text(self.places[locale as usize], spelled),
             }
         }
         clip.source = record.finish();

@@ -4,6 +4,8 @@ use crate::Options;
 use crate::check::emotions::{self, Feeling};
 use crate::check::{events, gestures};
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use lipz_file::text;
+use memchr::memchr2;
 
 /// Strings of a kind that are remembered: games repeat few of them often.
 const MOST_KNOWN: usize = 1 << 12;
@@ -13,11 +15,13 @@ pub(super) struct CleanStrings {
     /// With the emotions in them.
     events: HashMap<Box<str>, Box<[Feeling]>>,
     metas: HashSet<Box<str>>,
+    /// Room for a text without its meta.
+    shown: String,
 }
 
 impl CleanStrings {
     pub(super) fn new() -> CleanStrings {
-        CleanStrings { events: HashMap::new(), metas: HashSet::new() }
+        CleanStrings { events: HashMap::new(), metas: HashSet::new(), shown: String::new() }
     }
 
     /// Whether the events of a segment are clean; the emotions in them go to `each`.
@@ -42,9 +46,27 @@ impl CleanStrings {
         is_clean
     }
 
+    /// What is displayed of a segment with braces; `None` if they are no clean meta: alone, or around others.
+    pub(super) fn without_meta(&mut self, segment: &str, options: &Options) -> Option<&str> {
+        self.shown.clear();
+        let brace = |text: &str| memchr2(b'{', b'}', text.as_bytes());
+        let mut rest = segment;
+        while let Some(start) = brace(rest) {
+            let meta = &rest[start..];
+            let meta = &meta[..=1 + brace(&meta[1..])?];
+            if !meta.starts_with('{') || !meta.ends_with('}') || !self.has_meta(meta, options) {
+                return None;
+            }
+            self.shown.push_str(&rest[..start]);
+            rest = &rest[start + meta.len()..];
+        }
+        self.shown.push_str(rest);
+        Some(text::trim(&self.shown))
+    }
+
     /// Whether meta is clean, given with its braces. Finding out whether a name is that of an emotion takes longer than to read a
     /// file.
-    pub(super) fn has_meta(&mut self, meta: &str, options: &Options) -> bool {
+    fn has_meta(&mut self, meta: &str, options: &Options) -> bool {
         known_or(&mut self.metas, meta, || !emotions::are_in_text(meta, options))
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn frames(
 ) {
     // Looked for in the whole, without a branch per code: it is hardly ever there.
     let has_white_space = string.text.bytes().fold(false, |found, byte| found | is_white_space(byte));
-    divide(&string.text, clip);
+    text::segments(&string.text).for_each(|range| add_segment(&string.text[range], clip));
     if has_white_space {
         clip.frames.clear();
         clip.starts.clear();
@@ -61,12 +61,10 @@ pub(super) fn frames(
     }
 }
 
-/// Gives the clip all codes between delimiters, and the start frame of each segment.
-pub(super) fn divide(codes: &str, clip: &mut ClipData) {
-    for range in text::segments(codes) {
-        clip.starts.push(clip.frames.len() as u32); // a source file has less than 2²⁸ bytes
-        clip.frames.extend_from_slice(&codes.as_bytes()[range]);
-    }
+/// Adds a segment of these codes to the clip.
+pub(super) fn add_segment(codes: &str, clip: &mut ClipData) {
+    clip.starts.push(clip.frames.len() as u32); // a source file has less than 2²⁸ bytes
+    clip.frames.extend_from_slice(codes.as_bytes());
 }
 
 fn is_white_space(byte: u8) -> bool {
