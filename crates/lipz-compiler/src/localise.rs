@@ -12,96 +12,79 @@ pub(crate) struct Localised {
     pub(crate) locales: Vec<LocaleColumn>,
 }
 
-/// The texts of one locale.
+/// A locale, and what it shows of other texts than its own.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct LocaleColumn {
     pub(crate) tag: Box<str>,
     pub(crate) is_default: bool,
-    /// For each clip: where its text is.
-    texts: Vec<Stored>,
+    /// For each clip, as far as there are any, a number for what it shows without a text of its own. Of millions of
+    /// texts most are their clips' own.
+    others: Vec<u32>,
 }
 
-/// A [`Choice`] as one number: there are millions.
+/// What a clip without a text in a locale shows there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Stored(u32);
+pub(crate) enum Other {
+    /// The text of its original: it is a dub.
+    Original,
+    /// That of the locale with this index.
+    Fallback(u32),
+}
 
-/// No text anywhere.
-const MISSING: u32 = u32::MAX;
+/// No text but the clip's own.
+const NONE: u32 = u32::MAX;
 /// The text of the original.
 const ORIGINAL: u32 = u32::MAX - 1;
-/// A bit of the numbers of other locales.
-const FALLBACK: u32 = 1 << 31;
-
-impl Stored {
-    fn new(choice: Choice) -> Stored {
-        Stored(match choice {
-            Choice::Own(index) => index,
-            Choice::Fallback(other) => other | FALLBACK,
-            Choice::Original => ORIGINAL,
-            Choice::Missing => MISSING,
-        })
-    }
-
-    fn choice(self) -> Choice {
-        match self.0 {
-            ORIGINAL => Choice::Original,
-            MISSING => Choice::Missing,
-            number if number & FALLBACK != 0 => Choice::Fallback(number & !FALLBACK),
-            index => Choice::Own(index),
-        }
-    }
-}
 
 impl LocaleColumn {
-    /// The column of a locale whose texts are there.
-    pub(crate) fn new(tag: &str, is_default: bool, texts: impl Iterator<Item = Choice>) -> LocaleColumn {
-        LocaleColumn { tag: tag.into(), is_default, texts: texts.map(Stored::new).collect() }
+    /// The column of a locale in which clips show their own texts.
+    pub(crate) fn new(tag: &str, is_default: bool) -> LocaleColumn {
+        LocaleColumn { tag: tag.into(), is_default, others: Vec::new() }
     }
 
-    /// Puts the text of the clip with this index elsewhere.
-    pub(crate) fn set(&mut self, clip: usize, choice: Choice) {
-        if let Some(stored) = self.texts.get_mut(clip) {
-            *stored = Stored::new(choice);
+    /// Has the clip with this index, which has no text in the locale, show another one, or none.
+    pub(crate) fn set(&mut self, clip: usize, other: Option<Other>) {
+        if clip >= self.others.len() && other.is_some() {
+            self.others.resize(clip + 1, NONE);
+        }
+        if let Some(stored) = self.others.get_mut(clip) {
+            *stored = match other {
+                None => NONE,
+                Some(Other::Original) => ORIGINAL,
+                Some(Other::Fallback(locale)) => locale,
+            };
         }
     }
 
-    /// Where the text of the clip with this index is.
-    pub(crate) fn text(&self, clip: usize) -> Choice {
-        self.texts.get(clip).map_or(Choice::Missing, |stored| stored.choice())
+    /// What the clip with this index shows, if it is not its own text.
+    pub(crate) fn other(&self, clip: usize) -> Option<Other> {
+        self.others.get(clip).copied().and_then(other)
     }
 
-    /// Where the text of each clip is.
-    pub(crate) fn texts(&self) -> impl Iterator<Item = Choice> {
-        self.texts.iter().map(|stored| stored.choice())
+    /// All clips with another text than their own.
+    pub(crate) fn others(&self) -> impl Iterator<Item = (usize, Other)> {
+        self.others.iter().enumerate().filter_map(|(clip, stored)| Some((clip, other(*stored)?)))
     }
 }
 
-/// Where the text of a clip in a locale is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Choice {
-    /// The clip has a text in the locale: its index in `Clip::texts`.
-    Own(u32),
-    /// The clip is a dub without a text in the locale, and its original has one.
-    Original,
-    /// It does not, and shows that of the locale with this index.
-    Fallback(u32),
-    /// Nor in any locale that this one falls back to.
-    Missing,
+fn other(stored: u32) -> Option<Other> {
+    match stored {
+        NONE => None,
+        ORIGINAL => Some(Other::Original),
+        locale => Some(Other::Fallback(locale)),
+    }
 }
 
 /// Resolves fallback for `clips`, whose texts refer to `tags`; [`chain`](crate::fallback::chain) has the rule. The texts of
 /// an original are those of its dubs, too, where these have none.
 pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], dubs: &Dubs, options: &Options) -> Localised {
-    let mut choices = vec![vec![Stored::new(Choice::Missing); clips.len()]; tags.len()];
-    for (at, clip) in clips.iter().enumerate() {
-        for (index, text) in (0..).zip(clip.texts()) {
-            choices[text.locale as usize][at] = Stored::new(Choice::Own(index));
-        }
-    }
+    let mut localised = own(tags, options);
+    let columns = &mut localised.locales;
+    let has_text = |at: usize, locale: usize| clips[at].text_in(locale as u32).is_some();
     for (at, dub) in dubs.iter() {
-        for of_locale in &mut choices {
-            if let (Choice::Missing, Choice::Own(_)) = (of_locale[at].choice(), of_locale[dub.original].choice()) {
-                of_locale[at] = Stored::new(Choice::Original);
+        for (locale, column) in columns.iter_mut().enumerate() {
+            if !has_text(at, locale) && has_text(dub.original, locale) {
+                column.set(at, Some(Other::Original));
             }
         }
     }
@@ -112,36 +95,21 @@ pub(crate) fn localise(clips: &[Clip<'_>], tags: &[Box<str>], dubs: &Dubs, optio
         let own = clip.texts().iter().filter(|text| !text.is_fallback()).map(|text| text.locale as usize);
         let of_original = dubs.dub(at).into_iter().flat_map(|dub| clips[dub.original].texts());
         let borrowed = of_original.filter(|text| !text.is_fallback()).map(|text| text.locale as usize);
-        let borrowed = borrowed.filter(|&locale| choices[locale][at].choice() == Choice::Original);
+        let borrowed = borrowed.filter(|&locale| columns[locale].other(at) == Some(Other::Original));
         let own: Vec<usize> = own.chain(borrowed).collect();
-        let missing: Vec<usize> =
-            (0..tags.len()).filter(|&locale| choices[locale][at].choice() == Choice::Missing).collect();
+        let is_missing = |locale: &usize| columns[*locale].other(at).is_none() && !has_text(at, *locale);
+        let missing: Vec<usize> = (0..tags.len()).filter(is_missing).collect();
         fallbacks.resolve(own.into_iter(), missing.into_iter(), |locale, other| {
-            choices[locale][at] = Stored::new(Choice::Fallback(other as u32));
+            columns[locale].set(at, Some(Other::Fallback(other as u32)));
         });
     }
-    columns(tags, choices, options)
+    localised
 }
 
-/// The texts that `clips` have themselves, which refer to `tags`: nothing is resolved.
-#[cfg(feature = "shards")]
-pub(crate) fn own(clips: &[Clip<'_>], tags: &[Box<str>], options: &Options) -> Localised {
-    let mut choices = vec![vec![Stored::new(Choice::Missing); clips.len()]; tags.len()];
-    for (at, clip) in clips.iter().enumerate() {
-        for (index, text) in (0..).zip(clip.texts()) {
-            choices[text.locale as usize][at] = Stored::new(Choice::Own(index));
-        }
-    }
-    columns(tags, choices, options)
-}
-
-fn columns(tags: &[Box<str>], choices: Vec<Vec<Stored>>, options: &Options) -> Localised {
+/// The locales with these `tags` in which clips show the texts that they have themselves: nothing is resolved.
+pub(crate) fn own(tags: &[Box<str>], options: &Options) -> Localised {
     let default = options.default_locale.as_deref();
-    let locales = std::iter::zip(tags, choices).map(|(tag, texts)| LocaleColumn {
-        tag: tag.clone(),
-        is_default: Some(tag.as_ref()) == default,
-        texts,
-    });
+    let locales = tags.iter().map(|tag| LocaleColumn::new(tag, Some(&**tag) == default));
     Localised { locales: locales.collect() }
 }
 
@@ -173,13 +141,13 @@ mod tests {
         let localised = localised(&clips, Some("en-us"));
         let of = |tag: &str| {
             let column = localised.locales.iter().find(|locale| *locale.tag == *tag).unwrap();
-            column.texts().collect::<Vec<_>>()
+            column.others().collect::<Vec<_>>()
         };
-        use Choice::{Fallback, Missing, Own};
+        use Other::Fallback;
         // de-at, de-ch, de-de, en-us, fr-fr
-        assert_eq!(of("de-at"), [Own(0), Fallback(1), Fallback(3), Missing]);
-        assert_eq!(of("de-ch"), [Own(1), Own(0), Fallback(3), Missing]);
-        assert_eq!(of("fr-fr"), [Fallback(3), Fallback(3), Fallback(3), Own(0)]);
-        assert_eq!(of("en-us"), [Own(3), Own(1), Own(0), Missing]);
+        assert_eq!(of("de-at"), [(1, Fallback(1)), (2, Fallback(3))]);
+        assert_eq!(of("de-ch"), [(2, Fallback(3))]);
+        assert_eq!(of("fr-fr"), [(0, Fallback(3)), (1, Fallback(3)), (2, Fallback(3))]);
+        assert_eq!(of("en-us"), []);
     }
 }

@@ -3,7 +3,7 @@
 use crate::clip::{ClipData, split_run};
 use crate::lower::assemble::{Section, assemble};
 use crate::lower::numbering::Numbering;
-use crate::lower::texts::{Run, pool_of};
+use crate::lower::texts::{Displays, Run, pool_of};
 use crate::lower::too_large;
 use lipz_bank::{Bank, Locale};
 use lipz_diagnostics::{Code, Report};
@@ -142,7 +142,7 @@ impl<'data> WholeBank<'data> {
         pool_of(&numbering, |at| {
             let text = texts.texts.get(places[at]? as usize)?;
             let (displays, ends) = split_run(texts.whole_run(text), numbering.segments(at).len());
-            Some(Run::of(text, ends, displays))
+            Some(Run::new(text, ends, Displays::Here(displays), displays.is_empty()))
         })
     }
 }

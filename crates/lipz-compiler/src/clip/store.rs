@@ -300,6 +300,12 @@ impl<'c> Clip<'c> {
         &self.clips.text_ends[self.range(|ends| ends.text_ends)][count * index..][..count]
     }
 
+    /// The texts, each with where its segments end.
+    pub(crate) fn texts_with_ends(&self) -> impl Iterator<Item = (&'c ClipText, &'c [U16])> + use<'c> {
+        let ends = &self.clips.text_ends[self.range(|ends| ends.text_ends)];
+        std::iter::zip(self.texts(), ends.chunks_exact(self.starts().len().max(1)))
+    }
+
     /// The display texts of one of the texts, one behind the other.
     pub(crate) fn displays(&self, index: usize) -> Part<'c> {
         let text = &self.texts()[index];

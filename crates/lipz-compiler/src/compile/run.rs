@@ -124,7 +124,7 @@ impl Run {
         }
         let tags = Clips::join_locales(&mut self.clips);
         let clips = Clips::by_key(&self.clips);
-        let localised = localise::own(&clips, &tags, options);
+        let localised = localise::own(&tags, options);
         let beside = Beside { export: export(&self.reports, &tags), ..Beside::of(options) };
         let layout = Layout::new(&clips, &localised, &Dubs::default(), beside);
         drop((clips, localised));

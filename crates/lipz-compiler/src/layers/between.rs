@@ -3,6 +3,7 @@
 use super::content::{Draft, Records, Shown, Texts, are_equal};
 use super::links::{Links, Whose};
 use super::merge::profiles;
+use crate::localise::LocaleColumn;
 use crate::lower::Beside;
 use crate::lower::layer::LayerDraft;
 use lipz_bank::{Bank, Clip, Locale};
@@ -31,7 +32,7 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
     let records = [Records::of(old), Records::of(new)];
     let default =
         |locales: &[Locale<'_>]| locales.iter().find(|locale| locale.is_default()).map(|it| it.tag().to_owned());
-    let mut draft = Draft::new(pairs.new.iter().map(|new| (new.tag().to_owned(), new.is_default())).collect());
+    let mut draft = Draft::new(pairs.new.iter().map(|new| LocaleColumn::new(new.tag(), new.is_default())).collect());
     let mut layer = LayerDraft { bases: checksums.to_vec(), ..LayerDraft::default() };
     let mut recordings = BTreeMap::new();
     for clip in new.clips() {

@@ -3,7 +3,7 @@
 use super::links::Whose;
 use crate::clip::{ClipData, Clips};
 use crate::dubs::Dubs;
-use crate::localise::{Choice, LocaleColumn, Localised};
+use crate::localise::{LocaleColumn, Localised, Other};
 use crate::lower::{Beside, Layout};
 use crate::source_index::SourceIndex;
 use lipz_bank::{Bank, Clip, Text};
@@ -147,21 +147,18 @@ impl<'d> Records<'d> {
 pub(super) struct Draft {
     clips: Clips,
     data: ClipData,
-    locales: Vec<(String, bool)>,
-    /// For each locale where the text of each clip is.
-    choices: Vec<Vec<Choice>>,
+    locales: Vec<LocaleColumn>,
     /// The dubs among the clips.
     pub(super) dubs: Dubs,
 }
 
 impl Draft {
     /// A bank with these locales in the order of their tags, one of them perhaps the default.
-    pub(super) fn new(locales: Vec<(String, bool)>) -> Draft {
+    pub(super) fn new(locales: Vec<LocaleColumn>) -> Draft {
         let mut clips = Clips::default();
         // So their numbers are their places.
-        locales.iter().for_each(|(tag, _)| _ = clips.locales.number(tag, false));
-        let choices = vec![Vec::new(); locales.len()];
-        Draft { clips, data: ClipData::default(), choices, locales, dubs: Dubs::default() }
+        locales.iter().for_each(|locale| _ = clips.locales.number(&locale.tag, false));
+        Draft { clips, data: ClipData::default(), locales, dubs: Dubs::default() }
     }
 
     /// Adds a clip: what it has beside texts, its texts, or both.
@@ -177,15 +174,14 @@ impl Draft {
         if let Some((texts, whose)) = texts {
             take_texts(texts, whose, |locale| locale as u32, &mut self.data);
         }
-        let mut own = 0..;
-        for (locale, choices) in self.choices.iter_mut().enumerate() {
+        for (locale, column) in self.locales.iter_mut().enumerate() {
             let is_original = texts.is_some_and(|(_, whose)| whose.is_original(locale));
-            choices.push(match texts.map_or(Shown::Nothing, |(texts, _)| texts.shown[locale]) {
-                Shown::Nothing => Choice::Missing,
-                Shown::Own | Shown::Borrowed if is_original => Choice::Original,
-                Shown::Own | Shown::Borrowed => Choice::Own(own.next().unwrap_or_default()),
-                Shown::Fallback(other) => Choice::Fallback(other as u32),
-            });
+            let other = match texts.map_or(Shown::Nothing, |(texts, _)| texts.shown[locale]) {
+                Shown::Own | Shown::Borrowed if is_original => Some(Other::Original),
+                Shown::Nothing | Shown::Own | Shown::Borrowed => None,
+                Shown::Fallback(other) => Some(Other::Fallback(other as u32)),
+            };
+            column.set(self.clips.count(), other);
         }
         self.data.source.extend_from_slice(record);
         self.clips.push(key, &self.data);
@@ -193,10 +189,7 @@ impl Draft {
 
     /// The bank.
     pub(super) fn bank(self, beside: Beside<'_>) -> Result<Vec<u8>, Report> {
-        let columns = std::iter::zip(self.locales, self.choices);
-        let columns =
-            columns.map(|((tag, is_default), choices)| LocaleColumn::new(&tag, is_default, choices.into_iter()));
-        let localised = Localised { locales: columns.collect() };
+        let localised = Localised { locales: self.locales };
         let batches = vec![self.clips];
         let layout = Layout::new(&Clips::by_key(&batches), &localised, &self.dubs, beside)?;
         layout.fill(batches)

@@ -5,7 +5,7 @@ use super::links::Whose;
 use super::merge::profiles;
 use crate::clip::{Clip, ClipData, Clips};
 use crate::dubs::KeptDubs;
-use crate::localise::{Choice, Localised};
+use crate::localise::{Localised, Other};
 use crate::{Input, Options};
 use lipz_bank::{Bank, Locale};
 use lipz_diagnostics::{Code, Report, escape};
@@ -95,10 +95,9 @@ impl Kept {
             for (shown, locale) in std::iter::zip(&self.shown[index], &numbers) {
                 let Some(column) = locale.and_then(|locale| localised.locales.get_mut(locale)) else { continue };
                 match shown {
-                    Shown::Nothing => column.set(at, Choice::Missing),
+                    Shown::Nothing => column.set(at, None),
                     Shown::Fallback(other) => {
-                        let other = numbers[*other].map(|other| Choice::Fallback(other as u32));
-                        column.set(at, other.unwrap_or(Choice::Missing));
+                        column.set(at, numbers[*other].map(|other| Other::Fallback(other as u32)));
                     }
                     Shown::Own | Shown::Borrowed => {}
                 }

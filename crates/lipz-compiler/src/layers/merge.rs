@@ -3,6 +3,7 @@
 use super::content::{Draft, Records, Texts};
 use super::links::{Whose, dubs_of};
 use super::stack::MAX_LAYERS;
+use crate::localise::LocaleColumn;
 use crate::lower::Beside;
 use lipz_bank::{Bank, LayeredClip, LayeredLocale, Layers, TextBank};
 use lipz_diagnostics::{Code, Report};
@@ -44,8 +45,8 @@ pub(super) fn merge_of<'d>(
     let locales: Vec<Locale<'_>> =
         std::iter::zip(locales, is_used).filter(|(_, is_used)| *is_used).map(|(locale, _)| locale).collect();
     let default = layers.default_locale().or_else(|| Some(of_texts().find(lipz_bank::Locale::is_default)?.tag()));
-    let mut draft =
-        Draft::new(locales.iter().map(|locale| (locale.tag().to_owned(), default == Some(locale.tag()))).collect());
+    let column = |locale: &Locale<'_>| LocaleColumn::new(locale.tag(), default == Some(locale.tag()));
+    let mut draft = Draft::new(locales.iter().map(column).collect());
     let records: Vec<Records<'_>> =
         (0..layers.layer_count()).filter_map(|layer| layers.bank(layer).map(Records::of)).collect();
     let strip = records.iter().any(Records::are_stripped);

@@ -24,21 +24,32 @@ pub(super) struct Index {
     pub(super) slots_le: Vec<U32>,
 }
 
-/// The index of distinct `ids`; at most 2³¹ of them.
+/// The index of `ids`, at most 2³¹ of them; or, as an error, the least id that is there twice.
 ///
 /// Seed 0 does for all but chosen keys: with it, a bucket of more than [`MAX_BUCKET`] ids, or two ids
 /// of a bucket that no pilot separates, are less likely than a broken memory. Keys that were chosen to
-/// meet seed 0 are spread by the next one, which has nothing to do with it.
-pub(super) fn build(ids: &[u64]) -> Index {
+/// meet seed 0 are spread by the next one, which has nothing to do with it. Only equal ids meet every seed: nobody looks for
+/// them before one has failed.
+pub(super) fn build(ids: &[u64]) -> Result<Index, u64> {
     let mut attempt = 0;
     loop {
         let seed = if attempt == 0 { 0 } else { spread(attempt, ATTEMPT_SEED) };
         if let Some((pilots, slots)) = try_seed(ids, seed) {
             let slots_le = slots.iter().map(|&slot| slot.into()).collect();
-            return Index { seed, pilots: pilots.into_iter().map(U32::new).collect(), slots, slots_le };
+            return Ok(Index { seed, pilots: pilots.into_iter().map(U32::new).collect(), slots, slots_le });
+        }
+        if attempt == 0 {
+            are_distinct(ids)?;
         }
         attempt += 1;
     }
+}
+
+/// Whether all ids are; the least that is there twice, if not.
+fn are_distinct(ids: &[u64]) -> Result<(), u64> {
+    let mut sorted = ids.to_vec();
+    sorted.sort_unstable();
+    sorted.array_windows().find(|[id, next]| id == next).map_or(Ok(()), |[id, _]| Err(*id))
 }
 
 fn try_seed(ids: &[u64], seed: u64) -> Option<(Vec<u32>, Vec<u32>)> {
@@ -130,7 +141,7 @@ mod tests {
     fn every_id_has_a_slot_of_its_own() {
         for count in [0_usize, 1, 2, 3, 4, 7, 40, 1000, 50_000] {
             let ids: Vec<u64> = (0..count).map(|n| ClipId::from_key(&format!("act{}/line-{n}", n % 7)).get()).collect();
-            let index = build(&ids);
+            let index = build(&ids).ok().unwrap();
             let mut slots = index.slots.clone();
             slots.sort_unstable();
             assert!(slots.iter().enumerate().all(|(at, &slot)| slot as usize == at), "{count}");
@@ -153,13 +164,21 @@ mod tests {
         let target = 0x1234_5678_9ABC_DEF0_u64;
         let ids = [unspread(target), unspread(target ^ (1 << 32))];
         assert_eq!(spread(ids[0], 0) as u32, spread(ids[1], 0) as u32);
-        assert_eq!(build(&ids).seed, spread(1, ATTEMPT_SEED));
+        assert_eq!(build(&ids).map(|index| index.seed), Ok(spread(1, ATTEMPT_SEED)));
     }
 
     #[test]
     fn ids_chosen_to_fall_into_one_bucket_get_another_seed() {
         let ids: Vec<u64> = (1..=20_000).map(unspread).collect();
         assert!(ids.iter().all(|&id| bucket_of(spread(id, 0), 6667) == 0));
-        assert_eq!(build(&ids).seed, spread(1, ATTEMPT_SEED));
+        assert_eq!(build(&ids).map(|index| index.seed), Ok(spread(1, ATTEMPT_SEED)));
+    }
+
+    #[test]
+    fn equal_ids_are_found() {
+        let mut ids: Vec<u64> = (0..1000).map(|number| spread(number, 1)).collect();
+        ids.extend([8, 8, 7, 7]);
+        assert_eq!(build(&ids).map(|index| index.seed), Err(7));
+        assert_eq!(build(&[9; 2 * MAX_BUCKET]).map(|index| index.seed), Err(9), "more than a bucket has");
     }
 }

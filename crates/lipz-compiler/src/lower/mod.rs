@@ -103,7 +103,10 @@ impl Layout {
         beside: Beside<'_>,
     ) -> Result<Layout, Report> {
         let numbering = Numbering::new(clips.iter().map(|clip| (clip.events().is_some(), clip.starts().len() as u32)));
-        let index_of_ids = || unique_ids(clips).map(|ids| (index::build(&ids), ids));
+        let index_of_ids = || {
+            let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(clip.key()).get()).collect();
+            index::build(&ids).map(|index| (index, ids)).map_err(|id| same_id(clips, id))
+        };
         let small_parts = || (events::events(clips), strings::names(clips, localised), strings::own_sources(clips));
         let (index, (events, names, sources)) = parallel::join(index_of_ids, small_parts);
         // Locale by locale on all threads, after the others: each takes memory that is given back at its end.
@@ -213,20 +216,16 @@ fn batch_slots(clips: &[Clip<'_>], slots: &[u32]) -> Vec<Vec<u32>> {
     batches
 }
 
-/// The ids of `clips`, if no two are the same. The report has the key of a clip for a path.
-fn unique_ids(clips: &[Clip<'_>]) -> Result<Vec<u64>, Report> {
-    let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(clip.key()).get()).collect();
-    let mut sorted = ids.clone();
-    sorted.sort_unstable();
-    let Some([id, _]) = sorted.array_windows().find(|[id, next]| id == next) else { return Ok(ids) };
-    let mut same = std::iter::zip(&ids, clips).filter(|(other, _)| *other == id).map(|(_, clip)| clip.key());
+/// The diagnostic for clips of which two have this id. The report has the key of a clip for a path.
+fn same_id(clips: &[Clip<'_>], id: u64) -> Report {
+    let mut same = clips.iter().map(Clip::key).filter(|key| ClipId::from_key(key).get() == id);
     let (key, next_key) = (same.next().unwrap_or_default(), same.next().unwrap_or_default());
-    Err(Report::failure(
+    Report::failure(
         next_key,
         Code::IdCollision,
         format!("the keys `{key}` and `{next_key}` have the same clip id, {id:016x}"),
         "rename one of the two: it happens about once in 10^9 banks of 100,000 clips",
-    ))
+    )
 }
 
 /// A number that a 32-bit field of the bank holds, or the diagnostic that it does not.

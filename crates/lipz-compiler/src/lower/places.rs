@@ -20,26 +20,26 @@ pub(super) enum Place {
     As(u32),
 }
 
-/// What becomes of the texts of each clip, clips in their order, in each of so many locales.
+/// What becomes of the texts of each clip, clips in their order, in each of so many locales. `runs` gives those of a clip.
 ///
 /// The clips are gone through once for all locales, and what is asked for each of them is small: otherwise all waits for
 /// memory.
-pub(super) fn places<'c>(
+pub(super) fn places<'c, R: Iterator<Item = (usize, Run<'c>)>>(
     numbering: &Numbering,
-    run: &impl Fn(usize, usize) -> Option<Run<'c>>,
+    runs: impl Fn(usize) -> R,
     column_count: usize,
 ) -> Vec<Vec<Place>> {
-    let mut columns: Vec<Vec<Place>> = (0..column_count).map(|_| Vec::with_capacity(numbering.order().len())).collect();
-    for clip in numbering.order() {
-        for (number, column) in columns.iter_mut().enumerate() {
-            column.push(match run(number, clip) {
-                Some(own) if own.stands_apart => Place::Next,
-                Some(own) => Place::Hashed(own.hash),
-                None => Place::None,
-            });
+    let mut columns = vec![vec![Place::None; numbering.order().len()]; column_count];
+    for (at, clip) in numbering.order().enumerate() {
+        for (number, run) in runs(clip) {
+            if let Some(column) = columns.get_mut(number) {
+                column[at] = if run.stands_apart { Place::Next } else { Place::Hashed(run.hash) };
+            }
         }
     }
-    columns.iter_mut().enumerate().for_each(|(number, column)| decide(column, numbering, |clip| run(number, clip)));
+    for (number, column) in columns.iter_mut().enumerate() {
+        decide(column, numbering, |clip| runs(clip).find(|(of_run, _)| *of_run == number).map(|(_, run)| run));
+    }
     columns
 }
 

@@ -5,7 +5,7 @@ use super::places::{Place, places};
 use super::too_large;
 use crate::clip::{Clip, ClipText, Part};
 use crate::dubs::Dubs;
-use crate::localise::{Choice, Localised};
+use crate::localise::{Localised, Other};
 use crate::parallel;
 use lipz_diagnostics::Report;
 use lipz_layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, U16, U32, text_count};
@@ -30,20 +30,23 @@ pub(super) fn texts(
     let mut starts = vec![U32::new(NO_TEXT); count * segment_count + 1];
     let mut lengths = vec![0; count];
     let table_length = segment_count.max(1);
-    let shown_elsewhere = shown_elsewhere(clips, localised, dubs);
-    let run = |locale: usize, at: usize| match localised.locales[locale].text(at) {
-        Choice::Own(index) => {
-            let run = Run::new(&clips[at], index as usize, shown_elsewhere[locale][at]);
-            Some(Run { stands_apart: dubs.dub(at).is_some(), ..run })
-        }
-        _ => None,
+    let shown_elsewhere = shown_elsewhere(clips.len(), localised, dubs);
+    let runs = |at: usize| {
+        let (clip, stands_apart, shown_elsewhere) = (clips[at], dubs.dub(at).is_some(), &shown_elsewhere);
+        clip.texts_with_ends().enumerate().map(move |(index, (text, ends))| {
+            let locale = text.locale as usize;
+            let is_shown_elsewhere = shown_elsewhere[locale].get(at).is_some_and(|is_shown| *is_shown);
+            // So that every run has a start of its own.
+            let is_counted = is_shown_elsewhere || text.is_empty();
+            (locale, Run { stands_apart, ..Run::new(text, ends, Displays::Of(clip, index), is_counted) })
+        })
     };
     let tables = zip(starts.chunks_mut(table_length), &mut lengths);
     let mut columns: Vec<Column<'_>> = tables.map(|(starts, length)| Column { starts, length }).collect();
     // Each thread goes through the clips once, for all of its locales.
     let at_once = count.div_ceil(parallel::thread_count()).max(1);
     parallel::for_each(columns.chunks_mut(at_once).enumerate().collect(), |(part, columns): (usize, &mut [_])| {
-        lay_out(numbering, |column, at| run(part * at_once + column, at), columns);
+        lay_out(numbering, part * at_once, runs, columns);
     });
     let pool_length = pool_length(&lengths)?;
     let bases = lengths.iter().scan(0, |end, length| Some(std::mem::replace(end, *end + *length as u32)));
@@ -56,15 +59,20 @@ pub(super) fn texts(
     Ok(Texts { starts, lengths })
 }
 
-/// For each locale and clip, whether another locale or a dub shows the clip's texts, too.
-fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised, dubs: &Dubs) -> Vec<Vec<bool>> {
-    let mut shown = vec![vec![false; clips.len()]; localised.locales.len()];
+/// For each locale and clip, whether another locale or a dub shows the clip's texts, too; for no clip where none does.
+fn shown_elsewhere(clip_count: usize, localised: &Localised, dubs: &Dubs) -> Vec<Vec<bool>> {
+    let mut shown = vec![Vec::new(); localised.locales.len()];
+    let mut show = |locale: usize, at: usize| {
+        let shown: &mut Vec<bool> = &mut shown[locale];
+        shown.resize(clip_count, false);
+        shown[at] = true;
+    };
     for (locale, column) in localised.locales.iter().enumerate() {
-        for (at, choice) in column.texts().enumerate() {
-            match (choice, dubs.dub(at)) {
-                (Choice::Fallback(other), _) => shown[other as usize][at] = true,
-                (Choice::Original, Some(dub)) => shown[locale][dub.original] = true,
-                _ => {}
+        for (at, other) in column.others() {
+            match (other, dubs.dub(at)) {
+                (Other::Fallback(other), _) => show(other as usize, at),
+                (Other::Original, Some(dub)) => show(locale, dub.original),
+                (Other::Original, None) => {}
             }
         }
     }
@@ -75,7 +83,7 @@ fn shown_elsewhere(clips: &[Clip<'_>], localised: &Localised, dubs: &Dubs) -> Ve
 fn borrow(localised: &Localised, dubs: &Dubs, numbering: &Numbering, starts: &mut [U32]) {
     for (locale, column) in localised.locales.iter().enumerate() {
         let first = locale * numbering.segment_count;
-        for (at, dub) in dubs.iter().filter(|(at, _)| column.text(*at) == Choice::Original) {
+        for (at, dub) in dubs.iter().filter(|(at, _)| column.other(*at) == Some(Other::Original)) {
             for (own, original) in zip(numbering.segments(at), numbering.segments(dub.original)) {
                 starts[first + own] = starts[first + original];
             }
@@ -86,8 +94,8 @@ fn borrow(localised: &Localised, dubs: &Dubs, numbering: &Numbering, starts: &mu
 /// Gives a clip without texts in a locale those of the locale that it falls back to.
 fn fall_back(localised: &Localised, numbering: &Numbering, starts: &mut [U32]) {
     for (locale, column) in localised.locales.iter().enumerate() {
-        for (at, choice) in column.texts().enumerate() {
-            let Choice::Fallback(other) = choice else { continue };
+        for (at, other) in column.others() {
+            let Other::Fallback(other) = other else { continue };
             for number in numbering.segments(at) {
                 let start = starts[other as usize * numbering.segment_count + number];
                 starts[locale * numbering.segment_count + number] = start | TEXT_FALLBACK;
@@ -110,13 +118,13 @@ pub(crate) fn pool_of<'c>(
     let mut starts = vec![U32::new(NO_TEXT); numbering.segment_count];
     let mut length = 0;
     let column = Column { starts: &mut starts, length: &mut length };
-    lay_out(numbering, |_, at| run(at), &mut [column]);
+    lay_out(numbering, 0, |at| run(at).map(|run| (0, run)).into_iter(), &mut [column]);
     let length = pool_length(&[length])?;
     let mut pool = vec![0; length as usize];
     for at in numbering.order() {
         let own = &starts[numbering.segments(at)];
         if let Some(run) = run(at) {
-            copy(&run.texts.displays().bytes(), own, 0, &mut pool);
+            copy(&run.displays.part().bytes(), own, 0, &mut pool);
         }
     }
     starts.push(length.into());
@@ -125,7 +133,9 @@ pub(crate) fn pool_of<'c>(
 
 /// The texts of a clip in one locale, to be placed.
 pub(crate) struct Run<'c> {
-    texts: RunTexts<'c>,
+    /// Where each text ends, modulo 2¹⁶.
+    ends: &'c [U16],
+    displays: Displays<'c>,
     /// Hash of the texts.
     pub(super) hash: u32,
     is_fallback: bool,
@@ -135,50 +145,32 @@ pub(crate) struct Run<'c> {
     is_counted: bool,
 }
 
-/// Where the texts of a run are.
+/// Where the texts of a run are, one behind the other.
 #[derive(Clone, Copy)]
-enum RunTexts<'c> {
+pub(crate) enum Displays<'c> {
     /// Those of a clip with this number, which are looked at when they are needed: there are millions.
     Of(Clip<'c>, usize),
-    /// Where each text ends, modulo 2¹⁶, and the texts, one behind the other.
-    Here(&'c [U16], &'c [u8]),
+    Here(&'c [u8]),
 }
 
-impl<'c> RunTexts<'c> {
-    fn ends(self) -> &'c [U16] {
+impl<'c> Displays<'c> {
+    fn part(self) -> Part<'c> {
         match self {
-            RunTexts::Of(clip, index) => clip.text_ends(index),
-            RunTexts::Here(ends, _) => ends,
-        }
-    }
-
-    fn displays(self) -> Part<'c> {
-        match self {
-            RunTexts::Of(clip, index) => clip.displays(index),
-            RunTexts::Here(_, displays) => Part::Here(displays),
+            Displays::Of(clip, index) => clip.displays(index),
+            Displays::Here(displays) => Part::Here(displays),
         }
     }
 }
 
 impl<'c> Run<'c> {
-    /// The run of one of a clip's texts, which another locale shows, too, or does not.
-    fn new(clip: &Clip<'c>, index: usize, is_shown_elsewhere: bool) -> Run<'c> {
-        let text = &clip.texts()[index];
-        // So that every run has a start of its own.
-        let is_counted = is_shown_elsewhere || text.is_empty();
-        let (texts, is_fallback) = (RunTexts::Of(*clip, index), text.is_fallback());
-        Run { texts, hash: text.hash, is_fallback, stands_apart: false, is_counted }
-    }
-
-    /// The run of a text with these ends and texts.
-    pub(crate) fn of(text: &ClipText, ends: &'c [U16], displays: &'c [u8]) -> Run<'c> {
-        let (texts, is_fallback) = (RunTexts::Here(ends, displays), text.is_fallback());
-        Run { texts, hash: text.hash, is_fallback, stands_apart: false, is_counted: displays.is_empty() }
+    /// The run of a text with these ends and texts. The last of them is counted, at the latest if something follows it.
+    pub(crate) fn new(text: &ClipText, ends: &'c [U16], displays: Displays<'c>, is_counted: bool) -> Run<'c> {
+        Run { ends, displays, hash: text.hash, is_fallback: text.is_fallback(), stands_apart: false, is_counted }
     }
 
     /// Whether other texts are the same, segment by segment.
     pub(super) fn is_same(&self, other: &Run<'_>) -> bool {
-        self.texts.ends() == other.texts.ends() && self.texts.displays() == other.texts.displays()
+        self.ends == other.ends && self.displays.part() == other.displays.part()
     }
 
     /// The entry of a text that starts at this offset.
@@ -189,7 +181,7 @@ impl<'c> Run<'c> {
     /// Makes the entries of texts that stand behind those so far; returns where they end.
     fn put_entries(&self, start: usize, is_counted: bool, entries: &mut [U32]) -> usize {
         let mut end = start;
-        for (entry, low) in zip(&mut *entries, self.texts.ends()) {
+        for (entry, low) in zip(&mut *entries, self.ends) {
             *entry = self.entry(end as u32); // too much is found by the length
             end += usize::from(low.get().wrapping_sub((end - start) as u16));
         }
@@ -211,25 +203,34 @@ struct Column<'s> {
     length: &'s mut usize,
 }
 
-/// Places the texts that clips have in some locales, given by `run`: in each locale one behind the other, in the order of
-/// the segments' numbers. Those of clips that have the same stand once.
+/// Places the texts that clips have in some locales, from the `first` on. `runs` gives those of a clip, each with the number of its
+/// locale. In each locale they stand one behind the other, in the order of the segments' numbers; those of clips that have the same
+/// stand once.
 ///
 /// The clips are gone through twice, whatever the number of locales: they take more memory than there is cache.
-fn lay_out<'c>(numbering: &Numbering, run: impl Fn(usize, usize) -> Option<Run<'c>>, columns: &mut [Column<'_>]) {
-    let places = places(numbering, &run, columns.len());
-    let segments = |place: usize| numbering.segments(numbering.clip(place));
+fn lay_out<'c, R: Iterator<Item = (usize, Run<'c>)>>(
+    numbering: &Numbering,
+    first: usize,
+    runs: impl Fn(usize) -> R,
+    columns: &mut [Column<'_>],
+) {
+    // Other locales have numbers that no column has.
+    let runs = |at: usize| runs(at).map(move |(locale, run)| (locale.wrapping_sub(first), run));
+    let places = places(numbering, runs, columns.len());
     for (at, clip) in numbering.order().enumerate() {
-        for (number, (column, places)) in zip(&mut *columns, &places).enumerate() {
-            let Some(run) = run(number, clip) else { continue };
+        let own = numbering.segments(clip);
+        for (number, run) in runs(clip) {
+            let Some((column, places)) = columns.get_mut(number).zip(places.get(number)) else { continue };
             if let Place::As(same) = places[at] {
-                for (own, same) in zip(segments(at), segments(same as usize)) {
+                let same = numbering.segments(numbering.clip(same as usize));
+                for (own, same) in zip(own.clone(), same) {
                     column.starts[own] = run.entry(column.starts[same].get() & !TEXT_FALLBACK);
                 }
                 continue;
             }
             let is_followed = matches!(places.get(at + 1), Some(Place::Next | Place::NextForOthers));
             let is_counted = run.is_counted || matches!(places[at], Place::NextForOthers) || !is_followed;
-            *column.length = run.put_entries(*column.length, is_counted, &mut column.starts[segments(at)]);
+            *column.length = run.put_entries(*column.length, is_counted, &mut column.starts[own.clone()]);
         }
     }
 }
@@ -267,7 +268,10 @@ mod tests {
         }
         let clips: Vec<_> = store.iter().collect();
         let numbering = Numbering::new(clips.iter().map(|clip| (false, clip.starts().len() as u32)));
-        let run = |at: usize| clips[at].texts().first().map(|_| Run::new(&clips[at], 0, at == 1));
+        let run = |at: usize| {
+            let (text, ends) = clips[at].texts_with_ends().next()?;
+            Some(Run::new(text, ends, Displays::Of(clips[at], 0), at == 1 || text.is_empty()))
+        };
         let (mut starts, pool) = pool_of(&numbering, run).ok().unwrap();
         assert_eq!(starts.pop().map(|end| end.get() as usize), Some(pool.len()));
         (starts.iter().map(|start| start.get()).collect(), pool)
@@ -294,8 +298,8 @@ mod tests {
         let texts: [&[u8]; 6] = [b"a", b"b", b"c", b"b", b"c", b"a"];
         let ends = [U16::new(1)];
         let run = |at: usize| {
-            let texts = RunTexts::Here(&ends, texts[at]);
-            Some(Run { texts, hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
+            let displays = Displays::Here(texts[at]);
+            Some(Run { ends: &ends, displays, hash: 7, is_fallback: false, stands_apart: false, is_counted: false })
         };
         let numbering = Numbering::new(texts.iter().map(|_| (false, 1)));
         let (starts, pool) = pool_of(&numbering, run).ok().unwrap();
