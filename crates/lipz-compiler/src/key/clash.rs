@@ -46,7 +46,8 @@ fn are_fine(inputs: &[Input]) -> bool {
 /// Whether one sees at a glance that the keys are fine: they are plain, have no capitals, and come in the order of the
 /// paths of their files, as nearly always.
 fn are_plain_and_ascend(inputs: &[Input]) -> bool {
-    let is_plain = |input: &Input| is_plain(&input.key) && !input.key.bytes().any(|byte| byte.is_ascii_uppercase());
+    let has_capitals = |key: &str| key.bytes().fold(false, |has_some, byte| has_some | byte.is_ascii_uppercase());
+    let is_plain = |input: &Input| is_plain(&input.key) && !has_capitals(&input.key);
     inputs.iter().all(is_plain) && inputs.array_windows().all(|[one, next]| path_is_before(&one.key, &next.key))
 }
 

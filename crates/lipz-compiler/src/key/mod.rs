@@ -52,12 +52,14 @@ pub fn refusal(key: &str) -> Option<String> {
 
 /// Whether a key can be used, as one sees at a glance: nearly every key is of ASCII letters, digits, `-` and `_`.
 fn is_plain(key: &str) -> bool {
-    let is_plain = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() | matches!(byte, b'-' | b'_' | b'/');
     // Devices have names of three and four such characters.
     let has_length =
         |part: &[u8]| matches!(part.len(), 1..=2 | 5..=MAX_PART_BYTES) || part.len() == 4 && part[3] > b'9';
+    // No byte ends the search: so several are looked at at once.
     key.len() <= MAX_KEY_BYTES
-        && key.as_bytes().split(|byte| *byte == b'/').all(|part| has_length(part) && part.iter().all(is_plain))
+        && key.bytes().fold(true, |are_plain, byte| are_plain & is_plain(byte))
+        && key.as_bytes().split(|byte| *byte == b'/').all(has_length)
 }
 
 fn part_refusal(part: &str, is_folder: bool) -> Option<String> {

@@ -17,13 +17,17 @@ pub(super) struct Curves {
 /// Bytes of a unit in which keys are counted.
 const UNIT_BYTES: usize = size_of::<CurveKeyRecord>();
 
-/// The curves of all clips in the order of their slots. `names` are those of the bank, in their order.
-pub(super) fn curves(clips: &[Clip<'_>], slots: &[u32], names: &[&str]) -> Result<Curves, Report> {
+/// The clips that have curves, each with its index.
+pub(super) fn with_curves<'c>(clips: &[Clip<'c>]) -> Vec<(usize, Clip<'c>)> {
+    clips.iter().copied().enumerate().filter(|(_, clip)| clip.has_curves()).collect()
+}
+
+/// The curves of these clips in the order of their slots. `names` are those of the bank, in their order.
+pub(super) fn curves(clips: &[(usize, Clip<'_>)], slots: &[u32], names: &[&str]) -> Result<Curves, Report> {
     let mut found = Curves::default();
-    let mut with_curves: Vec<(u32, &Clip<'_>)> =
-        std::iter::zip(slots.iter().copied(), clips).filter(|(_, clip)| clip.has_curves()).collect();
-    with_curves.sort_unstable_by_key(|(slot, _)| *slot);
-    for (slot, clip) in with_curves {
+    let mut by_slot: Vec<(u32, &Clip<'_>)> = clips.iter().map(|(at, clip)| (slots[*at], clip)).collect();
+    by_slot.sort_unstable_by_key(|(slot, _)| *slot);
+    for (slot, clip) in by_slot {
         let curves_first = fit(found.curves.len(), "curves")?;
         found.clips.push(CurveClipRecord { slot: slot.into(), curves_first: curves_first.into() });
         // Sorted by their names, and so by the numbers of these.

@@ -3,7 +3,7 @@
 
 use super::fit;
 use crate::clip::Clip;
-use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
+use foldhash::{HashMap, HashMapExt, HashSet}; // seeded anew in each process: the order of entries is never used
 use lipz_diagnostics::Report;
 use lipz_file::event::{self, Command, Event, Word};
 use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord, U32};
@@ -23,8 +23,11 @@ pub(super) struct Events {
 }
 
 /// Numbers the distinct event strings in the order of their first use, and parses each once. With the names of events and
-/// curves, in the order of their numbers.
-pub(super) fn events<'c>(clips: &[Clip<'c>]) -> Result<(Events, Vec<&'c str>), Report> {
+/// of the curves that some clips have, in the order of their numbers.
+pub(super) fn events<'c>(
+    clips: &[Clip<'c>],
+    with_curves: &[(usize, Clip<'c>)],
+) -> Result<(Events, Vec<&'c str>), Report> {
     let mut references = Vec::new();
     let mut records = Vec::new();
     let mut parsed: Vec<Event<'c>> = Vec::new();
@@ -48,19 +51,20 @@ pub(super) fn events<'c>(clips: &[Clip<'c>]) -> Result<(Events, Vec<&'c str>), R
             references.push(number.into());
         }
     }
-    let sorted = sorted_names(&parsed, clips);
+    let sorted = sorted_names(&parsed, with_curves);
     let typed = parsed.iter().map(|event| typed_record(event, &sorted)).collect();
     let names = name_records(&sorted, &mut pool)?;
     Ok((Events { references, records, typed, names, pool }, sorted))
 }
 
 /// The distinct names in `events`, and those of curves, in their order.
-fn sorted_names<'e>(events: &[Event<'e>], clips: &[Clip<'e>]) -> Vec<&'e str> {
+fn sorted_names<'e>(events: &[Event<'e>], with_curves: &[(usize, Clip<'e>)]) -> Vec<&'e str> {
     let words = events.iter().flat_map(|event| [event.character, event.command.object()]).flatten();
-    let mut names: Vec<&str> = words.map(|word| word.text).collect();
-    names.extend(clips.iter().flat_map(Clip::curves).map(|(name, _)| name));
+    let of_curves = with_curves.iter().flat_map(|(_, clip)| clip.curves()).map(|(name, _)| name);
+    // Few names, each many times.
+    let distinct: HashSet<&str> = words.map(|word| word.text).chain(of_curves).collect();
+    let mut names: Vec<&str> = distinct.into_iter().collect();
     names.sort_unstable();
-    names.dedup();
     names
 }
 

@@ -107,7 +107,9 @@ impl Layout {
             let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(clip.key()).get()).collect();
             index::build(&ids).map(|index| (index, ids)).map_err(|id| same_id(clips, id))
         };
-        let small_parts = || (events::events(clips), strings::names(clips, localised), strings::own_sources(clips));
+        let with_curves = curves::with_curves(clips);
+        let small_parts =
+            || (events::events(clips, &with_curves), strings::names(clips, localised), strings::own_sources(clips));
         let (index, (events, names, sources)) = parallel::join(index_of_ids, small_parts);
         // Locale by locale on all threads, after the others: each takes memory that is given back at its end.
         let texts = texts::texts(clips, localised, dubs, &numbering);
@@ -121,7 +123,7 @@ impl Layout {
             sources: strings::sources(&sources, slots)?,
             babble: beside.babble,
             faces: beside.faces,
-            curves: curves::curves(clips, slots, &event_names)?,
+            curves: curves::curves(&with_curves, slots, &event_names)?,
             recordings: recordings::recordings(clips, slots, &beside.recordings),
             voices: voices::voices(dubs, slots)?,
             is_stripped: beside.strip,

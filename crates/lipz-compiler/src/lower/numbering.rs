@@ -16,13 +16,15 @@ pub(crate) struct Numbering {
 impl Numbering {
     /// Numbers the segments of clips in the order of their keys, given by whether they have events and by how many
     /// segments they have.
-    pub(crate) fn new(clips: impl Iterator<Item = (bool, u32)> + Clone) -> Numbering {
+    pub(crate) fn new(clips: impl Iterator<Item = (bool, u32)>) -> Numbering {
+        // They are far apart in memory, and each is asked for three times.
+        let clips: Vec<(bool, u32)> = clips.collect();
         let of = |have_events: bool| {
-            let places = (0..).zip(clips.clone()).filter(move |(_, (has_events, _))| *has_events == have_events);
+            let places = (0..).zip(&clips).filter(move |(_, (has_events, _))| *has_events == have_events);
             places.map(|(at, _)| at)
         };
         let order: Vec<u32> = of(true).chain(of(false)).collect();
-        let mut segments: Vec<(usize, u32)> = clips.map(|(_, count)| (0, count)).collect();
+        let mut segments: Vec<(usize, u32)> = clips.iter().map(|(_, count)| (0, *count)).collect();
         let mut segment_count = 0;
         for &at in &order {
             let (first, count) = &mut segments[at as usize];

@@ -14,7 +14,7 @@ pub(super) fn recordings(
     slots: &[u32],
     known: &BTreeMap<String, Recording>,
 ) -> Vec<RecordingRecord> {
-    if !clips.iter().any(|clip| known.contains_key(clip.key())) {
+    if known.is_empty() || !clips.iter().any(|clip| known.contains_key(clip.key())) {
         return Vec::new();
     }
     let none = RecordingRecord { length_us: NO_RECORDING.into(), content_hash: 0.into() };
