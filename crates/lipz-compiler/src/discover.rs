@@ -23,14 +23,25 @@ use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
 ///
 /// Reports what cannot be found or read. Files are returned in the order of their paths.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
-    find(sources, root, false)
+    find(sources, root, false, None)
 }
 
-/// The same, with hidden files and folders or without.
-pub(crate) fn find(sources: &[PathBuf], root: Option<&Path>, reads_hidden: bool) -> (Vec<Input>, Vec<Report>) {
+/// The same, with hidden files and folders or without, on so many threads.
+pub(crate) fn find(
+    sources: &[PathBuf],
+    root: Option<&Path>,
+    reads_hidden: bool,
+    threads: Option<usize>,
+) -> (Vec<Input>, Vec<Report>) {
     let root = root.map(plain);
-    let mut found =
-        Discovery { root: root.as_deref(), reads_hidden, hidden_count: 0, inputs: Vec::new(), reports: Vec::new() };
+    let mut found = Discovery {
+        root: root.as_deref(),
+        reads_hidden,
+        threads,
+        hidden_count: 0,
+        inputs: Vec::new(),
+        reports: Vec::new(),
+    };
     for source in sources {
         let before = (found.inputs.len(), found.reports.len());
         found.hidden_count = 0;
@@ -52,10 +63,10 @@ pub(crate) fn find(sources: &[PathBuf], root: Option<&Path>, reads_hidden: bool)
     let mut inputs = found.inputs;
     // As strings: paths are compared part by part, which takes many times as long. Equal ones stay in the
     // order of the sources.
-    if !inputs.is_sorted_by_key(path) {
+    if !inputs.is_sorted_by(|a, b| path(a) < path(b)) {
         inputs.sort_by(|a, b| path(a).cmp(&path(b)));
+        inputs.dedup_by(|next, first| path(next) == path(first));
     }
-    inputs.dedup_by(|next, first| path(next) == path(first));
     (inputs, found.reports)
 }
 
@@ -91,6 +102,7 @@ pub(crate) fn base(pattern: &str) -> PathBuf {
 struct Discovery<'a> {
     root: Option<&'a Path>,
     reads_hidden: bool,
+    threads: Option<usize>,
     /// What the current source has of them.
     hidden_count: usize,
     inputs: Vec<Input>,
@@ -110,11 +122,13 @@ impl Discovery<'_> {
     }
 
     fn folder(&mut self, folder: &Path) {
-        let prefix = key_prefix(folder, self.root.unwrap_or(folder));
-        if let Some(listed) = list::plain(folder, self.reads_hidden) {
-            self.inputs.reserve(listed.files.len());
-            listed.files.into_iter().for_each(|path| self.found(path, folder, prefix.as_deref()));
+        // Without taking the paths to pieces, wherever that does.
+        let known = folder.to_str().zip(key_prefix(folder, self.root.unwrap_or(folder)));
+        let key = |path: &Path| known.as_ref().and_then(|(folder, prefix)| key_below(path, folder, prefix));
+        if let Some(listed) = list::plain(folder, self.reads_hidden, self.threads, key) {
             self.hidden_count += listed.hidden_count;
+            self.inputs.reserve(listed.files.iter().map(Vec::len).sum());
+            listed.files.into_iter().flatten().for_each(|(path, key)| self.found(path, key, folder));
             return;
         }
         let mut walk = Walk::new(folder, self.reads_hidden);
@@ -124,7 +138,8 @@ impl Discovery<'_> {
                     let mut path = entry.into_path();
                     // There are many, and they stay.
                     path.shrink_to_fit();
-                    self.found(path, folder, prefix.as_deref());
+                    let key = key(&path);
+                    self.found(path, key, folder);
                 }
                 Ok(_) => {}
                 Err(obstacle) => self.reports.push(impassable(folder, &obstacle)),
@@ -133,9 +148,9 @@ impl Discovery<'_> {
         self.hidden_count += walk.hidden_count;
     }
 
-    /// Adds a file that was found in a folder, whose keys start with this prefix.
-    fn found(&mut self, path: PathBuf, folder: &Path, prefix: Option<&str>) {
-        match prefix.and_then(|prefix| key_below(&path, folder, prefix)) {
+    /// Adds a file that was found in a folder, perhaps with its key.
+    fn found(&mut self, path: PathBuf, key: Option<String>, folder: &Path) {
+        match key {
             Some(key) => self.input(path, key),
             None => self.file(path, folder),
         }
@@ -280,10 +295,12 @@ fn key_prefix(folder: &Path, root: &Path) -> Option<String> {
 
 /// The same as [`key_of`] for a file that was found in `folder`, whose keys start with `prefix`: without
 /// taking the path to pieces.
-fn key_below(path: &Path, folder: &Path, prefix: &str) -> Option<String> {
-    let below = path.to_str()?.strip_prefix(folder.to_str()?)?.trim_start_matches(MAIN_SEPARATOR);
+fn key_below(path: &Path, folder: &str, prefix: &str) -> Option<String> {
+    let below = path.to_str()?.strip_prefix(folder)?.trim_start_matches(MAIN_SEPARATOR);
     let stem = below.get(..below.len().checked_sub(EXTENSION.len() + 1)?)?;
-    let key = [prefix, stem].concat();
+    let mut key = String::with_capacity(prefix.len() + stem.len());
+    key.push_str(prefix);
+    key.push_str(stem);
     Some(if MAIN_SEPARATOR == '/' { key } else { key.replace(MAIN_SEPARATOR, "/") })
 }
 
@@ -299,7 +316,7 @@ mod tests {
     use std::fs;
 
     fn keys(sources: &[PathBuf], reads_hidden: bool) -> Vec<String> {
-        let (inputs, reports) = find(sources, None, reads_hidden);
+        let (inputs, reports) = find(sources, None, reads_hidden, None);
         assert_eq!(reports, []);
         inputs.into_iter().map(|input| input.key).collect()
     }
@@ -322,10 +339,10 @@ mod tests {
         fs::remove_file(path("v/.#b.lipz")).unwrap();
         assert_eq!(keys(&[path("v")], true), ["._a", ".b", ".git/c", "a", "sub/.d/e", "sub/f"]);
         assert_eq!(keys(&[path("v/**/*.lipz")], true).len(), 6);
-        let (inputs, reports) = find(&[path("v/sub/.d/..").join(".d")], None, false);
+        let (inputs, reports) = find(&[path("v/sub/.d/..").join(".d")], None, false, None);
         assert_eq!((inputs.len(), reports.len()), (1, 0));
         fs::remove_file(path("v/sub/f.lipz")).unwrap();
-        let (_, reports) = find(&[path("v/sub")], None, false);
+        let (_, reports) = find(&[path("v/sub")], None, false, None);
         assert!(reports[0].to_string().contains("hidden files and folders are passed over"), "{}", reports[0]);
     }
 
@@ -353,7 +370,7 @@ mod tests {
             }
         }
         fs::create_dir(deep.path().join("f25")).unwrap();
-        let (_, reports) = find(&[deep.path().join("f0")], None, false);
+        let (_, reports) = find(&[deep.path().join("f0")], None, false, None);
         assert_eq!(reports.len(), 1);
         assert!(reports[0].to_string().contains("too many ways through links lead to"), "{}", reports[0]);
     }

@@ -79,7 +79,8 @@ impl Settings {
     /// The Lipz files of the sources with their keys, as [`discover`](discover()) finds them, and what it finds
     /// wrong, at the project's levels.
     pub fn discover(&self) -> (Vec<Input>, Vec<Report>) {
-        let (inputs, mut reports) = discover::find(&self.sources, self.root.as_deref(), self.hidden);
+        let (inputs, mut reports) =
+            discover::find(&self.sources, self.root.as_deref(), self.hidden, self.options.threads);
         for report in &mut reports {
             self.options.levels.apply(&mut report.diagnostics);
         }
