@@ -22,9 +22,9 @@ impl Runs {
         self.ends.push(U16::new((self.bytes.len() - self.start) as u16));
     }
 
-    /// Whether all texts of the run that is being made are blank so far.
-    pub(crate) fn is_blank(&self) -> bool {
-        self.bytes.len() == self.start
+    /// Bytes of the texts of the run that is being made.
+    pub(crate) fn text_bytes(&self) -> usize {
+        self.bytes.len() - self.start
     }
 
     /// Ends the run that is being made; where it lies, and the hash of its texts.

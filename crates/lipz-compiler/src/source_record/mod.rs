@@ -16,8 +16,13 @@ use std::collections::HashSet;
 
 /// Names of elements that a record mentions by number; higher numbers are the clip's own texts.
 const NAMED: [&str; 4] = ["fps", "viseme_type", "visemes", "events"];
+/// Their numbers.
+pub(crate) const FPS: u64 = 1;
+pub(crate) const VISEME_TYPE: u64 = 2;
+pub(crate) const VISEMES: u64 = 3;
+pub(crate) const EVENTS: u64 = 4;
 /// The number of the first of the clip's own texts.
-const FIRST_TEXT: u64 = 1 + NAMED.len() as u64;
+pub(crate) const FIRST_TEXT: u64 = 1 + NAMED.len() as u64;
 
 /// The most blanks at one side of a segment that a record counts instead of spelling them out. So a byte of a bank asks
 /// for few bytes of a file.
@@ -148,14 +153,24 @@ fn held_bytes(name: &str, own_text: Option<&ClipText>, clip: &ClipData) -> Optio
     }
 }
 
-/// Appends a string in the shortest way. What the bank holds of a string is what is left after
-/// leaving characters out, so equal lengths mean equal strings.
+/// Appends a string in the shortest way.
 fn push_text(record: &mut Vec<u8>, text: &str, held: Option<usize>, segment_count: usize) {
-    let blank = ' ';
-    if held.is_some_and(|held| held == text.len() || held + segment_count - 1 == text.len()) {
+    if held.is_some_and(|held| is_as_spelled(text.len(), held, segment_count)) {
         record.push(Kind::AsInBank as u8);
-        return;
+    } else {
+        push_other_text(record, text, held);
     }
+}
+
+/// Whether the bank holds all of a string of so many bytes, perhaps but for its delimiters. What it holds of a string is what is
+/// left after leaving characters out, so equal lengths mean equal strings.
+fn is_as_spelled(length: usize, held: usize, segment_count: usize) -> bool {
+    held == length || held + segment_count - 1 == length
+}
+
+/// Appends a string that the bank holds with other blanks, if at all.
+fn push_other_text(record: &mut Vec<u8>, text: &str, held: Option<usize>) {
+    let blank = ' ';
     let segments = || lipz_file::text::segments(text).map(|range| &text[range]);
     let sides = |segment: &str| {
         let behind = segment.trim_start_matches(blank);

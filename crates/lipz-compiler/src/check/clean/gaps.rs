@@ -1,6 +1,6 @@
 //! What stands between the values of files: usually just what stood there in the file before.
 
-use super::Role;
+use super::elements::Role;
 use super::members::{Members, Unclean, control_count};
 
 /// What stood before each value of the last files, by place.

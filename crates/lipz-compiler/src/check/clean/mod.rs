@@ -5,6 +5,7 @@
 //! [`check`](super::check) read the file anew: so all diagnostics are theirs. Where both read a file, they make the same clip;
 //! a test holds them to that.
 
+mod elements;
 mod gaps;
 mod members;
 mod strings;
@@ -15,8 +16,9 @@ use super::emotions::{self, Feeling};
 use super::visemes;
 use crate::clip::{ClipData, Locales};
 use crate::options::GestureKeys;
-use crate::source_record::Recorder;
+use crate::source_record::{self, Recorder};
 use crate::{Options, TextLimits};
+use elements::{Element, Role, role};
 use gaps::Gaps;
 use lipz_bank::{Fps, VisemeType};
 use lipz_file::{rate, text};
@@ -42,23 +44,6 @@ pub(crate) struct CleanFiles<'o> {
     elements: Vec<Element>,
     /// The emotions in the events of a file, with the numbers of their segments.
     feelings: Vec<(usize, Feeling)>,
-}
-
-/// An element of a clean file.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Fps,
-    VisemeType,
-    Visemes,
-    Events,
-    /// The text of the locale with this number.
-    Text(u32),
-}
-
-/// An element, and where its value stands, without quotes.
-struct Element {
-    role: Role,
-    place: Range<usize>,
 }
 
 impl<'o> CleanFiles<'o> {
@@ -96,41 +81,42 @@ impl<'o> CleanFiles<'o> {
         let mut segment_count = None;
         let (mut has_blank, mut fps, mut viseme_type) = (false, None, None);
         while let Some(role) = self.gaps.next(self.elements.len(), &mut members, |name| role(name, locales))? {
-            let (place, found) = match role {
+            let (place, held, found) = match role {
                 Role::Fps => {
-                    let number = members.number()?;
-                    only_once(fps.replace(self.rate(&file[number.clone()])?).is_some())?;
-                    (number, None)
+                    let place = members.number()?;
+                    only_once(fps.replace(self.rate(&file[place.clone()])?).is_some())?;
+                    (place, 0, None)
                 }
                 Role::VisemeType => {
-                    let (string, _) = members.string(|_| Ok(()))?;
-                    let named = file[string.clone()].parse::<VisemeType>().map_err(|_| Unclean)?;
+                    let (place, _) = members.string(|_| Ok(()))?;
+                    let named = file[place.clone()].parse::<VisemeType>().map_err(|_| Unclean)?;
                     only_once(viseme_type.replace(named).is_some())?;
-                    (string, None)
+                    let held = place.len();
+                    (place, held, None)
                 }
                 Role::Visemes => {
                     only_once(std::mem::replace(&mut clip.has_visemes, true))?;
-                    let (string, count) = members.string(|codes| {
+                    let (place, count) = members.string(|codes| {
                         visemes::add_segment(codes, clip);
                         Ok(())
                     })?;
-                    (string, Some(count))
+                    (place, clip.frames.len(), Some(count))
                 }
                 Role::Events => {
                     only_once(std::mem::replace(&mut clip.has_events, true))?;
-                    let (string, count) = self.events(&mut members, clip)?;
-                    (string, Some(count))
+                    let (place, count) = self.events(&mut members, clip)?;
+                    (place, clip.events.text().len(), Some(count))
                 }
                 Role::Text(locale) => {
-                    let (string, count) = self.displays(&mut members, clip, &mut has_blank)?;
+                    let (place, count) = self.displays(&mut members, clip, &mut has_blank)?;
+                    let held = clip.runs.text_bytes();
+                    only_if(held > 0)?;
                     clip.end_run(locale, false);
-                    (string, Some(count))
+                    (place, held, Some(count))
                 }
             };
-            if found.is_some_and(|found| *segment_count.get_or_insert(found) != found) {
-                return Err(Unclean);
-            }
-            self.elements.push(Element { role, place });
+            only_if(found.is_none_or(|found| *segment_count.get_or_insert(found) == found))?;
+            self.elements.push(Element { role, place, held });
         }
         clip.fps = fps.or(self.options.default_fps);
         clip.viseme_type = viseme_type.or(self.options.default_viseme_type);
@@ -167,7 +153,7 @@ impl<'o> CleanFiles<'o> {
             let number = clip.events.count();
             let add = |feeling: &Feeling| self.feelings.push((number, feeling.clone()));
             clip.events.push(text::trim(segment));
-            if self.strings.has_events(segment, self.options, add) { Ok(()) } else { Err(Unclean) }
+            only_if(self.strings.has_events(segment, self.options, add))
         })
     }
 
@@ -179,7 +165,7 @@ impl<'o> CleanFiles<'o> {
         has_blank: &mut bool,
     ) -> Result<(Range<usize>, usize), Unclean> {
         let may_have_meta = members.has_braces && !self.options.literal_braces;
-        let (string, count) = members.string(|segment| {
+        members.string(|segment| {
             let shown = match may_have_meta {
                 true => self.strings.without_meta(segment, self.options).ok_or(Unclean)?,
                 false => text::trim(segment),
@@ -187,8 +173,7 @@ impl<'o> CleanFiles<'o> {
             *has_blank |= shown.is_empty();
             clip.runs.push(shown.as_bytes());
             Ok(())
-        })?;
-        if clip.runs.is_blank() { Err(Unclean) } else { Ok((string, count)) }
+        })
     }
 
     /// Puts the texts into the order of their tags. Those that are packed must be all there are, and there to be packed.
@@ -209,7 +194,7 @@ impl<'o> CleanFiles<'o> {
         let Some(packed) = &self.options.locales else { return Ok(()) };
         let is_packed = |locale| packed.contains(locales.tag(locale));
         let are_the_same = clip.texts.len() == packed.len() && clip.texts.iter().all(|text| is_packed(text.locale));
-        if are_the_same { Ok(()) } else { Err(Unclean) }
+        only_if(are_the_same)
     }
 
     /// Refuses a clip that shows nothing in a segment in which the default locale shows something.
@@ -227,15 +212,18 @@ impl<'o> CleanFiles<'o> {
             return;
         }
         let buffer = std::mem::take(&mut clip.source);
-        let mut record = Recorder::new(clip, buffer, self.elements.len());
-        for Element { role, place } in &self.elements {
-            let spelled = &file[place.clone()];
-            match *role {
-                Role::Fps => record.fps(spelled),
-                Role::VisemeType => record.as_in_bank("viseme_type"),
-                Role::Visemes => record.as_in_bank("visemes"),
-                Role::Events => record.events(spelled),
-                Role::Text(locale) => record.text(self.places[locale as usize], spelled),
+        let mut record = Recorder::new(file, self.elements.len(), clip.starts.len(), buffer);
+        for Element { role, place, held } in &self.elements {
+            let name = match *role {
+                Role::Fps => source_record::FPS,
+                Role::VisemeType => source_record::VISEME_TYPE,
+                Role::Visemes => source_record::VISEMES,
+                Role::Events => source_record::EVENTS,
+                Role::Text(locale) => source_record::FIRST_TEXT + self.places[locale as usize] as u64,
+            };
+            match role {
+                Role::Fps => record.number(name, place.clone()),
+                _ => record.string(name, place.clone(), *held),
             }
         }
         clip.source = record.finish();
@@ -274,21 +262,12 @@ fn are_possible(options: &Options) -> bool {
     *text_limits == TextLimits::default() && viseme_type.is_none() && !pseudo && gestures.keys != GestureKeys::Words
 }
 
-/// The role of the element with this name; that of a text only if its locale is known to be clean.
-fn role(name: &str, locales: &Locales) -> Result<Role, Unclean> {
-    if let Some(locale) = name.strip_prefix("text_").and_then(|tag| locales.clean(tag)) {
-        return Ok(Role::Text(locale));
-    }
-    match name {
-        "fps" => Ok(Role::Fps),
-        "viseme_type" => Ok(Role::VisemeType),
-        "visemes" => Ok(Role::Visemes),
-        "events" => Ok(Role::Events),
-        _ => Err(Unclean),
-    }
-}
-
 /// Refuses an element that appears again.
 fn only_once(is_again: bool) -> Result<(), Unclean> {
-    if is_again { Err(Unclean) } else { Ok(()) }
+    only_if(!is_again)
+}
+
+/// Refuses a file that is not clean.
+fn only_if(is_clean: bool) -> Result<(), Unclean> {
+    if is_clean { Ok(()) } else { Err(Unclean) }
 }
