@@ -138,10 +138,7 @@ fn run(step: Step, folder: &Path, shards: NonZero<u16>) -> Result<(), String> {
             }
             Ok(())
         }
-        Step::Link => {
-            let linked = compiler.link(&link()?, &folder.join("link.lipzbank"));
-            linked.file.map(drop).ok_or_else(|| format!("{:?}", linked.reports))
-        }
+        Step::Link => of(&compiler.link(&link()?, &folder.join("link.lipzbank"))),
         Step::LinkSet => {
             let linked = compiler.link_to_set(&link()?, &folder.join("link.lipzset"));
             linked.files.map(drop).ok_or_else(|| format!("{:?}", linked.reports))
@@ -158,7 +155,7 @@ fn inputs(folder: &Path) -> Vec<Input> {
     discover(&[folder.join("clips")], None).0
 }
 
-fn of(compiled: &Compiled) -> Result<(), String> {
+fn of<B>(compiled: &Compiled<B>) -> Result<(), String> {
     if compiled.bank.is_some() { Ok(()) } else { Err(format!("{:?}", compiled.reports)) }
 }
 

@@ -96,6 +96,12 @@ impl<'data, 'bank> Segment<'data, 'bank> {
         self.text_place(locale)?.bytes(locale)
     }
 
+    /// Whether `locale` has a text of its own for this clip, which may be empty in this segment. Looks at no byte of it.
+    pub fn has_own_text(&self, locale: Locale<'_>) -> bool {
+        locale.bank.assert_is(self.clip.bank.origin());
+        self.text_place(locale).map_or(false, |place| !place.is_fallback())
+    }
+
     /// Where the text in `locale` stands; nowhere if that is a locale of another bank.
     #[inline(always)]
     fn text_place(&self, locale: Locale<'_>) -> Option<TextPlace> {

@@ -89,7 +89,17 @@ impl TextPlace {
         Some(TextPlace { start, end, is_fallback: entry & TEXT_FALLBACK != 0 })
     }
 
-    /// Whether the place is that of a string of the pool, no longer than a text may be.
+    /// Whether the text is that of another locale.
+    pub(crate) const fn is_fallback(&self) -> bool {
+        self.is_fallback
+    }
+
+    /// Whether the place lies in the pool, and is no longer than a text may be.
+    pub(crate) fn fits(&self, texts: Pool<'_>) -> bool {
+        texts.slice(self.start, self.end).map_or(false, |text| text.len() <= TEXT_MAX_BYTES)
+    }
+
+    /// The same, and that of a string.
     pub(crate) fn is_valid(&self, texts: Pool<'_>) -> bool {
         texts.text(self.start, self.end).map_or(false, |text| text.len() <= TEXT_MAX_BYTES)
     }

@@ -21,7 +21,8 @@ use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
 /// there is no clip. A file that is named by itself is read whatever it is called;
 /// [`Settings::hidden`](crate::settings::Settings::hidden) reads them all.
 ///
-/// Reports what cannot be found or read. Files are returned in the order of their paths.
+/// Reports what cannot be found or read. Files are returned in the order of their paths. With the feature `parallel`, large folders are
+/// listed on all cores; [`Settings::discover`](crate::settings::Settings::discover) goes by the options of the project.
 pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
     find(sources, root, false, None)
 }

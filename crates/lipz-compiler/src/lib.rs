@@ -81,11 +81,12 @@ mod options;
 mod output;
 mod outputs;
 mod parallel;
+mod pipe;
 mod pseudo;
 mod replacements;
 mod rewrite;
-#[cfg(feature = "cache")]
 mod running_checksum;
+mod same;
 pub mod settings;
 #[cfg(feature = "shards")]
 pub mod shard;

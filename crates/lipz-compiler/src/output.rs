@@ -1,8 +1,9 @@
 //! Writing a bank so that the old one stays whole until the new one is.
 
 use crate::temporary::{Leftovers, TemporaryFile, folder_of, sync_folders, sync_temporary};
-use crate::{discover, parallel};
+use crate::{Replace, discover, parallel};
 use lipz_diagnostics::{Code, Diagnostic, Report};
+use std::fs::File;
 use std::io;
 use std::path::Path;
 
@@ -21,6 +22,7 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Report> {
 
 /// The same, if `check` finds nothing: it runs while the temporary file is written and synced, and
 /// without its consent that is never renamed.
+#[cfg(any(feature = "build", feature = "cache"))]
 pub(crate) fn replace_file_if(
     path: &Path,
     bytes: &[u8],
@@ -31,15 +33,24 @@ pub(crate) fn replace_file_if(
     written.and_then(replace).map_err(|error| failed(path, &error))
 }
 
-/// The same with a file that `write` fills; what it finds wrong leaves `path` as it is, too.
-#[cfg(feature = "shards")]
-pub(crate) fn replace_file_with<E: From<io::Error>>(
+/// The same with a file that `write` fills, if `check`, which runs while that is brought to disk, finds nothing. It is left alone if
+/// that is asked for and it has these bytes already; tells whether it was replaced. What `write` finds wrong leaves `path` as it
+/// is, too.
+pub(crate) fn replace_file_with<W, E: From<io::Error> + Send>(
     path: &Path,
-    write: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
-) -> Result<(), E> {
-    let file = TemporaryFile::beside_with(path, write)?;
-    sync_temporary(std::iter::once(&file))?;
-    Ok(replace(file)?)
+    when: Replace,
+    write: impl FnOnce(&mut File) -> Result<W, E>,
+    check: impl FnOnce() -> Result<(), E> + Send,
+) -> Result<(W, bool), E> {
+    let (file, written) = TemporaryFile::beside_with(path, write)?;
+    if when == Replace::IfDifferent && file.has_contents_of(path) {
+        return Ok((written, false));
+    }
+    let (synced, checked) = parallel::join(|| sync_temporary(std::iter::once(&file)), check);
+    checked?;
+    synced?;
+    replace(file)?;
+    Ok((written, true))
 }
 
 /// The temporary file with these bytes, on disk.
@@ -100,6 +111,7 @@ pub(crate) fn file_in_the_way(folder: &Path) -> Option<&Path> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io::Write;
 
     #[test]
     fn what_to_do_about_errors_of_the_system() {
@@ -119,6 +131,24 @@ mod tests {
         let report = replace_file_if(&path, b"new", refused).unwrap_err();
         assert_eq!(report.diagnostics[0].message, "refused");
         assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_file_that_is_filled_replaces_another_one_only_with_consent() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("old.lipzbank");
+        replace_file(&path, b"old").unwrap();
+        let replaced = |when, bytes: &'static [u8], consents: bool| {
+            let check = || if consents { Ok(()) } else { Err(io::Error::other("refused")) };
+            replace_file_with(&path, when, |file| file.write_all(bytes), check).map(|((), is_new)| is_new).ok()
+        };
+        assert_eq!(replaced(Replace::Always, b"new", false), None);
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(replaced(Replace::IfDifferent, b"old", true), Some(false));
+        assert_eq!(replaced(Replace::IfDifferent, b"odd", true), Some(true));
+        assert_eq!(replaced(Replace::Always, b"odd", true), Some(true));
+        assert_eq!(std::fs::read(&path).unwrap(), b"odd");
         assert_eq!(folder.path().read_dir().unwrap().count(), 1);
     }
 }

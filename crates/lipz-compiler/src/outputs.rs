@@ -3,6 +3,7 @@
 use crate::layers::VoiceBanks;
 use crate::lock::Lock;
 use crate::output::replace_file;
+use crate::same::has;
 use crate::split::WholeBank;
 use crate::{Compiled, Compiler, Input, Replacements};
 use lipz_bank::Bank;
@@ -20,13 +21,12 @@ const VOICES_EXTENSION: &str = ".lipzbank";
 /// The files that a bank is packed into: one, or one for each locale beside it, and perhaps a cache.
 ///
 /// ```
-/// use lipz_compiler::{Compiler, Input, Outputs, Replace};
+/// use lipz_compiler::{Compiler, Input, Outputs};
 /// # let folder = tempfile::tempdir()?;
 /// # let folder = folder.path();
 /// let file = r#"{ "text_en-us": "Mayor!", "text_de-de": "Meister!" }"#;
 /// let outputs = Outputs::new(folder.join("dialogue.lipzbank")).split_locales(true);
-/// let compiled = outputs.pack(&Compiler::default(), &[Input::from_bytes("act1/mayor", file)]);
-/// let written = outputs.deliver(&compiled.bank.ok_or("errors")?, Replace::Always)?;
+/// let written = outputs.pack(&Compiler::default(), &[Input::from_bytes("act1/mayor", file)]).into_bank()?;
 /// let names: Vec<_> = written.files.iter().filter_map(|file| file.path.file_name()?.to_str()).collect();
 /// assert_eq!(names, ["dialogue.lipzbank", "dialogue.de-de.lipztexts", "dialogue.en-us.lipztexts"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -74,9 +74,9 @@ pub struct Delivered {
 }
 
 impl OutputFile {
-    /// A file that a run wrote.
-    pub fn new(path: impl Into<PathBuf>, bytes: &[u8]) -> OutputFile {
-        OutputFile { path: path.into(), length_bytes: bytes.len(), clip_count: None, is_new: true }
+    /// A file of this length that a run wrote.
+    pub fn new(path: impl Into<PathBuf>, length_bytes: usize) -> OutputFile {
+        OutputFile { path: path.into(), length_bytes, clip_count: None, is_new: true }
     }
 
     /// Replaces the file at `path` by `bytes`, as [`replace_file`] does.
@@ -88,7 +88,7 @@ impl OutputFile {
         if is_new {
             replace_file(path, bytes)?;
         }
-        Ok(OutputFile { is_new, ..OutputFile::new(path, bytes) })
+        Ok(OutputFile { is_new, ..OutputFile::new(path, bytes.len()) })
     }
 }
 
@@ -133,20 +133,20 @@ impl Outputs {
         self
     }
 
-    /// Makes the bank. One that is not split is also written, while it is verified; [`deliver`](Outputs::deliver)
-    /// writes the others.
-    pub fn pack(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
-        match &self.cache {
-            _ if self.has_parts() => compiler.compile(inputs),
+    /// Makes the bank and writes its files.
+    pub fn pack(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled<Delivered> {
+        let compiled = match &self.cache {
+            _ if self.has_parts() => return self.deliver_compiled(compiler, compiler.compile(inputs), Replace::Always),
             #[cfg(feature = "cache")]
             Some(cache) => compiler.pack_cached(inputs, &self.bank, cache),
             _ => compiler.pack(inputs, &self.bank),
-        }
+        };
+        compiled.map(Delivered::from)
     }
 
     /// Makes the bank with what `memory` has of the previous run, first of all that of the cache. If it is known which files
-    /// can have `changed` since then, no other is looked at, as by [`Compiler::compile_changed`]. A bank that is
-    /// not split is also written, if it is another one than before; [`deliver`](Outputs::deliver) writes the others.
+    /// can have `changed` since then, no other is looked at, as by [`Compiler::compile_changed`]. Files are written that are
+    /// others than before.
     #[cfg(feature = "cache")]
     pub fn pack_again(
         &self,
@@ -154,9 +154,10 @@ impl Outputs {
         inputs: &[Input],
         changed: Option<&[usize]>,
         memory: &mut crate::Memory,
-    ) -> Compiled {
+    ) -> Compiled<Delivered> {
         if self.has_parts() {
-            return compiler.compile_changed(inputs, changed, memory);
+            let compiled = compiler.compile_changed(inputs, changed, memory);
+            return self.deliver_compiled(compiler, compiled, Replace::IfDifferent);
         }
         if let (Some(cache), true) = (&self.cache, memory.is_empty()) {
             match crate::Memory::read_beside(cache) {
@@ -164,7 +165,11 @@ impl Outputs {
                 Err(report) => return Compiled::refused(report),
             }
         }
-        compiler.pack_changed(inputs, changed, &self.bank, memory)
+        compiler.pack_changed(inputs, changed, &self.bank, memory).map(Delivered::from)
+    }
+
+    fn deliver_compiled(&self, compiler: &Compiler<'_>, compiled: Compiled, replace: Replace) -> Compiled<Delivered> {
+        compiled.and_then(|bank| compiler.written(&self.bank, || self.deliver(&bank, replace)))
     }
 
     /// Writes what is remembered into the cache, if there is one.
@@ -202,7 +207,7 @@ impl Outputs {
             if is_new {
                 waiting.replace(path, bytes)?;
             }
-            Ok::<OutputFile, Report>(OutputFile { is_new, ..OutputFile::new(path, bytes) })
+            Ok::<OutputFile, Report>(OutputFile { is_new, ..OutputFile::new(path, bytes.len()) })
         };
         let mut files = Vec::new();
         // One at a time: together they would take as much memory as the bank.
@@ -236,13 +241,6 @@ impl Outputs {
         files.insert(0, write(&self.bank, &split.base)?);
         Ok(Delivered { files, stale })
     }
-
-    /// The file that [`pack`](Outputs::pack) or [`pack_again`](Outputs::pack_again) has written already; `None` if the bank
-    /// is split.
-    pub fn packed(&self, bank: &[u8], is_unchanged: bool) -> Option<Delivered> {
-        let file = OutputFile { is_new: !is_unchanged, ..OutputFile::new(&self.bank, bank) };
-        (!self.has_parts()).then(|| file.into())
-    }
 }
 
 /// The locale at the end of a name.
@@ -269,12 +267,6 @@ fn stale(path: &Path, extension: &str, written: &[OutputFile]) -> Vec<PathBuf> {
     let mut stale: Vec<PathBuf> = stale.map(|name| path.with_file_name(name)).collect();
     stale.sort();
     stale
-}
-
-/// Whether the file has these bytes.
-pub(crate) fn has(path: &Path, bytes: &[u8]) -> bool {
-    let is_as_long = path.metadata().is_ok_and(|found| found.is_file() && found.len() == bytes.len() as u64);
-    is_as_long && fs::read(path).is_ok_and(|found| found == bytes)
 }
 
 #[cfg(test)]

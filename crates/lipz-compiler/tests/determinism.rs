@@ -3,7 +3,7 @@
 
 mod support;
 
-use lipz_compiler::{Compiler, Input, Options, discover};
+use lipz_compiler::{Compiler, Input, Options, Voices, discover};
 use std::path::Path;
 
 fn bank(inputs: &[Input], threads: usize) -> Vec<u8> {
@@ -55,4 +55,55 @@ fn one_changed_character_changes_the_bank() {
     let text = String::from_utf8(files[3].1.clone()).unwrap();
     files[3].1 = text.replacen('.', "!", 1).into_bytes();
     assert!(pack(&files) != before);
+}
+
+/// Files of every kind that a bank treats in a way of its own: dubs, fallbacks, equal texts and empty ones, events or none.
+fn all_kinds() -> Vec<Input> {
+    let file = |number: usize| {
+        let mut elements = vec![r#""viseme_type":"blair""#.to_owned()];
+        if !number.is_multiple_of(11) {
+            elements.push(format!(r#""fps":{},"visemes":"{}|E-""#, 24 + number % 2, "MA".repeat(number % 40)));
+        }
+        if number.is_multiple_of(2) {
+            elements.push(format!(r#""events":"feels joy {}|""#, number % 9));
+        }
+        for (at, tag) in ["en-us", "de-de", "pt-br", "pt-pt"].iter().enumerate() {
+            let text = match (number + at) % 5 {
+                0 => continue,
+                1 => "Aye. |".to_owned(),
+                2 => "|ü".to_owned(),
+                _ => format!("{tag} {}|日本 {number}", "word ".repeat(number % 70)),
+            };
+            elements.push(format!(r#""text_{tag}":"{text}""#));
+        }
+        format!("{{{}}}", elements.join(","))
+    };
+    let key = |number: usize| match number % 10 {
+        7 => format!("{}.de", number - 1),
+        _ => number.to_string(),
+    };
+    (0..600).map(|number| Input::from_bytes(key(number), file(number))).collect()
+}
+
+#[test]
+fn a_bank_is_the_same_in_memory_and_in_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("b.lipzbank");
+    let voices = Voices::new("en-us").dub("en-us", "{key}").dub("de-de", "{key}.de");
+    for inputs in [all_kinds(), Vec::new()] {
+        for (threads, strip) in [1, 2, 8].into_iter().flat_map(|threads| [(threads, false), (threads, true)]) {
+            let options = Options::new().threads(threads).strip(strip).default_locale("en-us").voices(voices.clone());
+            let compiler = Compiler::new(options);
+            let compiled = compiler.compile(&inputs);
+            let packed = compiler.pack(&inputs, &path);
+            let texts =
+                |reports: &[lipz_diagnostics::Report]| -> Vec<_> { reports.iter().map(ToString::to_string).collect() };
+            assert_eq!(texts(&packed.reports), texts(&compiled.reports));
+            let (bank, file) = (compiled.bank.unwrap(), packed.bank.unwrap());
+            assert!(file.length_bytes == bank.len() && std::fs::read(&path).unwrap() == bank, "{threads} threads");
+            assert!(
+                lipz_bank::Bank::open(&bank).unwrap().verify().unwrap().voices().next().is_some() || inputs.is_empty()
+            );
+        }
+    }
 }

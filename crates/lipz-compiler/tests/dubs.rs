@@ -187,6 +187,7 @@ proptest! {
             fs::create_dir_all(path("files")).unwrap();
             let (inputs, _) = discover(&[path("files")], None);
             let cached = compiler.pack_cached(&inputs, &path("bank"), &path("cache"));
+            let cached = cached.map(|file| fs::read(file.path).unwrap());
             let fresh = compiler.compile(&inputs);
             prop_assert_eq!(&cached.bank, &fresh.bank);
             let texts = |reports: &[lipz_diagnostics::Report]| reports.iter().map(ToString::to_string).collect::<Vec<_>>();

@@ -27,7 +27,7 @@ fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) -
     let path = folder.path().join("linked.lipzbank");
     let to_file = compiler.link(&link, &path);
     assert_eq!(to_file.reports, linked.reports);
-    assert_eq!(to_file.file.map(|file| file.length_bytes), linked.bank.as_ref().map(Vec::len));
+    assert_eq!(to_file.bank.map(|file| file.length_bytes), linked.bank.as_ref().map(Vec::len));
     assert!(fs::read(&path).ok() == linked.bank);
     linked
 }
@@ -178,7 +178,7 @@ fn objects_that_somebody_writes_to_meanwhile_are_refused() {
         };
         let path = folder.path().join("linked.lipzbank");
         let linked = Compiler::default().progress(meanwhile).link(&link, &path);
-        assert!(linked.file.is_none() && !path.exists(), "{shards} shards");
+        assert!(linked.bank.is_none() && !path.exists(), "{shards} shards");
         let messages: Vec<_> = linked.reports.iter().flat_map(|report| &report.diagnostics).collect();
         assert!(messages.iter().any(|found| found.message.contains("changed while it was linked")), "{messages:?}");
     }

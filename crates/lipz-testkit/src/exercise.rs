@@ -141,6 +141,7 @@ fn every_segment_query(segment: &Segment<'_, '_>, locales: &[Locale<'_>], limit:
     for locale in locales {
         let text = segment.text(*locale);
         let bytes = segment.text_bytes(*locale);
+        black_box(segment.has_own_text(*locale));
         // The two differ only where the bytes are not UTF-8.
         if let Some(text) = text {
             assert_eq!(Some(text.as_str().as_bytes()), bytes);

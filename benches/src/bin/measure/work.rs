@@ -4,7 +4,9 @@ use crate::Failure;
 use clap::ValueEnum;
 use cpu_time::ProcessTime;
 use lipz_benches::peak_bytes;
-use lipz_compiler::{Compiled, Compiler, Input, Linted, Memory, Options, Outputs, Phases, discover};
+use lipz_compiler::{
+    Compiled, Compiler, Delivered, Input, Linted, Memory, Options, OutputFile, Outputs, Phases, discover,
+};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::hint::black_box;
@@ -236,14 +238,13 @@ impl Watched {
         // The first run, and one that only finds room for the next.
         for changed in [None, Some(&[0][..])] {
             change(&first)?;
-            let packed = watched.pack_again(changed);
-            watched.memory.reuse(packed.into_bank().map_err(|error| error.to_string())?);
+            watched.pack_again(changed).into_bank().map_err(|error| error.to_string())?;
         }
         change(&first)?;
         Ok(watched)
     }
 
-    fn pack_again(&mut self, changed: Option<&[usize]>) -> Compiled {
+    fn pack_again(&mut self, changed: Option<&[usize]>) -> Compiled<Delivered> {
         self.outputs.pack_again(&self.compiler, &self.inputs, changed, &mut self.memory)
     }
 
@@ -255,7 +256,8 @@ impl Watched {
             return Err("the file that changed left the bank as it was".to_owned());
         }
         measurement.phases = phases(Duration::ZERO, start.elapsed(), &packed.phases);
-        measurement.bank_bytes = Some(packed.into_bank().map_err(|error| error.to_string())?.len() as u64);
+        let delivered = packed.into_bank().map_err(|error| error.to_string())?;
+        measurement.bank_bytes = delivered.files.first().map(|file| file.length_bytes as u64);
         Ok(())
     }
 }
@@ -276,7 +278,7 @@ fn check(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
 fn packing(
     folder: &Path,
     measurement: &mut Measurement,
-    pack: impl FnOnce(&[Input]) -> Compiled,
+    pack: impl FnOnce(&[Input]) -> Compiled<OutputFile>,
 ) -> Result<(), Failure> {
     let start = Instant::now();
     let (inputs, reports) = discover(&[folder.to_owned()], None);
@@ -288,7 +290,7 @@ fn packing(
     if let Some(diagnostic) = diagnostic {
         return Err(format!("packing made-up clips: {}", diagnostic.message));
     }
-    measurement.bank_bytes = compiled.bank.map(|bank| bank.len() as u64);
+    measurement.bank_bytes = compiled.bank.map(|file| file.length_bytes as u64);
     measurement.phases = phases(discovered, packing, &compiled.phases);
     Ok(())
 }

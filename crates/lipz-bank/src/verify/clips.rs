@@ -21,7 +21,7 @@ struct Segments {
 /// are clips, names every clip once.
 pub(super) fn clips<const CONTENTS: bool>(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut segments = Segments { with_events: 0, others: bank.event_refs.len() };
-    let texts = TextCheck::new(&bank.file, &bank.texts);
+    let texts = TextCheck::new(&bank.file, &bank.texts, CONTENTS);
     let mut keys = Strings::new(bank.texts.names, 0);
     for entry in bank.key_order {
         let slot = entry.get();

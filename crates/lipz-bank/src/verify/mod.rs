@@ -63,9 +63,11 @@ pub(crate) fn lines<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<
 fn required<'data, const CONTENTS: bool>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
-    for pool in [&mut bank.texts.names, &mut bank.texts.texts, &mut bank.event_strings] {
-        check_pool(&bank.file, pool, utf8)?;
+    check_pool(&bank.file, &mut bank.texts.names, utf8)?;
+    if CONTENTS {
+        check_pool(&bank.file, &mut bank.texts.texts, utf8)?;
     }
+    check_pool(&bank.file, &mut bank.event_strings, utf8)?;
     clips::rates(bank)?;
     let keys_end = clips::clips::<CONTENTS>(bank)?;
     locales(&bank.file, &bank.texts, keys_end)?;
@@ -100,7 +102,7 @@ pub(crate) fn verify_texts<'data>(
         return Err(Error::new(ErrorKind::OtherClips, 24));
     }
     texts.bank = bank.origin();
-    let check = TextCheck::new(&file, &texts.table);
+    let check = TextCheck::new(&file, &texts.table, true);
     for (clip, record) in bank.clips.iter().zip(bank.keys) {
         check.clip(clip, record)?;
     }

@@ -11,12 +11,14 @@ use lipz_layout::{ClipRecord, KeyRecord, NO_TEXT, TEXT_FALLBACK, U32};
 pub(super) struct TextCheck<'a, 'data> {
     file: &'a File<'data>,
     table: &'a LocaleTable<'data>,
+    /// Whether the texts are there, and not only their places.
+    has_contents: bool,
 }
 
 impl<'a, 'data> TextCheck<'a, 'data> {
     /// The check of the texts of `table`, which is that of `file`.
-    pub(super) fn new(file: &'a File<'data>, table: &'a LocaleTable<'data>) -> Self {
-        TextCheck { file, table }
+    pub(super) fn new(file: &'a File<'data>, table: &'a LocaleTable<'data>, has_contents: bool) -> Self {
+        TextCheck { file, table, has_contents }
     }
 
     /// Checks the texts of a clip, whose segments are checked, in all locales.
@@ -47,7 +49,8 @@ impl<'a, 'data> TextCheck<'a, 'data> {
 
     /// Whether an entry is that of a text, and of the same kind as the `first` one.
     fn is_text(&self, entry: U32, next: U32, first: u32) -> bool {
-        let place = TextPlace::between(entry, next, self.table.texts);
-        (entry.get() ^ first) & TEXT_FALLBACK == 0 && place.map_or(false, |place| place.is_valid(self.table.texts))
+        let texts = self.table.texts;
+        let is_string = |place: TextPlace| if self.has_contents { place.is_valid(texts) } else { place.fits(texts) };
+        (entry.get() ^ first) & TEXT_FALLBACK == 0 && TextPlace::between(entry, next, texts).map_or(false, is_string)
     }
 }

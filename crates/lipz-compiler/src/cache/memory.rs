@@ -1,13 +1,12 @@
 //! What a program that packs again and again remembers from one run to the next.
 
 use super::few::Known;
+use super::in_file::Place;
 use super::old_bank::OldBank;
-use super::recall::checksum_of;
 use super::stamps::{MAGIC, Stamps};
-use super::{Done, Origin, PreviousRun, Task, again, file};
+use super::{Done, Origin, PreviousRun, Task, file, in_file, in_memory, next};
 use crate::compile::verify;
-use crate::outputs::has;
-use crate::{Compiled, Compiler, Input};
+use crate::{Compiled, Compiler, Input, OutputFile, Replace};
 use lipz_diagnostics::Report;
 use std::path::Path;
 use std::sync::Arc;
@@ -32,7 +31,7 @@ use std::sync::Arc;
 #[derive(Clone, Default)]
 pub struct Memory {
     before: Option<Remembered>,
-    /// Room for the next bank: the system takes longer to give it than it takes to copy a bank.
+    /// Room for the next bank that is patched: the system takes longer to give it than it takes to copy a bank.
     room: Vec<u8>,
 }
 
@@ -82,14 +81,6 @@ impl Memory {
         self.before.is_none()
     }
 
-    /// Takes back the bank of the last run, which is no longer needed: the next one is made where it was.
-    pub fn reuse(&mut self, bank: Vec<u8>) {
-        // Who has the bank in memory needs no more than one other, which is handed out.
-        if self.before.as_ref().is_some_and(|before| before.bank.is_none()) {
-            self.room = bank;
-        }
-    }
-
     /// The run before, whose bank may be in the file at `path`.
     fn previous(&self, path: Option<&Path>) -> Option<PreviousRun> {
         let Remembered { stamps, known, bank } = self.before.clone()?;
@@ -132,7 +123,8 @@ impl Compiler<'_> {
         let finish = |bank: &[u8], origin| if origin == Origin::New { verify(bank) } else { Ok(()) };
         self.run(|options| {
             let task = Task { inputs, options, progress: &self.progress, changed };
-            let Done { compiled, stamps, known } = again(&task, memory.previous(None), Vec::new(), finish);
+            let Done { compiled, stamps, known } =
+                in_memory::end(&task, next(&task, memory.previous(None), Vec::new()), finish);
             if let Some(bank) = &compiled.bank {
                 let old = memory.before.as_ref().and_then(|before| before.bank.clone());
                 let bank = old.filter(|_| stamps.is_none()).unwrap_or_else(|| Arc::new(bank.clone()));
@@ -150,32 +142,17 @@ impl Compiler<'_> {
         changed: Option<&[usize]>,
         path: &Path,
         memory: &mut Memory,
-    ) -> Compiled {
-        let old_checksum = memory.before.as_ref().map(|before| before.stamps.bank_checksum);
-        let is_in_file = memory.before.as_ref().is_some_and(|before| before.bank.is_none());
-        let mut is_written = false;
-        let finish = |bank: &[u8], origin: Origin| {
-            // Nothing is compared with a file that is sure to be another one.
-            let may_be_there = old_checksum.is_none_or(|old| Some(old) == checksum_of(bank));
-            if origin == Origin::Unchanged && is_in_file || may_be_there && has(path, bank) {
-                return Ok(());
-            }
-            is_written = true;
-            match origin {
-                Origin::Patched => self.write_if(path, bank, || Ok(())),
-                _ => self.write_verified(path, bank),
-            }
-        };
-        let mut compiled = self.run(|options| {
+    ) -> Compiled<OutputFile> {
+        self.run(|options| {
             let task = Task { inputs, options, progress: &self.progress, changed };
-            let room = std::mem::take(&mut memory.room);
-            let Done { compiled, stamps, known } = again(&task, memory.previous(Some(path)), room, finish);
-            if compiled.bank.is_some() {
+            let place = Place { path, replace: Replace::IfDifferent };
+            let next = next(&task, memory.previous(Some(path)), std::mem::take(&mut memory.room));
+            let Done { mut compiled, stamps, known } = in_file::end(self, &task, next, &place, &mut memory.room);
+            if let Some(file) = &compiled.bank {
+                compiled.is_unchanged = !file.is_new;
                 memory.remember((stamps, known), None);
             }
             compiled
-        });
-        compiled.is_unchanged = compiled.bank.is_some() && !is_written;
-        compiled
+        })
     }
 }

@@ -10,6 +10,8 @@ mod check;
 mod few;
 mod file;
 mod file_meta;
+mod in_file;
+mod in_memory;
 mod look;
 mod memory;
 mod old_bank;
@@ -31,11 +33,12 @@ pub(crate) use stamps::{Name, Stamp};
 
 use crate::compile::{Progress, Run, Texts};
 use crate::discover::display;
-use crate::{Compiled, Compiler, Input, Options};
+use crate::{Compiled, Compiler, Input, Options, OutputFile, Replace};
 use few::Known;
+use in_file::Place;
 use lipz_diagnostics::Report;
 use old_bank::OldBank;
-use recall::Recall;
+use recall::{Recall, checksum_of};
 use stamps::{MAGIC, Stamps};
 use std::fs::File;
 use std::io;
@@ -54,11 +57,13 @@ impl Compiler<'_> {
     /// The cache is safe to delete. One that is damaged, that another version of this library wrote, or that
     /// belongs to another bank or to other options is ignored and replaced. A file that is no cache is left
     /// alone and reported, as is one that cannot be written.
-    pub fn pack_cached(&self, inputs: &[Input], path: &Path, cache: &Path) -> Compiled {
-        self.pack_cached_if(inputs, path, cache, |_| Ok(()))
+    pub fn pack_cached(&self, inputs: &[Input], path: &Path, cache: &Path) -> Compiled<OutputFile> {
+        let place = Place { path, replace: Replace::Always };
+        self.cached(inputs, path, cache, |task, next| in_file::end(self, task, next, &place, &mut Vec::new()))
     }
 
-    /// The same, if `accept` finds nothing in the bank: without its consent nothing is written.
+    /// The same with a bank that is made in memory, if `accept` finds nothing in it: without its consent nothing is written.
+    #[cfg(feature = "build")]
     pub(crate) fn pack_cached_if(
         &self,
         inputs: &[Input],
@@ -74,6 +79,17 @@ impl Compiler<'_> {
                 _ => self.write_verified(path, bank),
             }
         };
+        self.cached(inputs, path, cache, |task, next| in_memory::end(task, next, finish))
+    }
+
+    /// Packs with what is in the file `cache`, and writes that anew.
+    fn cached<B: Send>(
+        &self,
+        inputs: &[Input],
+        path: &Path,
+        cache: &Path,
+        end: impl FnOnce(&Task<'_>, Next) -> Done<B> + Send,
+    ) -> Compiled<B> {
         self.run(|options| {
             let start = Instant::now();
             let before = match PreviousRun::read(cache, path) {
@@ -82,15 +98,17 @@ impl Compiler<'_> {
             };
             let reading = start.elapsed();
             let task = Task { inputs, options, progress: &self.progress, changed: None };
-            let Done { mut compiled, stamps, .. } = again(&task, before, Vec::new(), finish);
+            let Done { compiled, stamps, .. } = end(&task, next(&task, before, Vec::new()));
             let start = Instant::now();
             let written = stamps.and_then(|stamps| self.guarded(|| file::write(cache, MAGIC, &stamps)));
-            if let Some(Err(mut report)) = written {
-                let note = format!("the bank is written: `{}` is that of these files", display(path));
-                report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.clone()));
-                compiled.reports.push(report);
-                compiled.bank = None;
-            }
+            let mut compiled = compiled.and_then(|bank| match written {
+                Some(Err(mut report)) => {
+                    let note = format!("the bank is written: `{}` is that of these files", display(path));
+                    report.diagnostics.iter_mut().for_each(|diagnostic| diagnostic.notes.push(note.clone()));
+                    Err(report)
+                }
+                _ => Ok(bank),
+            });
             compiled.phases.cache += reading + start.elapsed();
             compiled
         })
@@ -118,70 +136,69 @@ struct Task<'t> {
     changed: Option<&'t [usize]>,
 }
 
+/// How a run goes on that has looked at all files.
+enum Next {
+    /// Nothing is made: there are errors.
+    Nothing(Run),
+    /// The old bank stays if it is proven; and whether its stamps do, too.
+    Stay(Run, OldBank, bool),
+    /// The bank is the old one with some clips in it that are new.
+    Patch(Run, Vec<u8>),
+    /// The bank is to be made of all clips.
+    Make(Run),
+}
+
 /// What a run has made.
-struct Done {
-    compiled: Compiled,
+struct Done<B = Vec<u8>> {
+    compiled: Compiled<B>,
     /// With a bank come the stamps of its files, unless they are all as they were.
     stamps: Option<Stamps>,
     /// What a run has to know that looks only at what changed since.
     known: Option<Known>,
 }
 
-/// Makes a bank of the inputs with what is still true of the run `before`, in `room`. `finish` is handed the bank, and where
-/// it comes from; without its consent there is none.
-fn again(
-    task: &Task<'_>,
-    before: Option<PreviousRun>,
-    room: Vec<u8>,
-    finish: impl FnOnce(&[u8], Origin) -> Result<(), Report> + Send,
-) -> Done {
-    let (inputs, options) = (task.inputs, task.options);
+/// Looks at the inputs, with what is still true of the run `before`. A patched bank is made in `room`.
+fn next(task: &Task<'_>, before: Option<PreviousRun>, room: Vec<u8>) -> Next {
+    let options = task.options;
     let before = before.filter(|before| before.stamps.are_of(options));
     let mut looked = Looked::at(task, before.as_ref());
     let old = before.map(|before| before.bank);
     if looked.run.has_errors() {
-        return looked.run.compare_dubs(inputs, options).done(task, |run, _| run.finish(None));
+        return Next::Nothing(looked.compare_dubs(task));
     }
     if looked.is_unchanged {
-        drop(room);
-        // Nothing is copied, least of all to be thrown away.
-        if let Some(bank) = old.and_then(OldBank::into_whole) {
-            return looked.unchanged(task, bank, finish);
-        }
-        looked.run = read_all(task);
-    } else {
-        let start = Instant::now();
-        let recall = old.as_ref().filter(|_| looked.found > 0).and_then(Recall::new);
-        // What is said about dubs is about all clips, not about those that have changed.
-        let recall_few = recall.as_ref().filter(|_| looked.has_same_keys && options.voices.patterns.is_empty());
-        let changed = looked.run.changed_clips();
-        if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &changed, room)) {
-            drop(changed);
-            looked.run.phases.lower = start.elapsed();
-            let finish = |bank: &[u8]| finish(bank, Origin::Patched);
-            return looked.run.done(task, |run, options| run.conclude(Ok(bank), options, finish));
-        }
-        drop(changed);
-        // Before all else is recalled from it, and only then: a bank that stays or is patched is read once.
-        let clips = match recall.as_ref().filter(|recall| recall.old.is_proven()) {
-            Some(recall) => sweep::recalled(recall, inputs, &looked.run.stamped.recalled, options.threads),
-            None => (looked.found == 0).then(Vec::new),
+        return match old {
+            Some(old) => Next::Stay(looked.run, old, looked.are_stamps_unchanged),
+            None => Next::Make(read_all(task)),
         };
-        match clips {
-            Some(clips) => looked.run.add(clips, start.elapsed()),
-            // The old bank is damaged, or somebody has written to it meanwhile.
-            None => looked.run = read_all(task),
-        }
-        // The old bank is given back before the new one is made.
-        drop(old);
     }
-    let run = looked.run.compare_dubs(inputs, options);
-    run.done(task, |run, options| run.make(inputs, options, |bank| finish(bank, Origin::New)))
+    let start = Instant::now();
+    let recall = old.as_ref().filter(|_| looked.found > 0).and_then(Recall::new);
+    // What is said about dubs is about all clips, not about those that have changed.
+    let recall_few = recall.as_ref().filter(|_| looked.has_same_keys && options.voices.patterns.is_empty());
+    let changed = looked.run.changed_clips();
+    if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &changed, room)) {
+        drop(changed);
+        looked.run.phases.lower = start.elapsed();
+        return Next::Patch(looked.run, bank);
+    }
+    drop(changed);
+    // Before all else is recalled from it, and only then: a bank that stays or is patched is read once.
+    let clips = match recall.as_ref().filter(|recall| recall.old.is_proven()) {
+        Some(recall) => sweep::recalled(recall, task.inputs, &looked.run.stamped.recalled, options.threads),
+        None => (looked.found == 0).then(Vec::new),
+    };
+    match clips {
+        Some(clips) => looked.run.add(clips, start.elapsed()),
+        // The old bank is damaged, or somebody has written to it meanwhile.
+        None => return Next::Make(read_all(task)),
+    }
+    Next::Make(looked.compare_dubs(task))
 }
 
 /// A run that reads all files, and stamps them.
 fn read_all(task: &Task<'_>) -> Run {
-    Run::read(task.inputs, task.options, Some(&Cache::new(None, None)), &|_| ())
+    Run::read(task.inputs, task.options, Some(&Cache::new(None, None)), &|_| ()).compare_dubs(task.inputs, task.options)
 }
 
 /// A run that has looked at files, and what follows for the old bank.
@@ -226,34 +243,38 @@ impl Looked {
         }
     }
 
-    /// Ends the run with the old bank.
-    fn unchanged(
-        self,
-        task: &Task<'_>,
-        bank: Vec<u8>,
-        finish: impl FnOnce(&[u8], Origin) -> Result<(), Report>,
-    ) -> Done {
-        let mut done = self.run.done(task, |mut run, options| {
-            let accepted = run.expect(&Texts::of_old(&bank, options), options);
-            match accepted.and_then(|()| finish(&bank, Origin::Unchanged)) {
-                Ok(()) => Compiled { is_unchanged: true, ..run.finish(Some(bank)) },
-                Err(report) => run.fail(report),
-            }
-        });
-        done.stamps = done.stamps.filter(|_| !self.are_stamps_unchanged);
-        done
+    fn compare_dubs(self, task: &Task<'_>) -> Run {
+        self.run.compare_dubs(task.inputs, task.options)
     }
 }
 
 impl Run {
-    /// Ends the run, and keeps what the next one has to know.
-    fn done(mut self, task: &Task<'_>, end: impl FnOnce(Run, &Options) -> Compiled) -> Done {
+    /// Ends the run, and keeps what the next one has to know. A bank comes with its checksum.
+    fn done<B>(mut self, task: &Task<'_>, end: impl FnOnce(Run) -> Compiled<(B, u64)>) -> Done<B> {
         let files = std::mem::take(&mut self.stamped.files);
         let known = self.are_keys_fine.then(|| Known::new(&files, task.inputs.len()));
-        let compiled = end(self, task.options);
-        let stamps = Stamps::of(&compiled, task.options, files);
-        let known = known.filter(|_| compiled.bank.is_some());
-        Done { compiled, stamps, known }
+        let compiled = end(self);
+        let checksum = compiled.bank.as_ref().map(|(_, checksum)| *checksum);
+        let stamps = checksum.map(|checksum| Stamps::new(task.options, checksum, files));
+        let known = known.filter(|_| stamps.is_some());
+        Done { compiled: compiled.map(|(bank, _)| bank), stamps, known }
+    }
+
+    /// The same with the old bank, unless the project no longer accepts it or `end` fails.
+    fn stays<B>(
+        self,
+        task: &Task<'_>,
+        (bank, are_stamps_unchanged): (&[u8], bool),
+        end: impl FnOnce() -> Result<B, Report>,
+    ) -> Done<B> {
+        let texts = Texts::of_old(bank, task.options);
+        let checksum = checksum_of(bank).unwrap_or_default();
+        let mut done = self.done(task, |mut run| match run.expect(&texts, task.options).and_then(|()| end()) {
+            Ok(bank) => Compiled { is_unchanged: true, ..run.finish(Some((bank, checksum))) },
+            Err(report) => run.fail(report),
+        });
+        done.stamps = done.stamps.filter(|_| !are_stamps_unchanged);
+        done
     }
 }
 
@@ -295,7 +316,8 @@ mod tests {
         let (bank, options) = (path("bank"), Options::default());
         std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
         let (inputs, _) = crate::discover(&[path("a.lipz")], None);
-        let packed = Compiler::new(options.clone()).pack(&inputs, &bank).bank.unwrap();
+        Compiler::new(options.clone()).pack(&inputs, &bank).into_bank().unwrap();
+        let packed = std::fs::read(&bank).unwrap();
         let run = |before: Option<(&Stamps, &OldBank)>, later: Duration| {
             let (stamps, bank) = before.unzip();
             let cache = Cache { start: SystemTime::now() + later, ..Cache::new(stamps, bank) };
@@ -305,7 +327,7 @@ mod tests {
             let stamped = run(before, later);
             (stamped.files.len(), stamped.recalled.len(), stamped.unread)
         };
-        let checksum = recall::checksum_of(&packed).unwrap();
+        let checksum = checksum_of(&packed).unwrap();
         let old = OldBank::open(&bank, checksum).unwrap();
         assert!(OldBank::open(&bank, 0).is_none(), "the stamps are about another bank");
         for (later, unread) in [(Duration::ZERO, 0), (Duration::from_secs(60), 1)] {
@@ -329,7 +351,7 @@ mod tests {
                 let run = Run::read(&inputs, options, Some(&Cache::new(None, None)), &|_| {});
                 let indices: Vec<u32> = run.stamped.files.iter().map(|(index, ..)| *index).collect();
                 assert!(indices.into_iter().eq(0..400));
-                Compiled::default()
+                Compiled::<Vec<u8>>::default()
             })
         };
         (0..20).for_each(|_| drop(stamped()));

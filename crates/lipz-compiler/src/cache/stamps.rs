@@ -1,8 +1,7 @@
 //! The file of a cache: what the sources of a bank looked like when it was packed.
 
 use super::file_meta::FileMeta;
-use super::recall::checksum_of;
-use crate::{Compiled, Options};
+use crate::Options;
 use bincode::config::{Configuration, Fixint, LittleEndian};
 use bincode::{Decode, Encode};
 use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR};
@@ -107,12 +106,6 @@ impl Stamps {
     pub(super) fn new(options: &Options, bank_checksum: u64, files: Vec<(u32, Name, Stamp)>) -> Stamps {
         let files = files.into_iter().map(|(_, name, stamp)| (name, stamp)).collect();
         Stamps { maker: maker(), options: hash_of(options), bank_checksum, files }
-    }
-
-    /// The stamps of the files of a run; `None` if there is no bank.
-    pub(super) fn of(compiled: &Compiled, options: &Options, files: Vec<(u32, Name, Stamp)>) -> Option<Stamps> {
-        let checksum = compiled.bank.as_deref().and_then(checksum_of)?;
-        Some(Stamps::new(options, checksum, files))
     }
 
     /// Stamps of files that were checked, and by a lint that depends on what is `beside` the files. There is no bank.

@@ -2,7 +2,7 @@
 
 use super::recall::Recall;
 use crate::Input;
-use crate::clip::{ClipData, Clips};
+use crate::clip::{Batches, ClipData, Clips};
 use crate::parallel;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,17 +22,19 @@ pub(super) fn recalled(
     order.sort_unstable_by_key(|(_, slot)| recall.place(*slot));
     let next = AtomicUsize::new(0);
     let batches = parallel::workers(threads, || {
-        let (mut clips, mut clip) = (Clips::default(), ClipData::default());
-        let mut recaller = recall.recaller(&mut clips.locales);
+        let (mut clips, mut clip) = (Batches::default(), ClipData::default());
+        let mut recaller = recall.recaller(clips.locales());
         loop {
             let first = next.fetch_add(CLIPS_AT_ONCE, Ordering::Relaxed);
-            let Some(behind) = order.get(first..).filter(|behind| !behind.is_empty()) else { return Some(clips) };
+            let Some(behind) = order.get(first..).filter(|behind| !behind.is_empty()) else {
+                return Some(clips.into_all());
+            };
             for (index, slot) in behind.iter().take(CLIPS_AT_ONCE) {
                 recaller.clip(*slot, &mut clip)?;
                 clips.push(&inputs.get(*index as usize)?.key, &clip);
             }
         }
     });
-    let batches: Option<Vec<Clips>> = batches.into_iter().collect();
-    batches.filter(|_| recall.is_whole())
+    let batches: Option<Vec<Vec<Clips>>> = batches.into_iter().collect();
+    batches.filter(|_| recall.is_whole()).map(|batches| batches.into_iter().flatten().collect())
 }

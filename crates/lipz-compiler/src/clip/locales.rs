@@ -6,7 +6,7 @@ use foldhash::HashMap;
 ///
 /// Nearly every name of a text is one that was seen before: what was found about its locale then is
 /// remembered here, so that lists of languages and countries are asked once.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Locales {
     tags: Vec<Box<str>>,
     numbers: HashMap<Box<str>, Known>,

@@ -1,5 +1,6 @@
 //! A checked clip: what a Lipz file means, free of how it is written.
 
+mod batches;
 mod curves;
 mod locales;
 mod packed;
@@ -9,12 +10,13 @@ mod runs;
 mod staying;
 mod store;
 
+pub(crate) use batches::Batches;
 pub(crate) use curves::{Curves, Key};
 pub(crate) use locales::Locales;
 pub(crate) use part::Part;
 pub(crate) use runs::{Runs, split_run};
 #[cfg(feature = "shards")]
-pub(crate) use staying::{ClipFile, SectionStarts, StayingSource, Window};
+pub(crate) use staying::{ClipFile, SectionStarts, StayingPart, StayingSource, Window};
 pub(crate) use store::{Clip, Clips};
 
 #[cfg(feature = "shards")]
@@ -61,15 +63,15 @@ pub(crate) struct ClipData {
 pub(crate) struct ClipText {
     /// Number of the locale in [`Locales`].
     pub(crate) locale: u32,
-    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]; in [`Clips`], the texts alone, or where
-    /// they stay. There are millions: 16 bytes for each will do.
+    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]; in [`Clips`], the texts alone among all of
+    /// the locale, or where they stay. There are millions: 16 bytes for each will do.
     start: u32,
     end: u32,
     /// Hash of the texts: made while it is in the cache.
     pub(crate) hash: u32,
 }
 
-/// A bit of the end of a run. A file, and so its texts, has less than 2²⁸ bytes.
+/// A bit of the end of a run. A file, and so its texts, has less than 2²⁸ bytes; all texts of a locale in [`Clips`] less than 2³⁰.
 const IS_FALLBACK: u32 = 1 << 31;
 /// A bit of the end of texts that stay in the pool of a bank, where the last of them is counted. A pool has less than 2³⁰ bytes.
 const IS_COUNTED: u32 = 1 << 30;

@@ -10,8 +10,14 @@ use lipz_layout::U16;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Clips, part by part: all frames in one buffer, all texts in one, and so on. A clip is where its
-/// parts end in them; they start where those of the clip before it end.
+/// Bytes of all texts of a locale in one batch.
+#[cfg(not(test))]
+const MOST_TEXT_BYTES: usize = lipz_layout::TEXT_OFFSET as usize;
+#[cfg(test)]
+const MOST_TEXT_BYTES: usize = 1 << 20;
+
+/// Clips, part by part: all frames in one buffer, all texts of a locale in one, and so on. A clip is where its
+/// parts end in them; they start where those of the clip before it end. A text says itself where it is.
 #[derive(Debug, Default)]
 pub(crate) struct Clips {
     /// The locales that texts refer to by number.
@@ -23,7 +29,12 @@ pub(crate) struct Clips {
     texts: Vec<ClipText>,
     /// For each text of each clip, where its segments end. The bank is laid out by these, and does not touch the texts.
     text_ends: Vec<U16>,
-    displays: Vec<u8>,
+    /// The display texts of each locale, by its number: the bank has them in this order.
+    displays: Vec<Vec<u8>>,
+    /// Bytes of them all.
+    display_bytes: usize,
+    /// Whether texts are missing that had no place in such a buffer.
+    lacks_texts: bool,
     events: Strings,
     curves: Curves,
     sources: Vec<u8>,
@@ -56,20 +67,29 @@ struct Ends {
     starts: usize,
     texts: usize,
     text_ends: usize,
-    displays: usize,
     events: usize,
     curves: usize,
     source: usize,
 }
 
 impl Clips {
+    /// No clips yet, whose texts refer to these locales.
+    pub(super) fn of_locales(locales: Locales) -> Clips {
+        Clips { locales, ..Clips::default() }
+    }
+
+    /// Whether the texts of a clip have a place beside all others.
+    pub(super) fn has_room_for(&self, clip: &ClipData) -> bool {
+        self.display_bytes + clip.runs.byte_count() <= MOST_TEXT_BYTES
+    }
+
     /// Adds a clip, whose texts refer to `self.locales`.
     pub(crate) fn push(&mut self, key: &str, clip: &ClipData) {
         self.frames.extend_from_slice(&clip.frames);
         self.push_texts(clip);
         self.sources.extend_from_slice(&clip.source);
-        let (frames, displays, source) = (self.frames.len(), self.displays.len(), self.sources.len());
-        self.push_tables(key, clip, Ends { frames, displays, source, ..Ends::default() });
+        let (frames, source) = (self.frames.len(), self.sources.len());
+        self.push_tables(key, clip, Ends { frames, source, ..Ends::default() });
     }
 
     /// Adds what is not in the large buffers, in which the clip ends so.
@@ -95,13 +115,22 @@ impl Clips {
     }
 
     fn push_texts(&mut self, clip: &ClipData) {
-        let first = self.displays.len();
         for text in &clip.texts {
             let (displays, ends) = split_run(clip.whole_run(text), clip.starts.len());
-            let start = self.displays.len() - first;
             self.text_ends.extend_from_slice(ends);
-            self.displays.extend_from_slice(displays);
-            self.texts.push(text.at(start..self.displays.len() - first));
+            let locale = text.locale as usize;
+            if self.displays.len() <= locale {
+                self.displays.resize_with(locale + 1, Vec::new);
+            }
+            let of_locale = &mut self.displays[locale];
+            let start = of_locale.len();
+            if start + displays.len() > MOST_TEXT_BYTES {
+                self.lacks_texts = true;
+            } else {
+                of_locale.extend_from_slice(displays);
+                self.display_bytes += displays.len();
+            }
+            self.texts.push(text.at(start..of_locale.len()));
         }
     }
 
@@ -159,12 +188,17 @@ impl Clips {
     /// Gives back the memory of all but the first `count` clips.
     pub(crate) fn keep_first(&mut self, count: usize) {
         let ends = count.checked_sub(1).map_or(Ends::default(), |last| self.heads[last].ends);
+        for text in &self.texts[ends.texts..] {
+            if let Some(of_locale) = self.displays.get_mut(text.locale as usize) {
+                of_locale.truncate(text.place().start);
+            }
+        }
+        self.displays.iter_mut().for_each(Vec::shrink_to_fit);
         cut(&mut self.heads, count);
         cut(&mut self.frames, ends.frames);
         cut(&mut self.starts, ends.starts);
         cut(&mut self.texts, ends.texts);
         cut(&mut self.text_ends, ends.text_ends);
-        cut(&mut self.displays, ends.displays);
         cut(&mut self.sources, ends.source);
     }
 
@@ -174,7 +208,6 @@ impl Clips {
     }
 
     /// The clip that was added after so many others.
-    #[cfg(feature = "shards")]
     pub(crate) fn clip(&self, index: u32) -> Clip<'_> {
         Clip { clips: self, batch: 0, index }
     }
@@ -213,6 +246,13 @@ impl Clips {
         let number = |tag| tags.binary_search(tag).map_or(u32::MAX, |number| number as u32);
         let numbers: Vec<u32> = locales.tags().iter().map(number).collect();
         self.texts.iter_mut().for_each(|text| text.locale = numbers[text.locale as usize]);
+        let displays = std::mem::take(&mut self.displays);
+        self.displays.resize_with(tags.len(), Vec::new);
+        for (number, of_locale) in std::iter::zip(numbers, displays) {
+            if let Some(place) = self.displays.get_mut(number as usize) {
+                *place = of_locale;
+            }
+        }
     }
 }
 
@@ -316,7 +356,12 @@ impl<'c> Clip<'c> {
         if let Some(staying) = &self.clips.staying {
             return Part::Stays(staying.file.text(text, last_start(self.text_ends(index))));
         }
-        Part::Here(&self.clips.displays[self.range(|ends| ends.displays)][text.place()])
+        Part::Here(&self.clips.displays[text.locale as usize][text.place()])
+    }
+
+    /// Whether there are more texts in a locale than a batch has room for, so that some are missing.
+    pub(crate) fn lacks_texts(&self) -> bool {
+        self.clips.lacks_texts
     }
 
     /// The event strings of all segments, if the file has an `events` element.
@@ -364,6 +409,7 @@ fn last_start(ends: &[U16]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::clip::Batches;
 
     /// A clip of so many frames with texts that say their locale.
     fn push(clips: &mut Clips, key: &str, frames: usize, tags: &[&str]) {
@@ -392,5 +438,41 @@ mod tests {
         let texts: Vec<_> = clips.iter().map(|clip| [0, 1, 2].map(|locale| run(clip, locale))).collect();
         let [de, en, fr] = ["de-de", "en-us", "fr-fr"].map(|tag| Some(tag.into()));
         assert_eq!(texts, [[None, None, None], [None, en, fr.clone()], [de, None, fr]]);
+    }
+
+    #[test]
+    fn more_texts_than_a_batch_has_room_for_come_into_another_one() {
+        let mut batches = Batches::default();
+        let half = "x".repeat(MOST_TEXT_BYTES / 2 - 8);
+        for tag in ["en-us", "de-de", "en-us", "en-us", "de-de"] {
+            let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
+            clip.displays.push(&half);
+            clip.add_displays(batches.locales().number(tag, true));
+            batches.push(tag, &clip);
+        }
+        let mut batches = batches.into_all();
+        assert_eq!(batches.iter().map(Clips::count).collect::<Vec<_>>(), [2, 2, 1]);
+        assert_eq!(Clips::join_locales(&mut batches), ["de-de", "en-us"].map(Box::from));
+        for clip in Clips::by_key(&batches) {
+            let text = clip.text_in(u32::from(clip.key() == "en-us")).unwrap();
+            assert!(*clip.displays(text).bytes() == *half.as_bytes() && !clip.lacks_texts());
+        }
+    }
+
+    #[test]
+    fn who_fills_one_batch_alone_is_told_that_texts_are_missing() {
+        let mut clips = Clips::default();
+        let half = "x".repeat(MOST_TEXT_BYTES / 2);
+        for tag in ["de-de", "en-us", "en-us", "en-us"] {
+            assert!(!clips.lacks_texts);
+            let mut clip = ClipData { starts: vec![0], ..ClipData::default() };
+            clip.displays.push(&half);
+            clip.add_displays(clips.locales.number(tag, true));
+            clips.push("", &clip);
+        }
+        let lengths: Vec<usize> = clips.iter().map(|clip| clip.displays(0).length()).collect();
+        assert!(lengths == [half.len(), half.len(), half.len(), 0] && clips.iter().all(|clip| clip.lacks_texts()));
+        clips.keep_first(1);
+        assert_eq!(clips.displays.iter().map(Vec::len).collect::<Vec<_>>(), [half.len(), 0]);
     }
 }

@@ -4,12 +4,13 @@ use lipz_diagnostics::{Report, Severity};
 use std::fmt;
 use std::time::Duration;
 
-/// The result of a run of the [`Compiler`](crate::Compiler).
-#[derive(Clone, Debug, Default)]
+/// The result of a run of the [`Compiler`](crate::Compiler): a bank in memory, or in files.
+#[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Compiled {
-    /// The bank, verified; `None` if there are errors, or only a check was asked for.
-    pub bank: Option<Vec<u8>>,
+pub struct Compiled<B = Vec<u8>> {
+    /// The bank, verified: its bytes, or the file or files in which it is. `None` if there are errors, or only a check was asked
+    /// for.
+    pub bank: Option<B>,
     /// All diagnostics, sorted by file and place.
     pub reports: Vec<Report>,
     /// Clips that were recalled from the bank of the previous run: see [`Compiler::pack_cached`](crate::Compiler::pack_cached)
@@ -21,17 +22,48 @@ pub struct Compiled {
     pub phases: Phases,
 }
 
-impl Compiled {
+impl<B> Default for Compiled<B> {
+    fn default() -> Self {
+        Compiled { bank: None, reports: Vec::new(), recalled: 0, is_unchanged: false, phases: Phases::default() }
+    }
+}
+
+impl<B> Compiled<B> {
     /// A run that this report keeps from starting.
-    pub(crate) fn refused(report: Report) -> Compiled {
+    pub(crate) fn refused(report: Report) -> Self {
         Compiled { reports: vec![report], ..Compiled::default() }
+    }
+
+    /// The same without the bank.
+    #[must_use]
+    pub fn without_bank<C>(self) -> Compiled<C> {
+        let Compiled { reports, recalled, is_unchanged, phases, .. } = self;
+        Compiled { bank: None, reports, recalled, is_unchanged, phases }
+    }
+
+    /// The same with the bank as something else.
+    #[must_use]
+    pub fn map<C>(self, change: impl FnOnce(B) -> C) -> Compiled<C> {
+        self.and_then(|bank| Ok(change(bank)))
+    }
+
+    /// Does something with the bank; what is wrong with that is reported, and there is no bank then.
+    #[must_use]
+    pub fn and_then<C>(self, end: impl FnOnce(B) -> Result<C, Report>) -> Compiled<C> {
+        let Compiled { bank, mut reports, recalled, is_unchanged, phases } = self;
+        let bank = bank.map(end).transpose().unwrap_or_else(|report| {
+            reports.push(report);
+            lipz_diagnostics::reports::sort(&mut reports);
+            None
+        });
+        Compiled { bank, reports, recalled, is_unchanged, phases }
     }
 
     /// The bank. Warnings are dropped; read `reports` before to show them.
     ///
     /// # Errors
     /// If there is no bank. The error displays every diagnostic of the run.
-    pub fn into_bank(self) -> Result<Vec<u8>, CompileError> {
+    pub fn into_bank(self) -> Result<B, CompileError> {
         self.bank.ok_or(CompileError { reports: self.reports })
     }
 
@@ -97,9 +129,9 @@ pub struct Phases {
     pub files: Duration,
     /// Resolving locales.
     pub localise: Duration,
-    /// Laying out and filling the bank, and freeing the clips.
+    /// Laying out the bank; and filling it and freeing the clips, where it is made in memory.
     pub lower: Duration,
-    /// Verifying the bank and, when packing, writing it at the same time.
+    /// Verifying the bank and, when packing, filling and writing it at the same time.
     pub finish: Duration,
 }
 

@@ -5,7 +5,7 @@ use super::stamped::FileStamps;
 use super::{Lint, Phases};
 use crate::cache::{Cache, CachedFile, Look, Stamp};
 use crate::check::{CleanFiles, Spoken};
-use crate::clip::{ClipData, Clips, Locales};
+use crate::clip::{Batches, ClipData, Locales};
 use crate::options::FileOptions;
 use crate::{Content, Input, Options, check, convert, source_record};
 use lipz_diagnostics::{Diagnostic, Report, Severity};
@@ -32,7 +32,7 @@ pub(super) struct Worker<'o> {
 pub(super) struct Batch {
     /// Room for the next one.
     clip: ClipData,
-    pub(super) clips: Clips,
+    pub(super) clips: Batches,
     /// What a cache should know of their files.
     pub(super) stamped: FileStamps,
     /// What it needs to look at files.
@@ -100,7 +100,7 @@ impl<'o> Worker<'o> {
             stamped.iter_mut().for_each(|(.., stamp)| stamp.mark(linted.is_marked));
             self.linted.extend(linted.report);
         }
-        if self.clean.clip(bytes, &batch.clips.locales, &mut batch.clip) {
+        if self.clean.clip(bytes, batch.clips.locales(), &mut batch.clip) {
             batch.clips.push(&input.key, &batch.clip);
             batch.stamped.files.extend(stamped);
             self.phases.parse += self.stopwatch.time();
@@ -114,7 +114,7 @@ impl<'o> Worker<'o> {
                 &document,
                 options,
                 Spoken::of(&input.key, options),
-                &mut batch.clips.locales,
+                batch.clips.locales(),
                 &mut batch.clip,
                 &mut diagnostics,
             ),

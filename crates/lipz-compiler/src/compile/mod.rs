@@ -13,15 +13,20 @@ pub use lint::{Checked, Lint, Linted};
 pub(crate) use read::FileReader;
 #[cfg(feature = "cache")]
 pub(crate) use requirements::Texts;
-pub(crate) use run::Run;
-#[cfg(feature = "shards")]
 pub(crate) use run::in_file;
+pub(crate) use run::{Check, Run};
 
+use crate::clip::Clips;
+use crate::lower::Layout;
+use crate::lower::stream::{Fault, stream};
+#[cfg(any(feature = "build", feature = "cache"))]
 use crate::output::replace_file_if;
-use crate::{Input, Options, discover, parallel};
+use crate::output::replace_file_with;
+use crate::{Input, Options, OutputFile, Replace, discover, parallel};
 use lipz_bank::Bank;
 use lipz_diagnostics::{Code, Report};
 use std::fmt;
+use std::fs::File;
 use std::path::Path;
 
 /// Checks Lipz files and packs them into banks, as the options of a project say.
@@ -65,7 +70,7 @@ impl<'p> Compiler<'p> {
     }
 
     /// Calls `guard` with the writing of each bank and each cache, which it has to do: a program that may be asked to
-    /// end waits for that, and for nothing else. Reading and making a bank leave nothing behind.
+    /// end waits for that, and for nothing else. Reading files and laying out a bank leave nothing behind.
     #[must_use]
     pub fn around_writes(self, guard: impl Fn(&mut (dyn FnMut() + Send)) + Send + Sync + 'p) -> Compiler<'p> {
         Compiler { around_writes: Box::new(guard), ..self }
@@ -94,15 +99,60 @@ impl<'p> Compiler<'p> {
     }
 
     /// Does what [`compile`](Self::compile) does, and replaces the file at `path` by the bank as
-    /// [`replace_file`](crate::replace_file) does. The bank is verified while it is written to a temporary
-    /// file, which takes the name `path` only after both: that is faster than one after the other.
+    /// [`replace_file`](crate::replace_file) does. The bank goes to a temporary file piece by piece, and is never in memory;
+    /// that takes the name `path` only if each piece stands where the tables say, and these pass verification.
     ///
     /// If the file cannot be written, a report says so, and there is no bank.
-    pub fn pack(&self, inputs: &[Input], path: &Path) -> Compiled {
-        self.pack_if(inputs, path, |_| Ok(()))
+    pub fn pack(&self, inputs: &[Input], path: &Path) -> Compiled<OutputFile> {
+        self.run(|options| {
+            let run = Run::read(inputs, options, None, &self.progress).compare_dubs(inputs, options);
+            self.write_run(run, inputs, options, (path, Replace::Always)).map(|written| written.file)
+        })
     }
 
-    /// The same, if `accept` finds nothing in the bank: without its consent nothing is written.
+    /// Replaces a file by the bank of a run.
+    pub(crate) fn write_run(
+        &self,
+        run: Run,
+        inputs: &[Input],
+        options: &Options,
+        (path, replace): (&Path, Replace),
+    ) -> Compiled<Written> {
+        let name = |report, _: &[Clips]| in_file(report, inputs);
+        run.write(options, name, |layout, clips, check| {
+            self.write_streamed((path, replace), layout, clips, |_| Ok(()), check)
+        })
+    }
+
+    /// Replaces a file by the bank of a layout, if `confirm` finds nothing wrong with the clips after they were copied, and `check`
+    /// nothing with the bank.
+    pub(crate) fn write_streamed(
+        &self,
+        (path, replace): (&Path, Replace),
+        layout: &Layout,
+        clips: Vec<Clips>,
+        confirm: impl FnOnce(&[Clips]) -> Result<(), Report> + Send,
+        check: &mut Check<'_>,
+    ) -> Result<Written, Report> {
+        self.written(path, || {
+            // The clips are given back before the tables are made once more, to be checked.
+            let write = move |file: &mut File| {
+                let streamed = stream(layout, &clips, file, true)?;
+                confirm(&clips).map_err(Fault::Refused)?;
+                Ok(streamed)
+            };
+            let replaced = replace_file_with(path, replace, write, || check().map_err(Fault::Refused));
+            let (streamed, is_new) = replaced.map_err(|fault| fault.into_report(path))?;
+            Ok(Written {
+                file: OutputFile { is_new, ..OutputFile::new(path, streamed.length_bytes) },
+                #[cfg(feature = "cache")]
+                checksum: streamed.checksum,
+            })
+        })
+    }
+
+    /// Makes a bank in memory, and replaces the file at `path` by it, if `accept` finds nothing in it.
+    #[cfg(all(feature = "build", not(feature = "cache")))]
     pub(crate) fn pack_if(
         &self,
         inputs: &[Input],
@@ -121,11 +171,13 @@ impl<'p> Compiler<'p> {
     }
 
     /// Replaces the file at `path` by a bank, which is verified meanwhile.
+    #[cfg(any(feature = "build", feature = "cache"))]
     pub(crate) fn write_verified(&self, path: &Path, bank: &[u8]) -> Result<(), Report> {
         self.write_if(path, bank, || verify(bank))
     }
 
     /// Replaces the file at `path` by a bank, which `check` looks at meanwhile.
+    #[cfg(any(feature = "build", feature = "cache"))]
     pub(crate) fn write_if(
         &self,
         path: &Path,
@@ -148,7 +200,7 @@ impl<'p> Compiler<'p> {
     }
 
     /// Does `work` with the canonical options on the threads of the compiler.
-    pub(crate) fn run(&self, work: impl FnOnce(&Options) -> Compiled + Send) -> Compiled {
+    pub(crate) fn run<B: Send>(&self, work: impl FnOnce(&Options) -> Compiled<B> + Send) -> Compiled<B> {
         self.run_any(work).unwrap_or_else(Compiled::refused)
     }
 
@@ -180,6 +232,14 @@ impl fmt::Debug for Compiler<'_> {
     }
 }
 
+/// A bank that was written.
+#[derive(Clone, Debug)]
+pub(crate) struct Written {
+    pub(crate) file: OutputFile,
+    #[cfg(feature = "cache")]
+    pub(crate) checksum: u64,
+}
+
 /// What the reader finds at fault with the bank: a defect of this compiler, and better found now than in
 /// a game.
 pub(crate) fn verify(bank: &[u8]) -> Result<(), Report> {
@@ -189,7 +249,6 @@ pub(crate) fn verify(bank: &[u8]) -> Result<(), Report> {
 }
 
 /// The same for a bank with zeros where its clips own something.
-#[cfg(feature = "shards")]
 pub(crate) fn verify_tables(tables: &[u8]) -> Result<(), Report> {
     verified(Bank::open(tables).and_then(|bank| bank.verify_tables()))
 }

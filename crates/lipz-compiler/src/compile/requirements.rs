@@ -131,10 +131,8 @@ fn crossed(bank: &Bank<'_>, options: &Options) -> Vec<(String, String, usize)> {
             if options.fallbacks.contains_key(locale.tag()) || others().any(|(other, _)| other.is_default()) {
                 continue;
             }
-            let has_text = |clip: &Clip<'_, '_>, locale| {
-                let text = clip.segment(0).and_then(|segment| segment.text(locale));
-                text.is_some_and(|text| !text.is_fallback())
-            };
+            let has_text =
+                |clip: &Clip<'_, '_>, locale| clip.segment(0).is_some_and(|segment| segment.has_own_text(locale));
             let is_lost = |clip: &Clip<'_, '_>| {
                 let nearer = locales.iter().filter(|(_, script)| *script == own);
                 !nearer.copied().any(|(nearer, _)| has_text(clip, nearer))

@@ -37,9 +37,11 @@ pub(crate) struct Run {
     pub(crate) stamped: FileStamps,
 }
 
+/// Verifies the tables of a bank, and judges its texts by what the project asks for.
+pub(crate) type Check<'c> = dyn FnMut() -> Result<(), Report> + Send + 'c;
+
 impl Run {
-    /// Reads, parses and checks `inputs`, or finds that their clips are in the old bank. Each thread makes one batch of
-    /// clips: more of them, and smaller ones, would leave more memory with the allocator.
+    /// Reads, parses and checks `inputs`, or finds that their clips are in the old bank.
     pub(crate) fn read(inputs: &[Input], options: &Options, cache: Option<&Cache<'_>>, progress: &Progress<'_>) -> Run {
         Run::read_with(inputs, options, cache, None, progress)
     }
@@ -72,7 +74,7 @@ impl Run {
             }
         });
         for worker in workers {
-            run.clips.push(worker.batch.clips);
+            run.clips.extend(worker.batch.clips.into_all());
             run.reports.extend(worker.reports);
             run.linted.extend(worker.linted);
             run.stamped.append(worker.batch.stamped);
@@ -214,32 +216,34 @@ impl Run {
         layout
     }
 
-    /// Lays out the bank of clips that stay in files, verifies its tables, and has `write` write it, of the layout and the
-    /// clips. Returns what was written, if the project accepts the bank, and all
-    /// diagnostics. `name` gives a report that has the key of a clip for a path the name of its file.
-    #[cfg(feature = "shards")]
-    pub(crate) fn stream<T>(
+    /// Lays out the bank of the clips and has `write` write it, of the layout and the clips. It is handed a [`Check`], too, without
+    /// whose consent there must be no bank. `name` gives a report that has the key of a clip for a path the name of its file.
+    pub(crate) fn write<T>(
         mut self,
         options: &Options,
         name: impl FnOnce(Report, &[Clips]) -> Report,
-        write: impl FnOnce(&Layout, &[Clips]) -> Result<T, Report> + Send,
-    ) -> (Option<T>, Vec<Report>) {
+        write: impl FnOnce(&Layout, Vec<Clips>, &mut Check<'_>) -> Result<T, Report>,
+    ) -> Compiled<T> {
         if self.has_errors() {
-            return (None, self.finish(None).reports);
+            return self.finish(None);
         }
         let layout = self.lay_out(options).map_err(|report| name(report, &self.clips));
+        let start = Instant::now();
+        let mut clips = std::mem::take(&mut self.clips);
+        // The layout has its own.
+        clips.iter_mut().for_each(Clips::drop_names);
         let written = layout.and_then(|layout| {
-            let tables = layout.tables()?;
-            super::verify_tables(&tables)?;
-            let texts = Texts::of(&tables, options);
-            texts.are_enough(options)?;
-            self.expect(&texts, options)?;
-            drop(tables);
-            write(&layout, &self.clips)
+            let mut check = || {
+                let tables = layout.tables()?;
+                super::verify_tables(&tables)?;
+                self.judge(&tables, options)
+            };
+            write(&layout, clips, &mut check)
         });
+        self.phases.finish = start.elapsed();
         match written {
-            Ok(written) => (Some(written), self.finish(None).reports),
-            Err(report) => (None, self.fail(report).reports),
+            Ok(written) => self.finish(Some(written)),
+            Err(report) => self.fail(report),
         }
     }
 
@@ -252,9 +256,7 @@ impl Run {
     ) -> Compiled {
         let start = Instant::now();
         let finished = bank.and_then(|bank| {
-            let texts = Texts::of(&bank, options);
-            texts.are_enough(options)?;
-            self.expect(&texts, options)?;
+            self.judge(&bank, options)?;
             finish(&bank).map(|()| bank)
         });
         self.phases.finish = start.elapsed();
@@ -262,6 +264,13 @@ impl Run {
             Ok(bank) => self.finish(Some(bank)),
             Err(report) => self.fail(report),
         }
+    }
+
+    /// Judges the texts of a bank by what the project asks for.
+    fn judge(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
+        let texts = Texts::of(bank, options);
+        texts.are_enough(options)?;
+        self.expect(&texts, options)
     }
 
     /// Reports the locales that the project packs and the bank does not have, and those that do not fall back to
@@ -279,13 +288,13 @@ impl Run {
     }
 
     /// Ends the run with this diagnostic.
-    pub(crate) fn fail(mut self, report: Report) -> Compiled {
+    pub(crate) fn fail<B>(mut self, report: Report) -> Compiled<B> {
         self.reports.push(report);
         self.finish(None)
     }
 
     /// Ends the run with this bank.
-    pub(crate) fn finish(mut self, bank: Option<Vec<u8>>) -> Compiled {
+    pub(crate) fn finish<B>(mut self, bank: Option<B>) -> Compiled<B> {
         lipz_diagnostics::reports::sort(&mut self.reports);
         let recalled = self.stamped.recalled.len();
         Compiled { bank, reports: self.reports, recalled, phases: self.phases, ..Compiled::default() }

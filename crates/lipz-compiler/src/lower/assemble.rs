@@ -79,15 +79,28 @@ impl Head {
     }
 }
 
-/// The file: header, directory, sections in the order given, zeros between them. `fill` gets the places
+/// The file: header, directory, sections in the order given, zeros between them. `copy` gets the places
 /// of those that are copied from the clips.
 pub(crate) fn assemble(
     sections: &[Section<'_>],
     index_seed: u64,
     fingerprint: u64,
-    fill: impl FnOnce(Vec<&mut [u8]>),
+    copy: impl FnOnce(Vec<&mut [u8]>),
 ) -> Result<Vec<u8>, Report> {
-    let Head { mut header, directory, end } = Head::new(sections, index_seed, fingerprint)?;
+    let (mut bank, mut header) = without_checksum(sections, index_seed, fingerprint, copy)?;
+    header.checksum = checksum(&bank[CHECKED_FROM..]).into();
+    bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
+    Ok(bank)
+}
+
+/// The same without its checksum, and the header, which is to have that.
+pub(super) fn without_checksum(
+    sections: &[Section<'_>],
+    index_seed: u64,
+    fingerprint: u64,
+    copy: impl FnOnce(Vec<&mut [u8]>),
+) -> Result<(Vec<u8>, Header), Report> {
+    let Head { header, directory, end } = Head::new(sections, index_seed, fingerprint)?;
     let directory_end = size_of::<Header>() + directory.as_bytes().len();
     // Zeros straight from the system, touched only where a section is written.
     let mut bank = vec![0; end];
@@ -105,9 +118,7 @@ pub(crate) fn assemble(
         rest = behind;
     }
     // Tables come last: clips are given back while they are copied, and make room for them.
-    fill(places);
+    copy(places);
     tables.into_iter().for_each(|(place, table)| place.copy_from_slice(table));
-    header.checksum = checksum(&bank[CHECKED_FROM..]).into();
-    bank[..size_of::<Header>()].copy_from_slice(header.as_bytes());
-    Ok(bank)
+    Ok((bank, header))
 }

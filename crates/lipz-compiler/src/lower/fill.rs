@@ -1,6 +1,6 @@
 //! The sections that are copied from the clips: frames, texts, source records.
 
-use super::{Layout, texts};
+use super::{ClipPlace, Layout, texts};
 use crate::clip::{Clip, Clips};
 use crate::parallel;
 
@@ -39,7 +39,8 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
         rest = behind;
     }
     lanes.extend(places.next().map(|place| Lane { part: Part::Sources, place }));
-    let mut batches: Vec<(Clips, &Vec<u32>)> = std::iter::zip(batches, &layout.batch_slots).collect();
+    let slots = batch_slots(&batches, &layout.order);
+    let mut batches: Vec<(Clips, &Vec<u32>)> = std::iter::zip(batches, &slots).collect();
     // The layout has its own.
     batches.iter_mut().for_each(|(clips, _)| clips.drop_names());
     // Neighbours in the bank come from all batches: these shrink together, so that its pages are taken one by one.
@@ -53,6 +54,13 @@ pub(super) fn fill(layout: &Layout, batches: Vec<Clips>, places: Vec<&mut [u8]>)
         });
         clips.keep_first(rest);
     }
+}
+
+/// For each batch, the slots of its clips.
+fn batch_slots(batches: &[Clips], order: &[ClipPlace]) -> Vec<Vec<u32>> {
+    let mut slots: Vec<Vec<u32>> = batches.iter().map(|clips| vec![0; clips.count()]).collect();
+    order.iter().for_each(|place| slots[place.batch as usize][place.index as usize] = place.slot);
+    slots
 }
 
 impl Lane<'_> {

@@ -11,7 +11,6 @@ mod places;
 mod recordings;
 mod records;
 mod repeated;
-#[cfg(feature = "shards")]
 pub(crate) mod stream;
 mod strings;
 pub(crate) mod texts;
@@ -90,8 +89,16 @@ pub(crate) struct Layout {
     layer: Vec<u8>,
     /// The section of an object; empty for other banks.
     export: Vec<u8>,
-    /// For each batch of clips, their slots.
-    batch_slots: Vec<Vec<u32>>,
+    /// The clips in the order of their segments' numbers.
+    order: Vec<ClipPlace>,
+}
+
+/// Where a clip is.
+struct ClipPlace {
+    batch: u32,
+    /// Its number in the batch.
+    index: u32,
+    slot: u32,
 }
 
 impl Layout {
@@ -102,6 +109,9 @@ impl Layout {
         dubs: &Dubs,
         beside: Beside<'_>,
     ) -> Result<Layout, Report> {
+        if clips.iter().any(Clip::lacks_texts) {
+            return Err(too_large("texts"));
+        }
         let numbering = Numbering::new(clips.iter().map(|clip| (clip.events().is_some(), clip.starts().len() as u32)));
         let index_of_ids = || {
             let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(clip.key()).get()).collect();
@@ -129,7 +139,7 @@ impl Layout {
             is_stripped: beside.strip,
             layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(&ids, slots))?,
             export: beside.export,
-            batch_slots: batch_slots(clips, slots),
+            order: order(clips, &numbering, slots),
             names,
             events,
             index,
@@ -143,11 +153,12 @@ impl Layout {
         })
     }
 
-    /// The bank with its tables, and zeros where something is copied from the clips. On Linux, pages that nobody writes to take
-    /// no memory.
-    #[cfg(feature = "shards")]
+    /// The bank with its tables, and zeros where something is copied from the clips and for the checksum. On Linux, pages that
+    /// nobody touches take no memory.
     pub(crate) fn tables(&self) -> Result<Vec<u8>, Report> {
-        assemble::assemble(&self.sections(), self.index.seed, self.records.fingerprint, |_| ())
+        let (bank, _) =
+            assemble::without_checksum(&self.sections(), self.index.seed, self.records.fingerprint, |_| ())?;
+        Ok(bank)
     }
 
     /// The sections in their order.
@@ -202,20 +213,13 @@ impl Layout {
     }
 }
 
-/// For each batch of clips, their slots.
-fn batch_slots(clips: &[Clip<'_>], slots: &[u32]) -> Vec<Vec<u32>> {
-    let mut batches: Vec<Vec<u32>> = Vec::new();
-    for (clip, &slot) in std::iter::zip(clips, slots) {
-        let (batch, index) = clip.place();
-        if batches.len() <= batch {
-            batches.resize(batch + 1, Vec::new());
-        }
-        if batches[batch].len() <= index {
-            batches[batch].resize(index + 1, 0);
-        }
-        batches[batch][index] = slot;
-    }
-    batches
+/// The clips in the order of their segments' numbers.
+fn order(clips: &[Clip<'_>], numbering: &Numbering, slots: &[u32]) -> Vec<ClipPlace> {
+    let place = |at: usize| {
+        let (batch, index) = clips[at].place();
+        ClipPlace { batch: batch as u32, index: index as u32, slot: slots[at] }
+    };
+    numbering.order().map(place).collect()
 }
 
 /// The diagnostic for clips of which two have this id. The report has the key of a clip for a path.

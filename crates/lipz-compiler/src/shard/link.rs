@@ -4,14 +4,12 @@ use super::linked_object::{Found, LinkedObject};
 use super::misfits::misfits;
 use super::object::options_hash;
 use crate::clip::Clips;
-use crate::compile::{Run, in_file, verify};
+use crate::compile::{Check, Run, in_file, verify};
 use crate::discover::display;
 use crate::lower::Layout;
-use crate::lower::stream::{Fault, stream};
-use crate::output::replace_file_with;
-use crate::{Compiled, Compiler, Input, Options, OutputFile, parallel};
+use crate::lower::stream::stream;
+use crate::{Compiled, Compiler, Input, Options, OutputFile, Replace, parallel};
 use lipz_diagnostics::{Code, Report};
-use std::fs::File;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -20,16 +18,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 #[derive(Clone, Debug)]
 pub struct Link {
     pub(super) objects: Vec<LinkedObject>,
-}
-
-/// The result of linking to a bank in a file.
-#[derive(Clone, Debug, Default)]
-#[non_exhaustive]
-pub struct LinkedBank {
-    /// The bank; `None` if there are errors.
-    pub file: Option<OutputFile>,
-    /// All diagnostics, sorted by file and place.
-    pub reports: Vec<Report>,
 }
 
 /// Objects that are kept open while they are linked: systems allow some hundreds of files. More are opened again for each
@@ -143,35 +131,30 @@ impl Compiler<'_> {
     ///
     /// Objects are read twice, and what clips own goes from them to the bank piece by piece: in memory are only tables of
     /// all clips, and for each thread one object.
-    pub fn link(&self, link: &Link, path: &Path) -> LinkedBank {
-        let (file, reports) = self.link_with(link, |layout, batches| {
-            let mut length_bytes = 0;
-            let write = |file: &mut File| {
-                length_bytes = stream(layout, batches, file)?;
-                link.is_as_it_was(batches).map_err(Fault::Refused)
-            };
-            self.written(path, || replace_file_with(path, write).map_err(|fault| fault.into_report(path)))?;
-            Ok(OutputFile { length_bytes, ..OutputFile::new(path, &[]) })
+    pub fn link(&self, link: &Link, path: &Path) -> Compiled<OutputFile> {
+        let linked = self.link_with(link, |layout, clips, check| {
+            self.write_streamed((path, Replace::Always), layout, clips, |clips| link.is_as_it_was(clips), check)
         });
-        LinkedBank { file, reports }
+        linked.map(|written| written.file)
     }
 
     /// The same without a file.
     pub fn link_to_bank(&self, link: &Link) -> Compiled {
-        let (bank, reports) = self.link_with(link, |layout, batches| {
+        self.link_with(link, |layout, clips, check| {
             let mut bank = Cursor::new(Vec::new());
-            stream(layout, batches, &mut bank).map_err(|fault| fault.into_report(Path::new("")))?;
-            link.is_as_it_was(batches)?;
+            stream(layout, &clips, &mut bank, false).map_err(|fault| fault.into_report(Path::new("")))?;
+            link.is_as_it_was(&clips)?;
+            drop(clips);
+            check()?;
             verify(bank.get_ref()).map(|()| bank.into_inner())
-        });
-        Compiled { bank, reports, ..Compiled::default() }
+        })
     }
 
     fn link_with<T: Send>(
         &self,
         link: &Link,
-        write: impl FnOnce(&Layout, &[Clips]) -> Result<T, Report> + Send,
-    ) -> (Option<T>, Vec<Report>) {
+        write: impl FnOnce(&Layout, Vec<Clips>, &mut Check<'_>) -> Result<T, Report> + Send,
+    ) -> Compiled<T> {
         let linked = self.run_any(|options| {
             link.with_options(options).map_err(|report| vec![report])?;
             let (clips, recordings) = link.read(options, &self.progress)?;
@@ -182,12 +165,12 @@ impl Compiler<'_> {
                 Run::of_clips(clips, reports, &inputs, &options).compare_dubs(&inputs, &options)
             };
             let name = |report, batches: &[Clips]| in_file(report, &link.inputs(batches));
-            Ok(run.stream(&options, name, write))
+            Ok(run.write(&options, name, write))
         });
         match linked {
             Ok(Ok(linked)) => linked,
-            Ok(Err(reports)) => (None, reports),
-            Err(report) => (None, vec![report]),
+            Ok(Err(reports)) => Compiled { reports, ..Compiled::default() },
+            Err(report) => Compiled::refused(report),
         }
     }
 }

@@ -18,7 +18,7 @@ mod set_files;
 mod wire;
 
 pub use hash::ContentHash;
-pub use link::{Link, LinkedBank};
+pub use link::Link;
 pub use linked_object::LinkedObject;
 pub use object::Shard;
 pub use plan::{Beside, Common, Plan, PlannedFile, PlannedShard, ShardPlan, Step, plan};

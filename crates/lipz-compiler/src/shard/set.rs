@@ -161,7 +161,7 @@ fn bank(mut batches: Vec<Clips>, tags: &[Box<str>], options: &Options) -> Result
     let layout = Layout::new(&clips, &localised, &dubs, Beside::of(options))?;
     drop((clips, localised, dubs));
     let mut bank = Cursor::new(Vec::new());
-    stream(&layout, &batches, &mut bank).map_err(|fault| fault.into_report(Path::new("")))?;
+    stream(&layout, &batches, &mut bank, false).map_err(|fault| fault.into_report(Path::new("")))?;
     Ok(batches.iter().all(Clips::is_as_it_was).then(|| bank.into_inner()))
 }
 

@@ -11,9 +11,10 @@ pub(crate) use below::{FileBelow, OpenFolder};
 pub(crate) use leftovers::Leftovers;
 pub(crate) use sync::{sync_folders, sync_temporary};
 
+use crate::same::has_all;
 use std::ffi::OsStr;
 use std::fs::File;
-use std::io::{self, Write};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
@@ -41,14 +42,14 @@ pub(crate) enum Folder {
 impl TemporaryFile {
     /// The file with these bytes, not yet on disk.
     pub(crate) fn beside(path: &Path, bytes: &[u8]) -> io::Result<TemporaryFile> {
-        TemporaryFile::beside_with(path, |file| file.write_all(bytes))
+        TemporaryFile::beside_with(path, |file| file.write_all(bytes)).map(|(file, ())| file)
     }
 
-    /// The file that `write` fills, not yet on disk.
-    pub(crate) fn beside_with<E: From<io::Error>>(
+    /// The file that `write` fills, not yet on disk, and what that returned.
+    pub(crate) fn beside_with<W, E: From<io::Error>>(
         path: &Path,
-        write: impl FnOnce(&mut File) -> Result<(), E>,
-    ) -> Result<TemporaryFile, E> {
+        write: impl FnOnce(&mut File) -> Result<W, E>,
+    ) -> Result<(TemporaryFile, W), E> {
         let target = target(path)?;
         let folder = folder_of(&target);
         std::fs::create_dir_all(folder)?;
@@ -62,12 +63,19 @@ impl TemporaryFile {
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
         let mut temporary = builder.tempfile_in(folder)?;
-        write(temporary.as_file_mut())?;
+        let written = write(temporary.as_file_mut())?;
         if let Ok(metadata) = target.metadata() {
             // Whoever may write to a folder may replace files in it that they cannot read.
             keep::keep(&metadata, File::open(&target).ok().as_ref(), temporary.as_file())?;
         }
-        Ok(TemporaryFile::Beside { temporary, target })
+        Ok((TemporaryFile::Beside { temporary, target }, written))
+    }
+
+    /// Whether the file at `path` has the same bytes.
+    pub(crate) fn has_contents_of(&self, path: &Path) -> bool {
+        let mut file = self.as_file();
+        let length = file.metadata().map(|metadata| metadata.len());
+        length.is_ok_and(|length| file.seek(SeekFrom::Start(0)).is_ok() && has_all(path, length, file))
     }
 
     fn as_file(&self) -> &File {

@@ -84,7 +84,7 @@ impl Run for LinkArguments {
             (linked.bank.as_ref().map(Vec::len), linked.reports, linked.bank)
         } else {
             let linked = compiler.link(&link, &self.output);
-            (linked.file.map(|file| file.length_bytes), linked.reports, None)
+            (linked.bank.map(|file| file.length_bytes), linked.reports, None)
         };
         bar.finish_and_clear();
         let outcome = Outcome::from_reports(&reports);

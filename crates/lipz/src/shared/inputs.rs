@@ -15,12 +15,12 @@ use std::time::{Duration, Instant};
 /// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
 /// they are only checked. Recordings that are `known` are not read again. What discovery found is added to the reports; a run without inputs has none of
 /// its own.
-pub(crate) fn with_inputs(
+pub(crate) fn with_inputs<B>(
     settings: &Settings,
     known: Option<&mut KnownRecordings>,
     quiet: bool,
-    work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled,
-) -> Worked<'static> {
+    work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled<B>,
+) -> Worked<'static, B> {
     let start = Instant::now();
     let (inputs, reports) = find(settings);
     with_found(settings, Found { inputs: inputs.into(), reports, took: start.elapsed() }, known, quiet, work)
@@ -34,13 +34,13 @@ pub(crate) struct Found<'i> {
 }
 
 /// The same with inputs that were found before.
-pub(crate) fn with_found<'i>(
+pub(crate) fn with_found<'i, B>(
     settings: &Settings,
     found: Found<'i>,
     known: Option<&mut KnownRecordings>,
     quiet: bool,
-    work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled,
-) -> Worked<'i> {
+    work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled<B>,
+) -> Worked<'i, B> {
     let start = Instant::now();
     let Found { inputs, mut reports, took } = found;
     let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank(settings, &inputs);
@@ -56,7 +56,7 @@ pub(crate) fn with_found<'i>(
     let compiler = compiler.around_writes(|write| interrupt::whole(write));
     let mut compiled = match count(&reports, Severity::Error) {
         0 => work(&compiler, &inputs),
-        _ => compiler.check(&inputs),
+        _ => compiler.check(&inputs).without_bank(),
     };
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
@@ -92,14 +92,14 @@ pub(crate) fn find_all(settings: &Settings, reporter: &mut Reporter) -> Result<(
 }
 
 /// The result of a run over source files.
-pub(crate) struct Worked<'i> {
+pub(crate) struct Worked<'i, B = Vec<u8>> {
     pub(crate) inputs: Cow<'i, [Input]>,
     pub(crate) reports: Vec<Report>,
-    pub(crate) compiled: Compiled,
+    pub(crate) compiled: Compiled<B>,
     pub(crate) discover: Duration,
 }
 
-impl Worked<'_> {
+impl<B> Worked<'_, B> {
     /// How the run ends, by its diagnostics: with errors and without a single input, or a way to write the
     /// bank, the tool could not run.
     pub(crate) fn outcome(&self) -> Outcome {

@@ -42,6 +42,13 @@ pub(super) enum Destination {
     Layer(Option<PathBuf>, Box<Over>),
 }
 
+/// A bank that was made.
+pub(super) enum Made {
+    Bytes(Vec<u8>),
+    /// Where it belongs.
+    Files(Delivered),
+}
+
 impl Destination {
     /// The destination that the arguments name, or how the run ends if they contradict each other.
     pub(super) fn new(
@@ -76,28 +83,28 @@ impl Destination {
         matches!(self, Destination::Layer(..))
     }
 
-    /// Makes the bank. One that replaces a file in any case is written while it is verified.
-    pub(super) fn make(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled {
+    /// Makes the bank, and writes its files.
+    pub(super) fn make(&self, compiler: &Compiler<'_>, inputs: &[Input]) -> Compiled<Made> {
         match self {
-            Destination::StandardOutput => compiler.compile(inputs),
-            Destination::Files(outputs) => outputs.pack(compiler, inputs),
-            Destination::Layer(_, over) => compiler.compile_over(inputs, over),
+            Destination::StandardOutput => compiler.compile(inputs).map(Made::Bytes),
+            Destination::Files(outputs) => outputs.pack(compiler, inputs).map(Made::Files),
+            Destination::Layer(_, over) => compiler.compile_over(inputs, over).map(Made::Bytes),
         }
     }
 
-    /// Makes the bank with what is remembered of the previous run, first of all that of the cache. If it is known which files
-    /// can have `changed` since then, no other is looked at.
+    /// Makes the bank with what is remembered of the previous run, first of all that of the cache, and writes its files. If it is
+    /// known which files can have `changed` since then, no other is looked at.
     pub(super) fn make_again(
         &self,
         memory: &mut Memory,
         compiler: &Compiler<'_>,
         inputs: &[Input],
         changed: Option<&[usize]>,
-    ) -> Compiled {
+    ) -> Compiled<Made> {
         match self {
-            Destination::StandardOutput => compiler.compile_again(inputs, memory),
-            Destination::Files(outputs) => outputs.pack_again(compiler, inputs, changed, memory),
-            Destination::Layer(_, over) => compiler.compile_over(inputs, over),
+            Destination::StandardOutput => compiler.compile_again(inputs, memory).map(Made::Bytes),
+            Destination::Files(outputs) => outputs.pack_again(compiler, inputs, changed, memory).map(Made::Files),
+            Destination::Layer(_, over) => compiler.compile_over(inputs, over).map(Made::Bytes),
         }
     }
 
@@ -108,29 +115,17 @@ impl Destination {
     }
 
     /// Brings the bank to where it is not yet. Reports why that is not possible.
-    pub(super) fn deliver(
-        &self,
-        bank: &[u8],
-        is_unchanged: bool,
-        replace: Replace,
-        reporter: &mut Reporter,
-    ) -> Result<Delivered, Abort> {
-        let outputs = match self {
-            Destination::Files(outputs) => outputs,
-            Destination::Layer(Some(path), _) => {
-                let written = interrupt::whole(|| OutputFile::write(path, bank, replace));
-                return written.map(Delivered::from).map_err(|report| reporter.fail(report));
-            }
-            Destination::StandardOutput | Destination::Layer(None, _) => {
-                reporter.print_bytes(bank)?;
-                return Ok(OutputFile::new(STANDARD_OUTPUT, bank).into());
-            }
+    pub(super) fn deliver(&self, made: Made, replace: Replace, reporter: &mut Reporter) -> Result<Delivered, Abort> {
+        let bank = match made {
+            Made::Bytes(bank) => bank,
+            Made::Files(delivered) => return Ok(delivered),
         };
-        // What is written already.
-        if let Some(packed) = outputs.packed(bank, is_unchanged) {
-            return Ok(packed);
+        if let Destination::Layer(Some(path), _) = self {
+            let written = interrupt::whole(|| OutputFile::write(path, &bank, replace));
+            return written.map(Delivered::from).map_err(|report| reporter.fail(report));
         }
-        interrupt::whole(|| outputs.deliver(bank, replace)).map_err(|report| reporter.fail(report))
+        reporter.print_bytes(&bank)?;
+        Ok(OutputFile::new(STANDARD_OUTPUT, bank.len()).into())
     }
 }
 

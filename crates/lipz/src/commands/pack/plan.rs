@@ -1,7 +1,7 @@
 //! One run of packing: what it works with, and what it gave.
 
 use super::Pack;
-use super::destination::{self, Destination, Split};
+use super::destination::{self, Destination, Made, Split};
 use super::layer;
 use crate::Abort;
 use crate::reporter::Reporter;
@@ -110,8 +110,8 @@ impl Plan {
     pub(super) fn run(&self, quiet: bool, reporter: &mut Reporter) -> Result<Packed, Abort> {
         let work = |compiler: &Compiler<'_>, inputs: &[Input]| self.destination.make(compiler, inputs);
         let mut run = with_inputs(&self.project.settings, None, quiet, work);
-        let bank = self.bank(&mut run, reporter)?;
-        self.packed(&run, &bank, Replace::Always, Ok(()), reporter)
+        let made = made(&mut run, reporter)?;
+        self.packed(&run, made, Replace::Always, Ok(()), reporter)
     }
 
     /// Packs once of many times, the inputs that were found: what is remembered is not made again, and files are replaced by
@@ -129,43 +129,32 @@ impl Plan {
         let mut run = with_found(&self.project.settings, found, Some(recordings), quiet, |compiler, inputs| {
             self.destination.make_again(clips, compiler, inputs, changed)
         });
-        let bank = self.bank(&mut run, reporter)?;
+        let made = made(&mut run, reporter)?;
         let remembered = self.destination.remember(clips, reporter);
-        let packed = self.packed(&run, &bank, Replace::IfDifferent, remembered, reporter);
-        clips.reuse(bank);
-        packed
-    }
-
-    /// The bank that a run has made; its diagnostics are shown.
-    fn bank(&self, run: &mut Worked<'_>, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
-        let outcome = run.outcome();
-        let reports = mem::take(&mut run.reports);
-        match run.compiled.bank.take() {
-            Some(bank) if outcome == Outcome::Clean => {
-                reporter.add(reports);
-                Ok(bank)
-            }
-            _ => Err(reporter.abort(reports, outcome)),
-        }
+        self.packed(&run, made, Replace::IfDifferent, remembered, reporter)
     }
 
     /// Brings the bank to where it is not yet, and writes what belongs to it.
     fn packed(
         &self,
-        run: &Worked<'_>,
-        bank: &[u8],
+        run: &Worked<'_, Made>,
+        made: Made,
         replace: Replace,
         remembered: Result<(), Abort>,
         reporter: &mut Reporter,
     ) -> Result<Packed, Abort> {
-        let delivered = self.destination.deliver(bank, run.compiled.is_unchanged, replace, reporter)?;
+        let layer = match &made {
+            Made::Bytes(bank) if self.destination.is_layer() => Some(layer::summary(bank)),
+            _ => None,
+        };
+        let delivered = self.destination.deliver(made, replace, reporter)?;
         let outcome = remembered.and(self.write_depfile(&run.inputs, replace, reporter));
         let Compiled { recalled, phases, .. } = &run.compiled;
         Ok(Packed {
             clip_count: run.inputs.len(),
             recalled: *recalled,
             delivered,
-            layer: self.destination.is_layer().then(|| layer::summary(bank)),
+            layer,
             outcome: outcome.err().map_or(Outcome::Clean, Abort::outcome),
             discover: run.discover,
             phases: *phases,
@@ -185,6 +174,19 @@ impl Plan {
         dependencies.extend(self.project.file.clone());
         let bytes = depfile(&self.output, &dependencies).map_err(|report| destination::without(report, reporter))?;
         destination::write(path, &bytes, replace, reporter)
+    }
+}
+
+/// What a run has made; its diagnostics are shown.
+fn made(run: &mut Worked<'_, Made>, reporter: &mut Reporter) -> Result<Made, Abort> {
+    let outcome = run.outcome();
+    let reports = mem::take(&mut run.reports);
+    match run.compiled.bank.take() {
+        Some(made) if outcome == Outcome::Clean => {
+            reporter.add(reports);
+            Ok(made)
+        }
+        _ => Err(reporter.abort(reports, outcome)),
     }
 }
 
