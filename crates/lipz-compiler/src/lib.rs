@@ -85,7 +85,6 @@ mod pipe;
 mod pseudo;
 mod replacements;
 mod rewrite;
-mod running_checksum;
 mod same;
 pub mod settings;
 #[cfg(feature = "shards")]

@@ -1,7 +1,7 @@
 //! The checksum of banks: against an independent XXH64, and against changes with a structure.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "tests")]
 
-use lipz_layout::{CHECKED_FROM, checksum};
+use lipz_layout::{CHECKED_FROM, RunningChecksum, checksum};
 use proptest::prelude::*;
 use twox_hash::XxHash64;
 
@@ -14,6 +14,17 @@ fn it_is_xxh64_of_the_padded_bytes() {
         padded.push(1);
         padded.resize(padded.len().next_multiple_of(32), 0);
         assert_eq!(checksum(&DRAMA[..length]), XxHash64::oneshot(0, &padded), "{length} bytes");
+    }
+}
+
+#[test]
+fn pieces_have_the_checksum_of_the_whole() {
+    for length in (0..300).chain([DRAMA.len()]) {
+        for at_once in [1, 7, 31, 32, 33, 100, 4096] {
+            let mut running = RunningChecksum::default();
+            DRAMA[..length].chunks(at_once).for_each(|piece| running.add(piece));
+            assert_eq!(running.finish(), checksum(&DRAMA[..length]), "{length} bytes, {at_once} at once");
+        }
     }
 }
 

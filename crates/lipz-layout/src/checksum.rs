@@ -19,6 +19,9 @@ const PRIME_4: u64 = 0x85EB_CA77_C2B2_AE63;
 /// Stands behind the bytes, and zeros behind it: so no two inputs are filled to the same one.
 const END: u8 = 1;
 
+/// What the lanes start with.
+const START: [u64; 4] = [PRIME_1.wrapping_add(PRIME_2), PRIME_2, 0, PRIME_1.wrapping_neg()];
+
 /// Folds `bytes` into the checksum of format 1.
 pub fn checksum(bytes: &[u8]) -> u64 {
     let stripes = bytes.chunks_exact(STRIPE);
@@ -31,19 +34,70 @@ pub fn checksum(bytes: &[u8]) -> u64 {
     if let Some(end) = last.get_mut(rest.len()) {
         *end = END;
     }
-    let mut lanes = [PRIME_1.wrapping_add(PRIME_2), PRIME_2, 0, PRIME_1.wrapping_neg()];
+    let mut lanes = START;
     for stripe in stripes {
         add(&mut lanes, stripe);
     }
     add(&mut lanes, &last);
+    mix(lanes, bytes.len() as u64)
+}
+
+/// The checksum of bytes that come piece by piece.
+#[derive(Clone, Debug)]
+pub struct RunningChecksum {
+    lanes: [u64; 4],
+    /// What does not fill a stripe yet.
+    last: [u8; STRIPE],
+    length_bytes: u64,
+}
+
+impl Default for RunningChecksum {
+    fn default() -> Self {
+        RunningChecksum { lanes: START, last: [0; STRIPE], length_bytes: 0 }
+    }
+}
+
+impl RunningChecksum {
+    /// Takes in what comes next.
+    pub fn add(&mut self, bytes: &[u8]) {
+        let filled = (self.length_bytes & REST) as usize;
+        self.length_bytes = self.length_bytes.wrapping_add(bytes.len() as u64);
+        let mut rest = bytes;
+        if filled > 0 {
+            let room = self.last.get_mut(filled..).unwrap_or_default();
+            let (own, behind) = bytes.split_at(room.len().min(bytes.len()));
+            room.iter_mut().zip(own).for_each(|(place, byte)| *place = *byte);
+            if own.len() < room.len() {
+                return;
+            }
+            add(&mut self.lanes, &self.last);
+            rest = behind;
+        }
+        let stripes = rest.chunks_exact(STRIPE);
+        let remainder = stripes.remainder();
+        stripes.for_each(|stripe| add(&mut self.lanes, stripe));
+        self.last.iter_mut().zip(remainder).for_each(|(place, byte)| *place = *byte);
+    }
+
+    /// The checksum of all of them.
+    pub fn finish(mut self) -> u64 {
+        let behind = self.last.iter_mut().skip((self.length_bytes & REST) as usize);
+        behind.zip(core::iter::once(END).chain(core::iter::repeat(0))).for_each(|(place, byte)| *place = byte);
+        add(&mut self.lanes, &self.last);
+        mix(self.lanes, self.length_bytes)
+    }
+}
+
+/// Makes one number of the lanes, which have taken in so many bytes and what fills their last stripe.
+#[inline(always)]
+fn mix(lanes: [u64; 4], length_bytes: u64) -> u64 {
     let [a, b, c, d] = lanes;
     let turned = a.rotate_left(1).wrapping_add(b.rotate_left(7)).wrapping_add(c.rotate_left(12));
     let mut hash = turned.wrapping_add(d.rotate_left(18));
     for lane in &lanes {
         hash = (hash ^ round(0, *lane)).wrapping_mul(PRIME_1).wrapping_add(PRIME_4);
     }
-    let length_bytes = (bytes.len() as u64 | REST).wrapping_add(1);
-    hash = hash.wrapping_add(length_bytes);
+    hash = hash.wrapping_add((length_bytes | REST).wrapping_add(1));
     hash = (hash ^ (hash >> 33)).wrapping_mul(PRIME_2);
     hash = (hash ^ (hash >> 29)).wrapping_mul(PRIME_3);
     hash ^ (hash >> 32)

@@ -31,7 +31,7 @@ use lipz_types::hash::{FINISH, STEP, mix};
 
 pub use lipz_types::BANK_MAGIC as MAGIC;
 
-pub use checksum::checksum;
+pub use checksum::{RunningChecksum, checksum};
 pub use index::{DIRECT_SLOT, bucket_of, shard_of, slot_of, spread};
 pub use records::{BabbleRecord, ClipRecord, EventNameRecord, EventRecord, FaceRecord};
 pub use records::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, WideCurveKeyRecord};

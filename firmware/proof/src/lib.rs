@@ -352,6 +352,7 @@ fn segment_asked(bank: &Bank<'_>, segment: &Segment<'_, '_>, see: See) {
     segment.events().for_each(|event| event_asked(bank, event, see));
     bank.locales().for_each(|locale: Locale<'_>| {
         see_bytes(see, segment.text_bytes(locale).unwrap_or(&[]));
+        see(segment.has_own_text(locale).into());
         if let Some(text) = segment.text(locale) {
             see_bytes(see, text.as_str().as_bytes());
             see(u64::from(text.is_fallback()));

@@ -2,8 +2,7 @@
 
 use super::file_meta::FileMeta;
 use super::recall::checksum_of;
-use crate::running_checksum::RunningChecksum;
-use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, Tag, checksum};
+use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, RunningChecksum, Tag, checksum};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
@@ -91,7 +90,7 @@ impl OldBank {
         match self {
             OldBank::Whole(_) => true,
             OldBank::File(file) => *file.is_proven.get_or_init(|| {
-                let mut checksum = RunningChecksum::new();
+                let mut checksum = RunningChecksum::default();
                 let is_read = file.add_to(&mut checksum, CHECKED_FROM..file.tables.len()).is_ok();
                 is_read && Some(checksum.finish()) == checksum_of(&file.tables)
             }),
@@ -100,7 +99,7 @@ impl OldBank {
 
     /// A pass over all bytes, which proves them.
     pub(super) fn pass(&self) -> Pass<'_> {
-        Pass { old: self, checksum: RunningChecksum::new(), at: CHECKED_FROM }
+        Pass { old: self, checksum: RunningChecksum::default(), at: CHECKED_FROM }
     }
 
     /// Whether nobody has written to the file since it was opened: what was read since then is of the bank.

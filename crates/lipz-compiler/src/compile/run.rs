@@ -56,23 +56,25 @@ impl Run {
     ) -> Run {
         let start = Instant::now();
         let mut run = Run::default();
-        key::check(inputs, &mut run.reports);
+        let next = AtomicUsize::new(0);
+        let read = || {
+            parallel::workers(options.threads, || {
+                let mut worker = Worker::new(options, lint);
+                loop {
+                    let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
+                    let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
+                    let files = behind.len().min(FILES_AT_ONCE);
+                    worker.files(first, &behind[..files], cache);
+                    progress(files as u64);
+                }
+            })
+        };
+        let ((), workers) = parallel::join(|| key::check(inputs, &mut run.reports), read);
         #[cfg(feature = "cache")]
         {
             run.are_keys_fine = run.reports.is_empty();
         }
         run.reports.iter_mut().for_each(|report| options.apply_levels(report));
-        let next = AtomicUsize::new(0);
-        let workers = parallel::workers(options.threads, || {
-            let mut worker = Worker::new(options, lint);
-            loop {
-                let first = next.fetch_add(FILES_AT_ONCE, Ordering::Relaxed);
-                let Some(behind) = inputs.get(first..).filter(|behind| !behind.is_empty()) else { return worker };
-                let files = behind.len().min(FILES_AT_ONCE);
-                worker.files(first, &behind[..files], cache);
-                progress(files as u64);
-            }
-        });
         for worker in workers {
             run.clips.extend(worker.batch.clips.into_all());
             run.reports.extend(worker.reports);

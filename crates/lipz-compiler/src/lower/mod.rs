@@ -113,6 +113,23 @@ impl Layout {
             return Err(too_large("texts"));
         }
         let numbering = Numbering::new(clips.iter().map(|clip| (clip.events().is_some(), clip.starts().len() as u32)));
+        let (texts, layout) = parallel::join(
+            || texts::texts(clips, localised, dubs, &numbering),
+            || Layout::without_texts(clips, localised, dubs, &numbering, beside),
+        );
+        let mut layout = layout?;
+        layout.texts = texts?;
+        Ok(layout)
+    }
+
+    /// All but the texts, which take half of the time.
+    fn without_texts(
+        clips: &[Clip<'_>],
+        localised: &Localised,
+        dubs: &Dubs,
+        numbering: &Numbering,
+        beside: Beside<'_>,
+    ) -> Result<Layout, Report> {
         let index_of_ids = || {
             let ids: Vec<u64> = clips.iter().map(|clip| ClipId::from_key(clip.key()).get()).collect();
             index::build(&ids).map(|index| (index, ids)).map_err(|id| same_id(clips, id))
@@ -121,14 +138,12 @@ impl Layout {
         let small_parts =
             || (events::events(clips, &with_curves), strings::names(clips, localised), strings::own_sources(clips));
         let (index, (events, names, sources)) = parallel::join(index_of_ids, small_parts);
-        // Locale by locale on all threads, after the others: each takes memory that is given back at its end.
-        let texts = texts::texts(clips, localised, dubs, &numbering);
         let (index, ids) = index?;
         let (slots, (events, event_names), names) = (&index.slots, events?, names?);
         Ok(Layout {
-            records: records::clips(clips, &numbering, &ids, slots, &names)?,
+            records: records::clips(clips, numbering, &ids, slots, &names)?,
             locales: records::locales(localised, &names),
-            texts: texts?,
+            texts: Texts::default(),
             segment_count: numbering.segment_count,
             sources: strings::sources(&sources, slots)?,
             babble: beside.babble,
@@ -139,7 +154,7 @@ impl Layout {
             is_stripped: beside.strip,
             layer: beside.layer.map_or(Ok(Vec::new()), |layer| layer.section(&ids, slots))?,
             export: beside.export,
-            order: order(clips, &numbering, slots),
+            order: order(clips, numbering, slots),
             names,
             events,
             index,

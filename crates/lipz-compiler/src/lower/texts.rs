@@ -12,6 +12,7 @@ use lipz_layout::{NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEX
 use std::iter::zip;
 
 /// Where the texts are.
+#[derive(Default)]
 pub(super) struct Texts {
     /// Locale by locale one entry per segment, and the length of the pool.
     pub(super) starts: Vec<U32>,

@@ -2,8 +2,7 @@
 
 use super::splice::Splices;
 use crate::cache::old_bank::{OldBank, Pass};
-use crate::running_checksum::RunningChecksum;
-use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, SECTION_ALIGNMENT, Tag};
+use lipz_layout::{CHECKED_FROM, DirectoryEntry, Header, MAX_SECTIONS, RunningChecksum, SECTION_ALIGNMENT, Tag};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// Sections that are no longer what they were.
@@ -55,7 +54,7 @@ pub(super) fn file(old: &OldBank, new: &NewSections<'_>, room: Vec<u8>) -> Optio
     let mut bank = resized(room, end);
     let (head, _) = bank.split_at_mut_checked(size_of::<Header>() + directory.as_bytes().len())?;
     head.copy_from_slice(&[header.as_bytes(), directory.as_bytes()].concat());
-    let mut file = NewFile { old: old.pass(), checksum: RunningChecksum::new() };
+    let mut file = NewFile { old: old.pass(), checksum: RunningChecksum::default() };
     file.checksum.add(head.get(CHECKED_FROM..)?);
     let mut written_end = head.len();
     for (entry, before) in std::iter::zip(&directory, old_directory) {

@@ -11,16 +11,15 @@ use crate::clip::Clips;
 use crate::output::failed;
 use crate::parallel;
 use crate::pipe::{Pass, pipe};
-use crate::running_checksum::RunningChecksum;
 use lipz_diagnostics::{Code, Report};
-use lipz_layout::CHECKED_FROM;
+use lipz_layout::{CHECKED_FROM, RunningChecksum};
 use pieces::Pieces;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 use zerocopy::IntoBytes;
 
 /// Bytes that are written at once.
-const AT_ONCE: usize = 1 << 17;
+const AT_ONCE: usize = 1 << 16;
 
 /// Why a bank could not be written.
 pub(crate) enum Fault {
@@ -69,7 +68,7 @@ pub(crate) fn stream(
 ) -> Result<Streamed, Fault> {
     let sections = layout.sections();
     let head = Head::new(&sections, layout.index.seed, layout.records.fingerprint).map_err(Fault::Refused)?;
-    let (mut checksum, mut written) = (RunningChecksum::new(), 0);
+    let (mut checksum, mut written) = (RunningChecksum::default(), 0);
     let make = |pass: &mut Pass<'_>| make(layout, batches, &sections, &head, pass);
     let write = |piece: &[u8]| {
         let unchecked = CHECKED_FROM.saturating_sub(written).min(piece.len());
