@@ -33,8 +33,8 @@ pub(crate) fn replace_file_if(
     written.and_then(replace).map_err(|error| failed(path, &error))
 }
 
-/// The same with a file that `write` fills, if `check`, which runs while that is brought to disk, finds nothing. It is left alone if
-/// that is asked for and it has these bytes already; tells whether it was replaced. What `write` finds wrong leaves `path` as it
+/// The same with a file that `write` fills, if `check`, which runs while that is brought to disk, finds nothing. If it has
+/// these bytes already, it is checked all the same, and left alone if that is asked for; tells whether it was replaced. What `write` finds wrong leaves `path` as it
 /// is, too.
 pub(crate) fn replace_file_with<W, E: From<io::Error> + Send>(
     path: &Path,
@@ -44,6 +44,7 @@ pub(crate) fn replace_file_with<W, E: From<io::Error> + Send>(
 ) -> Result<(W, bool), E> {
     let (file, written) = TemporaryFile::beside_with(path, write)?;
     if when == Replace::IfDifferent && file.has_contents_of(path) {
+        check()?;
         return Ok((written, false));
     }
     let (synced, checked) = parallel::join(|| sync_temporary(std::iter::once(&file)), check);
@@ -145,6 +146,7 @@ mod tests {
         };
         assert_eq!(replaced(Replace::Always, b"new", false), None);
         assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(replaced(Replace::IfDifferent, b"old", false), None, "also a file that stays is checked");
         assert_eq!(replaced(Replace::IfDifferent, b"old", true), Some(false));
         assert_eq!(replaced(Replace::IfDifferent, b"odd", true), Some(true));
         assert_eq!(replaced(Replace::Always, b"odd", true), Some(true));

@@ -49,6 +49,13 @@ pub enum Replace {
     IfDifferent,
 }
 
+impl Replace {
+    /// Whether the file at `path` is to be replaced by these bytes.
+    pub(crate) fn is_due(self, path: &Path, bytes: &[u8]) -> bool {
+        self == Replace::Always || !has(path, bytes)
+    }
+}
+
 /// A file of a run.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
@@ -84,7 +91,7 @@ impl OutputFile {
     /// # Errors
     /// As [`replace_file`].
     pub fn write(path: &Path, bytes: &[u8], replace: Replace) -> Result<OutputFile, Report> {
-        let is_new = replace == Replace::Always || !has(path, bytes);
+        let is_new = replace.is_due(path, bytes);
         if is_new {
             replace_file(path, bytes)?;
         }
@@ -203,7 +210,7 @@ impl Outputs {
         let whole = WholeBank::open(bank)?;
         let waiting = Replacements::default();
         let write = |path: &Path, bytes: &[u8]| {
-            let is_new = replace == Replace::Always || !has(path, bytes);
+            let is_new = replace.is_due(path, bytes);
             if is_new {
                 waiting.replace(path, bytes)?;
             }

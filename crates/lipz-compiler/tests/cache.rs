@@ -429,6 +429,25 @@ fn a_bank_that_somebody_writes_to_meanwhile_does_not_stay() {
 }
 
 #[test]
+fn a_bank_that_is_made_anew_and_is_there_already_is_judged() {
+    let scene = Scene::new();
+    let file = r#"{"text_en-us":"Aye."}"#;
+    fs::write(scene.path("voices/a.lipz"), file).unwrap();
+    fs::write(scene.path("voices/b.lipz"), file.replace("en-us", "de-de")).unwrap();
+    let outputs = Outputs::new(scene.bank());
+    let pack = |options: Options| {
+        let packed = outputs.pack_again(&Compiler::new(options), &scene.inputs(), None, &mut Memory::default());
+        (packed.bank.is_some(), packed.is_unchanged, packed.reports.len())
+    };
+    let options = Options::new().default_locale("en-us");
+    assert_eq!(pack(options.clone()), (true, false, 0));
+    assert_eq!(pack(options.clone()), (true, true, 0));
+    let mut demanding = options;
+    demanding.min_coverage.all = Some(100.0);
+    assert_eq!(pack(demanding), (false, false, 1));
+}
+
+#[test]
 fn what_is_said_of_scripts_is_the_same_of_a_bank_that_stays() {
     let scene = Scene { options: Options::new().default_locale("en-us"), ..Scene::new() };
     // Of such a bank, only the ends of the texts are in memory: wherever these begin, no text is missing.

@@ -5,7 +5,6 @@ use super::recall::checksum_of;
 use super::{Done, Next, Task, read_all, touch};
 use crate::compile::Run;
 use crate::output::failed;
-use crate::same::has;
 use crate::{Compiler, OutputFile, Replace};
 use lipz_diagnostics::Report;
 use std::path::Path;
@@ -35,7 +34,7 @@ pub(super) fn end(
         Next::Patch(run, bank) => run.done(task, |run| {
             let mut is_new = true;
             let packed = run.conclude(Ok(bank), task.options, |bank| {
-                is_new = replace == Replace::Always || !has(path, bank);
+                is_new = replace.is_due(path, bank);
                 // What is copied was verified before the old bank was written.
                 if is_new { compiler.write_if(path, bank, || Ok(())) } else { Ok(()) }
             });
@@ -61,19 +60,17 @@ fn make(compiler: &Compiler<'_>, task: &Task<'_>, run: Run, place: &Place<'_>) -
 fn stay(compiler: &Compiler<'_>, old: &OldBank, place: &Place<'_>) -> Result<OutputFile, Report> {
     let Place { path, replace } = *place;
     let file = OutputFile { is_new: false, ..OutputFile::new(path, old.tables().len()) };
-    let stays = match (replace, old) {
-        (Replace::Always, _) => touch(path),
-        (Replace::IfDifferent, OldBank::File(_)) => Ok(()),
-        (Replace::IfDifferent, OldBank::Whole(bank)) if has(path, bank) => Ok(()),
-        (Replace::IfDifferent, OldBank::Whole(bank)) => {
-            compiler.write_verified(path, bank)?;
-            return Ok(OutputFile { is_new: true, ..file });
+    match (replace, old) {
+        (Replace::Always, _) => {
+            let Err(error) = touch(path) else { return Ok(file) };
+            // Who may not write to a file may be allowed to replace it.
+            let bank = old.clone().into_whole().ok_or_else(|| failed(path, &error))?;
+            compiler.write_verified(path, &bank)?;
         }
-    };
-    if let Err(error) = stays {
-        // Who may not write to a file may be allowed to replace it.
-        let bank = old.clone().into_whole().ok_or_else(|| failed(path, &error))?;
-        compiler.write_verified(path, &bank)?;
+        (Replace::IfDifferent, OldBank::Whole(bank)) if replace.is_due(path, bank) => {
+            compiler.write_verified(path, bank)?;
+        }
+        (Replace::IfDifferent, _) => return Ok(file),
     }
-    Ok(file)
+    Ok(OutputFile { is_new: true, ..file })
 }

@@ -124,7 +124,7 @@ impl Compiler<'_> {
         self.run(|options| {
             let task = Task { inputs, options, progress: &self.progress, changed };
             let Done { compiled, stamps, known } =
-                in_memory::end(&task, next(&task, memory.previous(None), Vec::new()), finish);
+                in_memory::end(&task, next(&task, memory.previous(None), &mut Vec::new()), finish);
             if let Some(bank) = &compiled.bank {
                 let old = memory.before.as_ref().and_then(|before| before.bank.clone());
                 let bank = old.filter(|_| stamps.is_none()).unwrap_or_else(|| Arc::new(bank.clone()));
@@ -146,7 +146,7 @@ impl Compiler<'_> {
         self.run(|options| {
             let task = Task { inputs, options, progress: &self.progress, changed };
             let place = Place { path, replace: Replace::IfDifferent };
-            let next = next(&task, memory.previous(Some(path)), std::mem::take(&mut memory.room));
+            let next = next(&task, memory.previous(Some(path)), &mut memory.room);
             let Done { mut compiled, stamps, known } = in_file::end(self, &task, next, &place, &mut memory.room);
             if let Some(file) = &compiled.bank {
                 compiled.is_unchanged = !file.is_new;

@@ -59,7 +59,10 @@ impl Compiler<'_> {
     /// alone and reported, as is one that cannot be written.
     pub fn pack_cached(&self, inputs: &[Input], path: &Path, cache: &Path) -> Compiled<OutputFile> {
         let place = Place { path, replace: Replace::Always };
-        self.cached(inputs, path, cache, |task, next| in_file::end(self, task, next, &place, &mut Vec::new()))
+        let mut packed =
+            self.cached(inputs, path, cache, |task, next| in_file::end(self, task, next, &place, &mut Vec::new()));
+        packed.is_unchanged &= packed.bank.as_ref().is_some_and(|file| !file.is_new);
+        packed
     }
 
     /// The same with a bank that is made in memory, if `accept` finds nothing in it: without its consent nothing is written.
@@ -98,7 +101,7 @@ impl Compiler<'_> {
             };
             let reading = start.elapsed();
             let task = Task { inputs, options, progress: &self.progress, changed: None };
-            let Done { compiled, stamps, .. } = end(&task, next(&task, before, Vec::new()));
+            let Done { compiled, stamps, .. } = end(&task, next(&task, before, &mut Vec::new()));
             let start = Instant::now();
             let written = stamps.and_then(|stamps| self.guarded(|| file::write(cache, MAGIC, &stamps)));
             let mut compiled = compiled.and_then(|bank| match written {
@@ -157,8 +160,9 @@ struct Done<B = Vec<u8>> {
     known: Option<Known>,
 }
 
-/// Looks at the inputs, with what is still true of the run `before`. A patched bank is made in `room`.
-fn next(task: &Task<'_>, before: Option<PreviousRun>, room: Vec<u8>) -> Next {
+/// Looks at the inputs, with what is still true of the run `before`. A patched bank is made in `room`, which is given back where
+/// the clips need the memory.
+fn next(task: &Task<'_>, before: Option<PreviousRun>, room: &mut Vec<u8>) -> Next {
     let options = task.options;
     let before = before.filter(|before| before.stamps.are_of(options));
     let mut looked = Looked::at(task, before.as_ref());
@@ -177,6 +181,7 @@ fn next(task: &Task<'_>, before: Option<PreviousRun>, room: Vec<u8>) -> Next {
     // What is said about dubs is about all clips, not about those that have changed.
     let recall_few = recall.as_ref().filter(|_| looked.has_same_keys && options.voices.patterns.is_empty());
     let changed = looked.run.changed_clips();
+    let room = std::mem::take(room);
     if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &changed, room)) {
         drop(changed);
         looked.run.phases.lower = start.elapsed();

@@ -131,7 +131,7 @@ pub struct Phases {
     pub localise: Duration,
     /// Laying out the bank; and filling it and freeing the clips, where it is made in memory.
     pub lower: Duration,
-    /// Verifying the bank and, when packing, filling and writing it at the same time.
+    /// When packing, filling and writing the bank, and verifying it while it is brought to disk; of a bank in memory, verifying it.
     pub finish: Duration,
 }
 
