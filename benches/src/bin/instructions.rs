@@ -65,7 +65,7 @@ fn main() -> Result<(), Failure> {
     write_banks(&bank)?;
 
     let (mut counted, mut counts, mut too_many) = (String::new(), HashMap::new(), Vec::new());
-    println!("{:<20} {:>9} {:>9}", "question", "counted", "limit");
+    println!("{:<43} {:>9} {:>9}", "question", "counted", "limit");
     for line in limits.lines() {
         let Some((question, limit)) = limit_of(line) else {
             counted.push_str(line);
@@ -76,7 +76,7 @@ fn main() -> Result<(), Failure> {
             PACKING => count_packing(&settings.packing, folder.path())?,
             _ => count(&settings.queries, &bank, question)?,
         };
-        println!("{question:<20} {count:>9} {limit:>9}");
+        println!("{question:<43} {count:>9} {limit:>9}");
         let _ = writeln!(counted, "{question}: {count}");
         counts.insert(question, count);
         if is_too_much(count, limit) {

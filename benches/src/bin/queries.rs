@@ -115,6 +115,23 @@ fn ask(
             let clip = clips[0];
             (0..times).for_each(|tick| _ = black_box(clip.viseme_at(Micros((tick * TICK_US % LONGEST_US) as i64))));
         }
+        // The same with the segment, and its text and its events when it has changed: a game without a cursor.
+        "tick with segment, text and event on change" => {
+            let clip = clips[0];
+            let mut shown = None;
+            for tick in 0..times {
+                let time = Micros((tick * TICK_US % LONGEST_US) as i64);
+                black_box(clip.viseme_at(time));
+                let segment = clip.segment_at(time);
+                let index = segment.map(|segment| segment.index());
+                if index != shown {
+                    shown = index;
+                    if let Some(segment) = segment {
+                        black_box((segment.text(locale), segment.event()));
+                    }
+                }
+            }
+        }
         // The same with what a game does for each picture: events, mouth and text.
         "cursor" => {
             let clip = clips[0];
