@@ -46,7 +46,7 @@ struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Task {
-    /// Run all checks of CI besides `cargo test --workspace`, or those that you name
+    /// Run the checks of CI that are not tests: the everyday ones, or those that you name
     Ci(ci::Settings),
     /// Build the libraries for C in target/capi, and run programs in C and C++ with them
     Capi,

@@ -3,6 +3,9 @@
 //! There are two lists of steps, each done in order, and both at the same time: what is built for other
 //! machines has a folder of its own, and often keeps but one core busy. A failure ends both. `.ci/run` starts
 //! the second list while the tests run, which keep but one core busy, too.
+//!
+//! Each step belongs to a tier. Everyday steps always run; slow steps run only with `--all` or by name. A step is
+//! slow if it takes long and covers only code that few changes touch.
 
 mod step;
 
@@ -10,14 +13,20 @@ use crate::Failure;
 use clap::{Args, ValueEnum};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
-use step::{Program, Step};
+use step::{Program, Step, Tier};
 
 /// Which steps.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub(crate) struct Settings {
-    /// The steps to run; all of them, if none is named
+    /// The steps to run, of either tier; the everyday steps by default
     #[arg(value_parser = names())]
     steps: Vec<String>,
+    /// Add the slow steps
+    #[arg(long, conflicts_with = "steps")]
+    all: bool,
+    /// List the steps of both tiers and what the slow ones cover, without running them
+    #[arg(long, exclusive = true)]
+    list: bool,
     /// Only the steps of one list
     #[arg(long, value_enum, conflicts_with = "steps")]
     only: Option<List>,
@@ -40,17 +49,27 @@ impl Settings {
             List::Elsewhere => &ELSEWHERE,
         };
         let is_left_out = self.only.is_some_and(|only| only != list);
-        let is_chosen = |step: &&Step| self.steps.is_empty() || self.steps.iter().any(|chosen| chosen == step.name);
+        let is_chosen = |step: &&Step| match self.steps.is_empty() {
+            true => self.all || step.tier == Tier::Everyday,
+            false => self.steps.iter().any(|chosen| chosen == step.name),
+        };
         steps.iter().filter(move |step| !is_left_out && is_chosen(step))
     }
 }
+
+/// The code that `recogniser` and `hearing` cover.
+const RECOGNISER: &str = "the recogniser of lipz-speech, or `lipz recogniser`";
+
+/// The code that `accessibility` and `firefox` cover.
+const PAGE: &str = "the page of `lipz preview`";
 
 /// What this machine builds and runs, in one folder.
 static HERE: [Step; 16] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
-    // With the rivals, which are not built otherwise.
-    Step::cargo("benches", "clippy -p lipz-benches --all-targets --features compare --locked -- -D warnings"),
+    // Builds the rivals, among them the C code of SQLite, and most crates again. `lints` covers the other benches.
+    Step::cargo("benches", "clippy -p lipz-benches --all-targets --features compare --locked -- -D warnings")
+        .slow("the comparison with rivals in benches, or the API of lipz-bank that it uses"),
     Step {
         program: Program::CargoWith("RUSTDOCFLAGS", "-D warnings"),
         ..Step::cargo("docs", "doc --workspace --no-deps --locked")
@@ -70,23 +89,28 @@ static HERE: [Step; 16] = [
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
         ..Step::cargo("engines", "test --workspace --test engines --locked --quiet")
     },
-    Step::task("recogniser"),
+    Step::task("recogniser").slow(RECOGNISER),
     // With the network that the step before has fetched.
     Step {
         program: Program::CargoWith("LIPZ_RECOGNISER", "required"),
-        ..Step::cargo("hearing", "test --workspace --test recogniser --locked --quiet")
+        ..Step::cargo("hearing", "test --workspace --test recogniser --locked --quiet").slow(RECOGNISER)
     },
     Step::task("editors"),
-    Step::task("accessibility"),
-    Step { arguments: "firefox --main", ..Step::task("firefox") },
+    // `cargo test` already runs the page in Chromium; these two add axe and another browser.
+    Step::task("accessibility").slow(PAGE),
+    Step { arguments: "firefox --main", ..Step::task("firefox").slow(PAGE) },
 ];
 
 /// What is built for other machines, for C, by an old compiler or for speed: each in a folder of its own.
-static ELSEWHERE: [Step; 7] = [
+static ELSEWHERE: [Step; 8] = [
     Step::task("size"),
-    Step::task("targets"),
+    // These share the standard library built for `size` and `web`. All of them are 32-bit.
+    Step { arguments: "targets no-std cortex-m4 cortex-m0 wasm", ..Step::task("targets") },
+    // Each of these two builds the standard library and the reader's tests, and one runs them in an emulator.
+    Step { arguments: "targets big-endian 32-bit", ..Step::task("suites") }
+        .slow("lipz-types, lipz-layout or lipz-bank"),
     Step::task("web"),
-    Step::task("windows"),
+    Step::task("windows").slow("code for Windows, or a dependency"),
     Step::task("msrv"),
     Step::task("capi"),
     Step::task("instructions"),
@@ -97,10 +121,26 @@ fn names() -> Vec<&'static str> {
     HERE.iter().chain(&ELSEWHERE).map(|step| step.name).collect()
 }
 
+/// The steps of each tier, as `--list` prints them.
+fn listing() -> String {
+    let (mut everyday, mut slow) = (String::new(), String::new());
+    for Step { name, tier, .. } in HERE.iter().chain(&ELSEWHERE) {
+        match tier {
+            Tier::Everyday => everyday.push_str(&format!("  {name}\n")),
+            Tier::Slow(covers) => slow.push_str(&format!("  {name:<14}{covers}\n")),
+        }
+    }
+    format!("everyday:\n{everyday}\nslow; run them with --all before a release, or by name after a change to:\n{slow}")
+}
+
 /// What steps took.
 type Times = Vec<(&'static str, Duration)>;
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    if settings.list {
+        print!("{}", listing());
+        return Ok(());
+    }
     let has_failed = AtomicBool::new(false);
     let mut printed = String::new();
     let (here, elsewhere) = std::thread::scope(|scope| {
@@ -132,4 +172,41 @@ fn in_order<'a>(
         times.push((step.name, time));
     }
     Ok(times)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The names of the steps that would run, in order.
+    fn chosen(settings: &Settings) -> Vec<&'static str> {
+        let lists = [List::Here, List::Elsewhere];
+        lists.iter().flat_map(|list| settings.chosen(*list)).map(|step| step.name).collect()
+    }
+
+    #[test]
+    fn the_everyday_tier_leaves_out_exactly_the_slow_steps() {
+        let (everyday, slow): (Vec<_>, Vec<_>) =
+            HERE.iter().chain(&ELSEWHERE).partition(|step| step.tier == Tier::Everyday);
+        assert!(!slow.is_empty());
+        let everyday: Vec<_> = everyday.iter().map(|step| step.name).collect();
+        assert_eq!(chosen(&Settings::default()), everyday);
+        assert_eq!(chosen(&Settings { all: true, ..Settings::default() }), names());
+    }
+
+    #[test]
+    fn the_two_lists_make_up_each_tier() {
+        let only = |list, all| chosen(&Settings { only: Some(list), all, ..Settings::default() });
+        for all in [false, true] {
+            let both = [only(List::Here, all), only(List::Elsewhere, all)].concat();
+            assert_eq!(both, chosen(&Settings { all, ..Settings::default() }));
+        }
+    }
+
+    #[test]
+    fn a_named_step_runs_in_either_tier() {
+        for name in names() {
+            assert_eq!(chosen(&Settings { steps: vec![name.to_owned()], ..Settings::default() }), [name]);
+        }
+    }
 }

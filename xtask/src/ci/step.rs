@@ -16,9 +16,19 @@ pub(super) enum Program {
     Task,
 }
 
+/// When a step runs without being named.
+#[derive(PartialEq, Eq)]
+pub(super) enum Tier {
+    /// In every run, and so in `.ci/run`.
+    Everyday,
+    /// Only with `--all`. The text names what the step covers; it completes "run this after a change to".
+    Slow(&'static str),
+}
+
 /// One step.
 pub(super) struct Step {
     pub(super) name: &'static str,
+    pub(super) tier: Tier,
     pub(super) program: Program,
     /// As one types them: none has a blank in it.
     pub(super) arguments: &'static str,
@@ -26,12 +36,17 @@ pub(super) struct Step {
 
 impl Step {
     pub(super) const fn cargo(name: &'static str, arguments: &'static str) -> Step {
-        Step { name, program: Program::Cargo, arguments }
+        Step { name, tier: Tier::Everyday, program: Program::Cargo, arguments }
     }
 
     /// Another task, which gives the step its name.
     pub(super) const fn task(name: &'static str) -> Step {
-        Step { name, program: Program::Task, arguments: name }
+        Step { name, tier: Tier::Everyday, program: Program::Task, arguments: name }
+    }
+
+    /// The step, moved to the slow tier.
+    pub(super) const fn slow(self, covers: &'static str) -> Step {
+        Step { tier: Tier::Slow(covers), ..self }
     }
 
     /// Runs the step and says how long it took; what it prints is seen at once.
