@@ -6,7 +6,10 @@
 )]
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use lipz_bank::{Bank, ClipId, CurveCursor, Layers, LookAt, Micros};
+use lipz_bank::curve::CurveCursor;
+use lipz_bank::face::{LookAt, Who};
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Bank, ClipId, Dialogue, Micros};
 use lipz_benches::{DEFAULT_SEED, Random, faces, files, layers, naive};
 use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
@@ -48,9 +51,9 @@ fn queries(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("reader");
     group.bench_function("find, by id", |bencher| bencher.iter(|| bank.clip(ids[pick()]).map(|clip| clip.slot())));
     let (patch, addition) = layers::over(&bytes, CLIPS).expect("two layers");
-    let of_layer = |bytes| Bank::open(bytes).and_then(Bank::verify).expect("a layer without fault");
-    let stack = Layers::new([bank, of_layer(&patch), of_layer(&addition)]).expect("layers that fit");
-    group.bench_function("find in three layers, by id", |bencher| {
+    let mut places = [DialogueFile::ABSENT; 3];
+    let stack = Dialogue::open(&mut places, [&bytes, &patch, &addition].map(Vec::as_slice)).expect("patches that fit");
+    group.bench_function("find in a stack of three, by id", |bencher| {
         bencher.iter(|| stack.clip(ids[pick()]).map(|clip| clip.slot()));
     });
     group.bench_function("find, by key", |bencher| {
@@ -118,13 +121,13 @@ fn curves_and_faces(criterion: &mut Criterion) {
     group.bench_function("emotions at a time", |bencher| {
         bencher.iter(|| {
             let (at, time) = drawn();
-            clips[at].emotions_at(time)
+            clips[at].emotions_at(time, Who::Speaker)
         });
     });
     group.bench_function("the face at a time", |bencher| {
         bencher.iter(|| {
             let (at, time) = drawn();
-            clips[at].face_at(time, &profile, LookAt::AHEAD)
+            clips[at].face_at(time, Who::Speaker, &profile, LookAt::AHEAD)
         });
     });
     group.finish();

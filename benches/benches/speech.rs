@@ -22,7 +22,7 @@ fn speech(criterion: &mut Criterion) {
     group.bench_function("align", |bencher| bencher.iter(|| aligner.align(black_box(&sound), &script)));
     group.bench_function("listen", |bencher| bencher.iter(|| aligner.listen(black_box(&sound))));
     group.bench_function("render", |bencher| {
-        bencher.iter(|| render(black_box(&alignment), VisemeType::Blair, FILM, &RenderRules::default()));
+        bencher.iter(|| render(black_box(&alignment), FILM, VisemeType::Blair, &RenderRules::default()));
     });
     group.bench_function("rms", |bencher| bencher.iter(|| rms(black_box(&sound), FILM, &RmsRules::default())));
     group.finish();

@@ -3,6 +3,6 @@
 use lipz_compiler::{Build, BuildError, Options};
 
 fn main() -> Result<(), BuildError> {
-    let options = Options::new().default_locale("en-us");
+    let options = Options::new().default_locale("en-us")?;
     Build::new("voices").options(options).run()
 }

@@ -1,10 +1,10 @@
-// Babble: a mouth that moves while somebody speaks whose mouth shapes nobody knows.
+// Babble: a mouth that moves while a character speaks whose mouth shapes are not known.
 
-import { BANK, FIRST } from "./memory.js";
-import * as c from "./structs.js";
-import { at, TEN_THOUSAND } from "./words.js";
+import { FIRST } from "./memory.js";
+import { lipz_babble, lipz_weights } from "./structs.js";
+import { TEN_THOUSAND } from "./words.js";
 
-/** The power of a voice that nobody measures. */
+/** The power of a voice that a program does not measure. */
 export const UNMEASURED = 0.75;
 
 export class Babble {
@@ -14,18 +14,14 @@ export class Babble {
   constructor(memory, fields) {
     this.#memory = memory;
     this.#fields = fields;
+    this.name = memory.string(fields.name);
   }
 
-  get name() {
-    return this.#memory.string(this.#fields.name);
-  }
-
-  /** How far lips and jaw are moved, so long after somebody has begun to speak, at a power of the voice from 0 to 1. */
+  /** How far lips and jaw are moved, a time after the character began to speak, at a power of the voice from 0 to 1. */
   at(elapsed, power = UNMEASURED) {
-    const [unit, ...args] = at(elapsed);
-    const babble = this.#memory.put(FIRST, c.lipz_babble, this.#fields);
-    const slot = this.#memory.slot(BANK);
-    const { ooh, aah } = this.#memory.ask(c.lipz_weights, `lipz_babble_at_${unit}`, slot, babble, ...args, power);
+    const memory = this.#memory;
+    const babble = memory.put(FIRST, lipz_babble, this.#fields);
+    const { ooh, aah } = memory.ask(lipz_weights, "lipz_babble_at", babble, memory.time(elapsed), power);
     return { ooh: ooh / TEN_THOUSAND, aah: aah / TEN_THOUSAND };
   }
 }

@@ -1,13 +1,16 @@
 // The cursor: where a clip is while it is played. Its numbers are the struct of lipz.h, kept here as bytes.
 
-import { BANK, FIRST, SECOND } from "./memory.js";
+import { FIRST, SECOND } from "./memory.js";
+import { segmentOf } from "./segment.js";
 import * as c from "./structs.js";
-import { at, eventOf, MICROS_PER_SECOND, nameOf, TEN_THOUSAND } from "./words.js";
+import { eventOf, MICROS_PER_SECOND, nameOf, TEN_THOUSAND } from "./words.js";
 
 const OVER = 0xffffffff;
 const WAITING = 0xfffffffe;
-const NO_NAME = 0xffffffff;
+const NO_NAME = { bank: 0, id: 0 };
 const MOST_MICROS = 0xffffffff;
+/** The leads in frames: more would show mouths that have nothing to do with the audio. */
+const LEAD_FRAMES = [1, 2];
 
 /** A time in whole microseconds. */
 function micros(time) {
@@ -27,10 +30,10 @@ export class Cursor {
     this.#bytes = bytes;
   }
 
-  /** The same cursor in a clip of another bank. */
-  in(clip, memory, clipId) {
+  /** The same cursor in a clip of another dialogue. */
+  in(clip, memory) {
     const cursor = new Cursor(clip, memory, this.#bytes.slice());
-    cursor.#set("clip_id", clipId);
+    cursor.#set("clip_id", clip.id);
     return cursor;
   }
 
@@ -46,47 +49,53 @@ export class Cursor {
     c.lipz_cursor.fields[field].write(this.#view(), c.lipz_cursor.places[field], value);
   }
 
-  /** Asks about the bank and this cursor. */
+  /** The address of the cursor, for a function of lipz.h. */
+  get #address() {
+    // The only event that mentions the speaker may be in a bank of a set that was loaded since.
+    if (this.#speaker !== undefined && this.#get("speaker_bank") === NO_NAME.bank) this.speaker = this.#speaker;
+    return this.#memory.putBytes(FIRST, this.#bytes);
+  }
+
+  /** Calls a function whose first arguments are the dialogue and this cursor. */
   #ask(type, name, ...args) {
-    const memory = this.#memory;
-    return memory.ask(type, name, memory.slot(BANK), memory.putBytes(FIRST, this.#bytes), ...args);
+    return this.#memory.ask(type, name, this.#address, ...args);
   }
 
   /** Calls a function that changes the cursor. */
   #move(name, ...args) {
     const memory = this.#memory;
-    memory.call(name, memory.slot(BANK), memory.putBytes(FIRST, this.#bytes), ...args);
-    this.#bytes = memory.bytes(FIRST, c.lipz_cursor.size);
-    return new Due(this.#clip, memory, this.#bytes);
-  }
-
-  #moveTo(how, time) {
-    const [unit, ...args] = at(time);
-    return this.#move(`lipz_cursor_${how}_${unit}`, ...args);
+    memory.must(memory.status(name, this.#address, ...args));
+    this.#bytes = memory.copy(FIRST, c.lipz_cursor.size);
+    return new Due(memory, this.#bytes);
   }
 
   get clip() {
     return this.#clip;
   }
 
-  /** How far mouth shapes are ahead of the sound, in seconds. Takes `{ us }` and `{ frames }`, too. */
+  /** How far mouth shapes are ahead of the audio, in seconds. Takes `{ us }` and `{ frames }`, too. */
   get lead() {
     return this.#get("lead_us") / MICROS_PER_SECOND;
   }
 
   set lead(lead) {
     const frames = typeof lead === "object" ? lead.frames : undefined;
-    this.#set("lead_us", frames === undefined ? micros(lead) : this.#clip.leadOfFrames(frames));
+    this.#set("lead_us", micros(frames === undefined ? lead : this.#secondsOf(frames)));
   }
 
-  /** How many frames a consonant shows at least. Takes `"readable"` and `{ picture }`, too. */
+  #secondsOf(frames) {
+    if (LEAD_FRAMES.includes(frames)) return this.#clip.startOfFrame(frames);
+    throw new RangeError(`a lead is 1 or 2 frames, or any time, but not ${frames} frames`);
+  }
+
+  /** How many frames a consonant shows at least. Takes `"readable"` and `{ renderedFrame }`, too. */
   get hold() {
     return this.#get("hold_frames");
   }
 
   set hold(hold) {
-    const frames =
-      typeof hold === "number" ? hold : this.#clip.holdFrames(hold === "readable" ? undefined : micros(hold.picture));
+    const isCount = typeof hold === "number";
+    const frames = isCount ? hold : this.#clip.holdFrames(hold === "readable" ? undefined : micros(hold.renderedFrame));
     this.#set("hold_frames", frames);
   }
 
@@ -96,23 +105,27 @@ export class Cursor {
   }
 
   set speaker(name) {
-    const memory = this.#memory;
-    const found = name && memory.ask(c.lipz_name, "lipz_event_name", memory.slot(BANK), ...memory.text(name));
+    const { bank, id } = (name && this.#nameOf(name)) ?? NO_NAME;
     this.#speaker = name;
-    this.#set("speaker_id", found?.id ?? NO_NAME);
-    this.#set("speaker_bank", found?.bank ?? 0);
+    this.#set("speaker_id", id);
+    this.#set("speaker_bank", bank);
+  }
+
+  /** The name that events mention, as lipz.h has it; undefined if no event does. */
+  #nameOf(name) {
+    return this.#memory.ask(c.lipz_name, "lipz_dialogue_event_name", ...this.#memory.text(name));
   }
 
   advanceTo(time) {
-    return this.#moveTo("advance", time);
+    return this.#move("lipz_cursor_advance", this.#memory.time(time));
   }
 
   loopTo(time) {
-    return this.#moveTo("loop", time);
+    return this.#move("lipz_cursor_loop", this.#memory.time(time));
   }
 
   seek(time) {
-    this.#moveTo("seek", time);
+    this.#move("lipz_cursor_seek", this.#memory.time(time));
   }
 
   finish() {
@@ -138,30 +151,25 @@ export class Cursor {
   }
 
   get segment() {
-    return this.#clip.segmentOf(this.#ask(c.lipz_segment, "lipz_cursor_segment"));
+    return segmentOf(this.#memory, this.#ask(c.lipz_segment, "lipz_cursor_segment"));
   }
 
   /** What a character, or without a name the speaker, feels, stares and points at. */
   state(name) {
-    const memory = this.#memory;
     let address = 0;
     if (name !== undefined) {
-      const found = memory.ask(c.lipz_name, "lipz_event_name", memory.slot(BANK), ...memory.text(name));
-      // No event mentions the name, so nothing is known of it.
+      const found = this.#nameOf(name);
+      // No event mentions the name, so there is nothing to report of it.
       if (found === undefined) return { name, feels: undefined, staresAt: undefined, pointsAt: undefined };
-      address = memory.put(SECOND, c.lipz_name, found);
+      address = this.#memory.put(SECOND, c.lipz_name, found);
     }
     return this.#character(this.#ask(c.lipz_character, "lipz_cursor_character", address));
   }
 
   /** All characters that events of the clip are about, with their states. */
   characters() {
-    const characters = [];
-    for (;;) {
-      const found = this.#ask(c.lipz_character, "lipz_cursor_character_at", characters.length);
-      if (found === undefined) return characters;
-      characters.push(this.#character(found));
-    }
+    const found = this.#memory.askAll(c.lipz_character, "lipz_cursor_character_by_index", this.#address);
+    return found.map((character) => this.#character(character));
   }
 
   #character({ name, feels, stares_at, points_at }) {
@@ -172,12 +180,10 @@ export class Cursor {
 
 /** What a move has made due. */
 export class Due {
-  #clip;
   #memory;
   #bytes;
 
-  constructor(clip, memory, bytes) {
-    this.#clip = clip;
+  constructor(memory, bytes) {
     this.#memory = memory;
     this.#bytes = bytes;
   }
@@ -186,22 +192,21 @@ export class Due {
   #taken(type, name, read) {
     const memory = this.#memory;
     const taken = [];
-    let bytes = this.#bytes;
+    const cursor = memory.putBytes(FIRST, this.#bytes);
     for (;;) {
-      const found = memory.ask(type, name, memory.slot(BANK), memory.putBytes(FIRST, bytes));
+      const found = memory.ask(type, name, cursor);
       if (found === undefined) return taken;
-      bytes = memory.bytes(FIRST, c.lipz_cursor.size);
-      taken.push(read(found));
+      taken.push(read(memory, found));
     }
   }
 
   /** The events, in order; those that name no character are the speaker's. */
   get events() {
-    return this.#taken(c.lipz_event, "lipz_cursor_take_event", (event) => eventOf(this.#memory, event));
+    return this.#taken(c.lipz_event, "lipz_cursor_take_event", eventOf);
   }
 
   /** The segments, in order: for event strings in another syntax. */
   get segments() {
-    return this.#taken(c.lipz_segment, "lipz_cursor_take_segment", (segment) => this.#clip.segmentOf(segment));
+    return this.#taken(c.lipz_segment, "lipz_cursor_take_segment", segmentOf);
   }
 }

@@ -1,138 +1,218 @@
-// The memory of one instance of the module: files, strings and structs go in, answers come out.
+// The memory of one instance of the module, which has one dialogue: files, strings and structs go in, answers come out.
 
-import { lipz_string } from "./structs.js";
+import { LipzError, NONE, OK, remedyFor } from "./error.js";
+import { lipz_problem, lipz_string, lipz_time } from "./structs.js";
 
 const PAGE_BYTES = 65536;
-/** Room for one struct, longer than any. */
-const SLOT_BYTES = 256;
+/** The alignment of everything that is allocated: that of any struct, at least. */
+const ALIGN_BYTES = 64;
+/** Room for the first strings. */
+const TEXT_BYTES = 1024;
 
-/** Slots of the structs that are passed to functions, and of what they answer. */
-export const BANK = 0;
-export const FIRST = 1;
-export const SECOND = 2;
-export const THIRD = 3;
-export const FOURTH = 4;
-const ANSWER = 5;
+/** Slots of the structs that are passed to functions, and of their answers. */
+export const FIRST = 0;
+export const SECOND = 1;
+export const THIRD = 2;
+export const FOURTH = 3;
+const TIME = 4;
+const PROBLEM = 5;
+const ANSWER = 6;
+const SLOTS = 7;
 
-const LIPZ_OK = 0;
-const LIPZ_NONE = 256;
+/** The `rate_hz` of a time in seconds. */
+const SECONDS = 0xffffffff;
+/** The first `rate_hz` that is not one of samples. */
+const FIRST_UNIT = 0xfffffffe;
 
 const DECODER = new TextDecoder("utf-8", { ignoreBOM: true });
 const ENCODER = new TextEncoder();
 
-/** A file that is refused, or a call that makes no sense. */
-export class LipzError extends Error {
-  constructor(message, status, offsetBytes) {
-    super(message);
-    this.name = "LipzError";
-    this.status = status;
-    this.offsetBytes = offsetBytes;
-  }
-}
-
 export class Memory {
+  /** Room for one struct, longer than any that is passed in a slot. */
+  static SLOT_BYTES = 256;
+
+  /** The address of the dialogue, once it is open. */
+  dialogue = 0;
   #functions;
   #memory;
+  /** The first free byte; behind it, there is nothing. */
+  #end;
   #slots;
   #text;
+  /** Whether the last time was in seconds: then only the number changes. */
+  #isInSeconds = false;
+  /** The struct in each slot: the same one is not written again. */
+  #held = [];
+  #viewed;
 
   constructor({ exports: { memory, ...functions } }) {
     this.#memory = memory;
     this.#functions = functions;
-    this.#slots = this.#grow(PAGE_BYTES);
-    this.#text = { at: this.#grow(PAGE_BYTES), capacity: PAGE_BYTES };
+    // Rust owns what is there at the start: its stack and its constants.
+    this.#end = memory.buffer.byteLength;
+    this.#slots = this.allocate(SLOTS * Memory.SLOT_BYTES);
+    this.#text = { at: this.allocate(TEXT_BYTES), capacity: TEXT_BYTES };
+  }
+
+  /** Makes room for so many bytes, which stay, and returns their address. */
+  allocate(length) {
+    const at = Math.ceil(this.#end / ALIGN_BYTES) * ALIGN_BYTES;
+    const missing = at + length - this.#memory.buffer.byteLength;
+    if (missing > 0) this.#memory.grow(Math.ceil(missing / PAGE_BYTES));
+    this.#end = at + length;
+    return at;
+  }
+
+  /** Copies the bytes of a file and calls `use` with their address. If that throws an error, the room is free again. */
+  store(bytes, use) {
+    const end = this.#end;
+    try {
+      const at = this.allocate(bytes.byteLength);
+      this.bytes(at, bytes.byteLength).set(bytes);
+      return use(at);
+    } catch (error) {
+      this.#end = end;
+      throw error;
+    }
+  }
+
+  /** The bytes at an address, until the memory grows. */
+  bytes(at, length) {
+    return new Uint8Array(this.#memory.buffer, at, length);
   }
 
   /** The address of a slot. */
   slot(number) {
-    return this.#slots + number * SLOT_BYTES;
+    return this.#slots + number * Memory.SLOT_BYTES;
   }
 
-  /** Copies the bytes of a file into new pages, where they stay, and gives their address. */
-  add(bytes) {
-    const at = this.#grow(bytes.byteLength);
-    new Uint8Array(this.#memory.buffer).set(bytes, at);
+  /** Writes a struct into a slot and returns its address. No struct changes after that: a new one has new values. */
+  put(number, type, value) {
+    const at = this.slot(number);
+    if (this.#held[number] !== value) {
+      type.write(this.#view, at, value);
+      this.#held[number] = value;
+    }
     return at;
   }
 
-  /** Writes a struct into a slot and gives its address. */
-  put(number, type, value) {
-    type.write(this.#view(), this.slot(number), value);
-    return this.slot(number);
-  }
-
-  /** Writes the bytes of a struct into a slot and gives its address. */
+  /** Writes the bytes of a struct into a slot and returns its address. */
   putBytes(number, bytes) {
-    new Uint8Array(this.#memory.buffer).set(bytes, this.slot(number));
+    this.#held[number] = undefined;
+    this.bytes(this.slot(number), bytes.length).set(bytes);
     return this.slot(number);
   }
 
-  /** Copies the bytes of the struct that was answered last. */
-  answer(length) {
-    return this.bytes(ANSWER, length);
+  /** A copy of the bytes of the struct in a slot. */
+  copy(number, length) {
+    return this.bytes(this.slot(number), length).slice();
   }
 
-  /** Copies the bytes of a struct out of a slot. */
-  bytes(number, length) {
-    return new Uint8Array(this.#memory.buffer, this.slot(number), length).slice();
+  /** A copy of the bytes of the last answer. */
+  answer(length) {
+    return this.copy(ANSWER, length);
+  }
+
+  /** Reads a struct at an address. */
+  read(at, type) {
+    return type.read(this.#view, at);
+  }
+
+  /** Writes a struct to an address. */
+  write(at, type, value) {
+    type.write(this.#view, at, value);
   }
 
   /** Writes a string: address and length in bytes, until the next one is written. */
   text(string) {
     const bytes = ENCODER.encode(string);
     if (bytes.length > this.#text.capacity) {
-      this.#text = { at: this.#grow(bytes.length), capacity: bytes.length };
+      const capacity = Math.max(bytes.length, 2 * this.#text.capacity);
+      this.#text = { at: this.allocate(capacity), capacity };
     }
-    new Uint8Array(this.#memory.buffer).set(bytes, this.#text.at);
+    this.bytes(this.#text.at, bytes.length).set(bytes);
     return [this.#text.at, bytes.length];
   }
 
-  /** What stands in a slot. */
-  read(number, type) {
-    return type.read(this.#view(), this.slot(number));
+  /** Writes a time and returns its address. */
+  time(time) {
+    const at = this.slot(TIME);
+    const view = this.#view;
+    if (typeof time === "number" && this.#isInSeconds) {
+      view.setFloat64(at + lipz_time.places.seconds, time, true);
+      return at;
+    }
+    this.#isInSeconds = typeof time === "number";
+    const { count, seconds, rate_hz } = lipz_time.places;
+    const [units, inSeconds, rate] = timeOf(time);
+    view.setBigInt64(at + count, units, true);
+    view.setFloat64(at + seconds, inSeconds, true);
+    view.setUint32(at + rate_hz, rate, true);
+    return at;
   }
 
-  /** The string that `data` and `length_bytes` of a struct are about. */
+  /** Reads a string. */
   string({ data, length_bytes }) {
-    return DECODER.decode(new Uint8Array(this.#memory.buffer, data, length_bytes));
+    return DECODER.decode(this.bytes(data, length_bytes));
   }
 
-  /** Calls a function that opens or checks a file, and whose last argument tells where damage is. */
-  check(name, ...args) {
-    const status = this.#functions[name](...args, this.slot(ANSWER));
-    this.#must(status, this.#view().getUint32(this.slot(ANSWER), true));
-  }
-
-  /** Calls a function that answers nothing. */
-  call(name, ...args) {
-    this.#must(this.#functions[name](...args));
-  }
-
-  /** Calls a function whose last argument gets its answer; undefined if there is none. */
+  /** Asks the dialogue, with a function whose last argument takes the answer; undefined if there is none. */
   ask(type, name, ...args) {
+    const status = this.#functions[name](this.dialogue, ...args, this.slot(ANSWER));
+    if (status === NONE) return undefined;
+    this.must(status);
+    return type.read(this.#view, this.slot(ANSWER));
+  }
+
+  /** All answers to a question with an index. */
+  askAll(type, name, ...args) {
+    const answers = [];
+    for (;;) {
+      const answer = this.ask(type, name, ...args, answers.length);
+      if (answer === undefined) return answers;
+      answers.push(answer);
+    }
+  }
+
+  /** Calls a function with the dialogue, and returns its status. */
+  status(name, ...args) {
+    return this.#functions[name](this.dialogue, ...args);
+  }
+
+  /** Calls a function without the dialogue, and returns its status and its answer. */
+  call(type, name, ...args) {
     const status = this.#functions[name](...args, this.slot(ANSWER));
-    if (status === LIPZ_NONE) return undefined;
-    this.#must(status);
-    return this.read(ANSWER, type);
+    return { status, answer: type.read(this.#view, this.slot(ANSWER)) };
   }
 
-  /** Throws what a status other than that of success says. */
-  refuse(status) {
-    this.#must(status);
+  /** The address at which a function writes the file that it cannot use. */
+  get problem() {
+    return this.slot(PROBLEM);
   }
 
-  #must(status, offsetBytes) {
-    if (status === LIPZ_OK) return;
+  /** Throws an error if a status is not that of success. `nameOf` says the name of the file with a number. */
+  must(status, nameOf) {
+    if (status === OK) return;
     this.#functions.lipz_status_message(status, this.slot(ANSWER));
-    const message = this.string(this.read(ANSWER, lipz_string));
-    throw new LipzError(`${message} (lipz status ${status})`, status, offsetBytes);
+    const message = this.string(this.read(this.slot(ANSWER), lipz_string));
+    if (nameOf === undefined) throw new LipzError(`${message} (status ${status})`, { status });
+    const { file, offset_bytes: offsetBytes } = this.read(this.problem, lipz_problem);
+    const about = { file: nameOf(file), status, offsetBytes, remedy: remedyFor(status) };
+    throw new LipzError(`${message} (status ${status}, at byte ${offsetBytes})`, about);
   }
 
-  #view() {
-    return new DataView(this.#memory.buffer);
+  get #view() {
+    // The buffer is a new one when the memory has grown.
+    if (this.#viewed?.buffer !== this.#memory.buffer) this.#viewed = new DataView(this.#memory.buffer);
+    return this.#viewed;
   }
+}
 
-  #grow(lengthBytes) {
-    return this.#memory.grow(Math.ceil(lengthBytes / PAGE_BYTES)) * PAGE_BYTES;
-  }
+/** A time as `lipz_time` has it: whole units, seconds, and the rate or the unit. */
+function timeOf(time) {
+  if (typeof time === "number") return [0n, time, SECONDS];
+  if ("us" in time) return [BigInt(time.us), 0, 0];
+  const { position, rateHz } = time;
+  // Without a rate there is no time: as before the start.
+  return rateHz > 0 && rateHz < FIRST_UNIT ? [BigInt(position), 0, rateHz] : [-1n, 0, 0];
 }

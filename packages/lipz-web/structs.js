@@ -2,24 +2,18 @@
 //
 // Fields have the sizes and the alignments of C on wasm32, where pointers have 4 bytes.
 
-export const u32 = {
-  size: 4,
-  align: 4,
-  read: (view, at) => view.getUint32(at, true),
-  write: (view, at, value) => view.setUint32(at, value, true),
-};
-export const i32 = {
-  size: 4,
-  align: 4,
-  read: (view, at) => view.getInt32(at, true),
-  write: (view, at, value) => view.setInt32(at, value, true),
-};
-export const u64 = {
-  size: 8,
-  align: 8,
-  read: (view, at) => view.getBigUint64(at, true),
-  write: (view, at, value) => view.setBigUint64(at, value, true),
-};
+const number = (size, get, set) => ({
+  size,
+  align: size,
+  read: (view, at) => view[get](at, true),
+  write: (view, at, value) => view[set](at, value, true),
+});
+
+export const u32 = number(4, "getUint32", "setUint32");
+export const i32 = number(4, "getInt32", "setInt32");
+export const u64 = number(8, "getBigUint64", "setBigUint64");
+export const i64 = number(8, "getBigInt64", "setBigInt64");
+export const f64 = number(8, "getFloat64", "setFloat64");
 export const pointer = u32;
 export const lipz_viseme = { size: 1, align: 1, read: (view, at) => String.fromCharCode(view.getUint8(at)) };
 
@@ -36,12 +30,19 @@ function struct(fields) {
   }
   return {
     fields,
-    /** Where each field stands. */
+    /** The offset of each field in bytes. */
     places: Object.fromEntries(places.map(([name, at]) => [name, at])),
     size: aligned(end, align),
     align,
-    read: (view, start) => Object.fromEntries(places.map(([name, at, type]) => [name, type.read(view, start + at)])),
-    write: (view, start, value) => places.forEach(([name, at, type]) => type.write(view, start + at, value[name])),
+    // Loops: several structs are read in each rendered frame.
+    read(view, start) {
+      const value = {};
+      for (const [name, at, type] of places) value[name] = type.read(view, start + at);
+      return value;
+    },
+    write(view, start, value) {
+      for (const [name, at, type] of places) type.write(view, start + at, value[name]);
+    },
   };
 }
 
@@ -64,24 +65,30 @@ function aligned(at, align) {
 
 export const lipz_string = struct({ data: pointer, length_bytes: u32 });
 
-export const lipz_bank = struct({
-  data: pointer,
-  length_bytes: u32,
-  texts: pointer,
-  texts_length_bytes: u32,
-  places: array(u32, 34),
+export const lipz_dialogue = struct({ words: array(u32, 80) });
+
+export const lipz_file = struct({ words: array(u32, 80) });
+
+export const lipz_bytes = struct({ data: pointer, length_bytes: u32 });
+
+export const lipz_problem = struct({ file: u32, offset_bytes: u32 });
+
+export const lipz_dialogue_info_t = struct({
+  clip_count: u64,
+  file_count: u32,
+  locale_count: u32,
+  voice_count: u32,
+  reserved: u32,
 });
 
-export const lipz_bank_info_t = struct({
-  fingerprint: u64,
-  clip_count: u32,
-  locale_count: u32,
-  format_major: u32,
-  format_minor: u32,
-});
+export const lipz_file_info = struct({ checksum: u64, fingerprint: u64, kind: u32, clip_count: u32 });
+
+export const lipz_set_bank = struct({ file_name: lipz_string, checksum: u64, length_bytes: u32, clip_count: u32 });
 
 export const lipz_clip = struct({
   id: u64,
+  version: u32,
+  file: u32,
   slot: u32,
   frame_count: u32,
   segment_count: u32,
@@ -92,19 +99,31 @@ export const lipz_clip = struct({
   has_events: u32,
 });
 
+export const lipz_time = struct({ count: i64, seconds: f64, rate_hz: u32, reserved: u32 });
+
+export const lipz_segment = struct({
+  clip_id: u64,
+  version: u32,
+  file: u32,
+  slot: u32,
+  index: u32,
+  start_frame: u32,
+  end_frame: u32,
+});
+
 export const lipz_recording = struct({ length_us: u64, content_hash: u64 });
+
+export const lipz_voice = struct({ tag: lipz_string, version: u32, place: u32, is_original: u32 });
 
 export const lipz_voiced_clip = struct({ clip: lipz_clip, spoken: u32, reserved: u32 });
 
-export const lipz_segment = struct({ clip_id: u64, index: u32, start_frame: u32, end_frame: u32, reserved: u32 });
+export const lipz_locale = struct({ tag: lipz_string, version: u32, place: u32, is_default: u32 });
 
 export const lipz_text = struct({ data: pointer, length_bytes: u32, is_fallback: u32 });
 
-export const lipz_locale = struct({ tag: lipz_string, index: u32, is_default: u32, bank: u32 });
+export const lipz_name = struct({ name: lipz_string, bank: u32, id: u32 });
 
-export const lipz_name = struct({ name: lipz_string, id: u32, bank: u32 });
-
-export const lipz_event = struct({ character: lipz_name, object: lipz_name, verb: u32 });
+export const lipz_event = struct({ character: lipz_name, object: lipz_name, verb: u32, strength_thousandths: u32 });
 
 export const lipz_cursor = struct({
   size_bytes: u32,
@@ -133,21 +152,31 @@ export const lipz_character = struct({
   points_at: lipz_name,
 });
 
-export const lipz_curve = struct({ name: lipz_string, place: u32, key_count: u32, bank: u32 });
+export const lipz_babble = struct({ name: lipz_string, index: u32, version: u32 });
+
+export const lipz_weights = struct({ ooh: u32, aah: u32 });
+
+export const lipz_curve = struct({
+  name: lipz_string,
+  key_count: u32,
+  version: u32,
+  file: u32,
+  slot: u32,
+  place: u32,
+  fps_numerator: u32,
+  fps_denominator: u32,
+  reserved: u32,
+});
+
+export const lipz_curve_key_t = struct({ frame: u32, thousandths: i32 });
 
 export const lipz_curve_cursor = struct({ key: u32 });
-
-export const lipz_curve_key = struct({ frame: u32, thousandths: i32 });
 
 export const lipz_who = struct({ name: lipz_string, is_speaker: u32 });
 
 export const lipz_emotions = struct({ thousandths: array(i32, 12), strongest: u32, sum: i32 });
 
-export const lipz_babble = struct({ name: lipz_string, index: u32, bank: u32 });
-
-export const lipz_weights = struct({ ooh: u32, aah: u32 });
-
-export const lipz_face_profile = struct({ name: lipz_string, index: u32, bank: u32 });
+export const lipz_face_profile = struct({ name: lipz_string, index: u32, version: u32 });
 
 export const lipz_look_at = struct({ pitch: i32, yaw: i32, is_person: u32 });
 
@@ -161,23 +190,4 @@ export const lipz_face = struct({
   brows: i32,
   shrug: i32,
   breath: i32,
-});
-export const lipz_layered_clip = struct({ clip: lipz_clip, layer: u32, texts_layer: u32, texts_id: u64 });
-
-export const lipz_layered_voiced_clip = struct({ clip: lipz_layered_clip, spoken: u32, reserved: u32 });
-
-export const lipz_layered_locale = struct({ locale: lipz_locale, is_stand_in: u32 });
-
-export const lipz_layers_info_t = struct({ babble_layer: u32, default_locale_layer: u32, faces_layer: u32 });
-
-export const lipz_set = struct({ data: pointer, length_bytes: u32 });
-
-export const lipz_set_info_t = struct({ fingerprint: u64, clip_count: u64, bank_count: u32, moved_count: u32 });
-
-export const lipz_set_bank = struct({
-  file_name: lipz_string,
-  checksum: u64,
-  fingerprint: u64,
-  length_bytes: u32,
-  clip_count: u32,
 });

@@ -14,8 +14,8 @@ use std::process::Command;
 const CRATE: &str = "lipz-compiler";
 
 /// The features of its manifest, all but `full`, which the workspace builds.
-const FEATURES: [&str; 11] =
-    ["build", "cache", "diff", "ids", "inspect", "json", "parallel", "settings", "shards", "stats", "unpack"];
+const FEATURES: [&str; 12] =
+    ["build", "cache", "diff", "human", "ids", "inspect", "json", "parallel", "settings", "shards", "stats", "unpack"];
 
 /// Crates that a build script compiles with the features that are on by default, with the compiler itself and
 /// those of this project.

@@ -21,6 +21,9 @@ const BANKS: &str = "fixtures/banks/v1";
 /// A set, and its banks.
 const SETS: &str = "fixtures/banks/sets";
 
+/// The example, whose output is compared.
+const EXAMPLE: &str = "examples/node";
+
 /// The folders of the package, the first of which is the package itself.
 const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
 
@@ -40,6 +43,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     for file in &files {
         test(&package, file)?;
     }
+    example(&package)?;
     if !has_program("chromium") {
         return skip("chromium");
     }
@@ -71,7 +75,7 @@ fn package() -> Result<Option<PathBuf>, Failure> {
     };
     build(&toolchain)?;
     let package = paths::target_folder().join("web");
-    assemble(&package, &toolchain.release_folder())
+    assemble(&package, &toolchain.release_folder(), &crate::capi::layouts()?)
         .map_err(|error| format!("`{}` cannot be written: {error}", package.display()))?;
     println!("npm package: {}", package.display());
     compare_module(&package.join("lipz.wasm"))?;
@@ -107,7 +111,7 @@ fn build(toolchain: &Toolchain) -> Result<(), Failure> {
 }
 
 /// Puts the package together, in place of what is there; the module is in `built`.
-fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
+fn assemble(package: &Path, built: &Path, layouts: &Path) -> std::io::Result<()> {
     let root = paths::workspace_root();
     if package.exists() {
         fs::remove_dir_all(package)?;
@@ -127,6 +131,7 @@ fn assemble(package: &Path, built: &Path) -> std::io::Result<()> {
     fs::copy(root.join(CASES), package.join("test/cases.txt"))?;
     copy_files(&root.join(BANKS), &package.join("test/banks"))?;
     copy_files(&root.join(SETS), &package.join("test/sets"))?;
+    copy_folders(layouts, &package.join("test/layouts"))?;
     fs::copy(root.join("docs/FACE.md"), package.join("test/FACE.md"))?;
     copy_files(&root.join(PICTURES), &package.join("test/pictures"))?;
     Ok(())
@@ -141,6 +146,35 @@ fn copy_files(from: &Path, to: &Path) -> std::io::Result<()> {
             fs::copy(entry.path(), to.join(entry.file_name()))?;
         }
     }
+    Ok(())
+}
+
+/// Copies the folders in a folder, each with its files.
+fn copy_folders(from: &Path, to: &Path) -> std::io::Result<()> {
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        if entry.file_type()?.is_dir() {
+            copy_files(&entry.path(), &to.join(entry.file_name()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Runs the example from inside the package, which finds itself there by its name.
+fn example(package: &Path) -> Result<(), Failure> {
+    let from = paths::workspace_root().join(EXAMPLE);
+    let program = package.join("test/play.js");
+    let failed = |error| format!("`{EXAMPLE}`: {error}");
+    fs::copy(from.join("play.js"), &program).map_err(failed)?;
+    let expected = fs::read_to_string(from.join("expected.txt")).map_err(failed)?;
+    let bank = paths::workspace_root().join(BANKS).join("drama.lipzbank");
+    let output = Command::new("node").arg(&program).args(["act1/otto-ticking", "de-de"]).arg(bank).output();
+    let output = output.map_err(failed)?;
+    let found = String::from_utf8_lossy(&output.stdout);
+    if found != expected {
+        return Err(format!("`{EXAMPLE}` prints something else:\n{found}{}", String::from_utf8_lossy(&output.stderr)));
+    }
+    println!("{EXAMPLE}: as expected");
     Ok(())
 }
 

@@ -4,11 +4,12 @@
 //! `benches/instructions.txt`; `--bless` writes what is counted now.
 
 use clap::Parser;
-use lipz_bank::ClipId;
 use lipz_benches::{DEFAULT_SEED, callgrind, faces, layers, temporary_folder, write_clips};
+use lipz_compiler::shard::{Link, Shard, shard_of_key};
 use lipz_compiler::{Compiler, Input, Options};
 use std::collections::HashMap;
 use std::fmt::Write as _;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -48,13 +49,9 @@ const WHOLE_BANK: [&str; 1] = ["verify"];
 /// The one that is about no bank, but about files on their way into one.
 const PACKING: &str = "pack a file";
 /// Banks of the set that is asked.
-const SHARDS: u32 = 64;
-/// What is asked of many banks, how much it may take of what the same takes in one bank, in percent, and that.
-const RATIOS: [(&str, u64, &str); 3] = [
-    ("find in three layers", 150, "find by id"),
-    ("find by id in a set", 130, "find by id"),
-    ("find by key in a set", 130, "find by key"),
-];
+const SHARDS: NonZero<u16> = NonZero::new(64).expect("not 0");
+/// What dialogues are made of, and how much a question may take there of what it takes in one bank, in percent.
+const RATIOS: [(&str, u64); 3] = [("one bank", 120), ("stack", 150), ("set", 130)];
 
 fn main() -> Result<(), Failure> {
     let settings = Settings::parse();
@@ -106,37 +103,61 @@ fn limit_of(line: &str) -> Option<(&str, u64)> {
     Some((question, limit.parse().ok()?))
 }
 
-/// What takes more of what one bank takes than it may.
+/// The questions that take more in a dialogue than they may, of what they take in one bank.
 fn slow_among(counts: &HashMap<&str, u64>) -> Vec<String> {
-    let ratios = RATIOS
-        .iter()
-        .filter_map(|&(many, percent, one)| Some((many, percent, one, counts.get(many)?, counts.get(one)?)));
-    let slow = ratios.filter(|(_, percent, _, many, one)| *many * 100 > *one * percent);
-    slow.map(|(many, percent, one, ..)| format!("`{many}` takes more than {percent} % of `{one}`")).collect()
+    let ratio = |(asked, count): (&&str, &u64)| {
+        let (of, question) = asked.split_once(": ")?;
+        let (_, percent) = RATIOS.iter().find(|(dialogue, _)| *dialogue == of)?;
+        let in_bank = counts.get(question)?;
+        let is_slow = count * 100 > in_bank * percent;
+        is_slow.then(|| format!("`{asked}` takes {count}, more than {percent} % of `{question}`, {in_bank}"))
+    };
+    let mut slow: Vec<String> = counts.iter().filter_map(ratio).collect();
+    slow.sort_unstable();
+    slow
 }
 
-/// Writes the bank, the layers over it, the banks of a set of the same clips, and the bank about faces.
+/// Writes the bank, the patches over it, a set of the same clips, and the bank about faces.
 fn write_banks(bank: &Path) -> Result<(), Failure> {
     let files = lipz_benches::files(CLIPS, LOCALES);
-    let bytes = bank_of(files.iter())?;
+    let bytes = compiler().compile(&inputs_of(&files)).into_bank().map_err(|error| error.to_string())?;
     let (patch, addition) = layers::over(&bytes, CLIPS)?;
     let faces = faces::bank(DEFAULT_SEED, LINES_WITH_FACES)?;
     let write = |extension: &str, bytes: &[u8]| std::fs::write(bank.with_extension(extension), bytes);
     for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition), ("faces", &faces)] {
         write(extension, bytes).map_err(|error| error.to_string())?;
     }
-    for shard in 0..SHARDS {
-        let is_in_it = |key: &str| lipz_layout::shard_of(ClipId::from_key(key).get(), SHARDS) == shard;
-        let bytes = bank_of(files.iter().filter(|(key, _)| is_in_it(key)))?;
-        write(&format!("shard{shard}"), &bytes).map_err(|error| error.to_string())?;
+    write_set(bank, &inputs_of(&files))
+}
+
+/// Writes the set as `lipz link` does, and its banks once more under names with their numbers.
+fn write_set(bank: &Path, inputs: &[Input]) -> Result<(), Failure> {
+    let compiler = compiler();
+    let shard_of = |input: &Input| shard_of_key(&input.key, compiler.options().get_voices(), SHARDS);
+    let mut objects = Vec::new();
+    for shard in 0..SHARDS.get() {
+        let own: Vec<Input> = inputs.iter().filter(|input| shard_of(input) == shard).cloned().collect();
+        let object =
+            compiler.object(&own, &Shard::new(shard, SHARDS.get())).into_bank().map_err(|error| error.to_string())?;
+        let path = bank.with_extension(format!("object{shard}"));
+        std::fs::write(&path, object).map_err(|error| error.to_string())?;
+        objects.push(path);
+    }
+    let link = Link::open(&objects).map_err(|reports| reports.iter().map(ToString::to_string).collect::<String>())?;
+    let linked = compiler.link_to_set(&link, &bank.with_extension("lipzset"));
+    let files = linked.files.ok_or("the generated clips have errors")?;
+    for (shard, file) in files.banks.iter().enumerate() {
+        std::fs::copy(&file.path, bank.with_extension(format!("shard{shard}"))).map_err(|error| error.to_string())?;
     }
     Ok(())
 }
 
-fn bank_of<'f>(files: impl Iterator<Item = &'f (String, String)>) -> Result<Vec<u8>, Failure> {
-    let inputs: Vec<Input> = files.map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
-    let compiled = Compiler::new(Options::new().strip(true)).compile(&inputs);
-    compiled.bank.ok_or_else(|| "the generated clips have errors".to_owned())
+fn compiler() -> Compiler<'static> {
+    Compiler::new(Options::new().strip(true))
+}
+
+fn inputs_of(files: &[(String, String)]) -> Vec<Input> {
+    files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect()
 }
 
 /// Instructions of one answer: what twice as many take more.
@@ -172,8 +193,9 @@ mod tests {
 
     #[test]
     fn many_banks_take_little_more_than_one() {
-        let counts = |layers| HashMap::from([("find by id", 100), ("find in three layers", layers)]);
+        let counts = |stack| HashMap::from([("find by id", 100), ("stack: find by id", stack), ("face: whole", 900)]);
         assert_eq!(slow_among(&counts(150)), Vec::<String>::new());
-        assert_eq!(slow_among(&counts(151)), ["`find in three layers` takes more than 150 % of `find by id`"]);
+        let found = "`stack: find by id` takes 151, more than 150 % of `find by id`, 100";
+        assert_eq!(slow_among(&counts(151)), [found]);
     }
 }

@@ -74,7 +74,7 @@ fn measured(work: Work, seconds: usize) -> Result<(), Failure> {
     let start = ProcessTime::now();
     let sound = Sound::read(source, Some("wav")).map_err(|error| error.to_string())?;
     let aligner = Aligner::new(Model::english(), AlignOptions::default());
-    let mouth = |alignment| render(&alignment, VisemeType::Blair, FILM, &RenderRules::default());
+    let mouth = |alignment| render(&alignment, FILM, VisemeType::Blair, &RenderRules::default());
     let (name, mouth) = match work {
         Work::Text => {
             let script = Pronouncer::new(Language::ENGLISH).script(&text);

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let [folder, bank] = arguments.as_slice() else { return Err("usage: packing FOLDER BANK".into()) };
-    let (inputs, _) = discover(std::slice::from_ref(folder), None);
-    Compiler::new(Options::new().default_locale("en-us").threads(1)).pack(&inputs, bank).into_bank()?;
+    let inputs = discover(std::slice::from_ref(folder), None)?;
+    Compiler::new(Options::new().default_locale("en-us")?.threads(1)).pack(&inputs, bank).into_bank()?;
     Ok(())
 }

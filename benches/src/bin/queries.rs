@@ -1,12 +1,18 @@
 //! The program whose instructions `cargo xtask instructions` counts: asks a bank of the generator's
 //! clips the same kind of question a number of times.
 //!
-//! `queries BANK QUESTION TIMES`; beside the bank lie layers over it, with the extensions `patch` and `mod`, its clips as
-//! a set, with the extensions `shard0`, `shard1` and so on, and a bank about faces, with `faces`.
+//! `queries BANK QUESTION TIMES`; next to the bank are patches over it, with the extensions `patch` and `mod`, its clips as
+//! a set, whose index has the extension `lipzset` and whose banks have `shard0`, `shard1` and so on, and a bank about faces, with
+//! `faces`. A question about the bank itself is also asked of a dialogue: of the bank alone (`one bank: …`), of the bank and its
+//! patches (`stack: …`), and of the set (`set: …`).
 
-use lipz_bank::{Bank, BankSet, Clip, ClipId, Cursor, CurveCursor, Layers, LookAt, Micros, Seconds};
+use lipz_bank::curve::CurveCursor;
+use lipz_bank::face::{LookAt, Who};
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Bank, Clip, ClipId, Cursor, Dialogue, Locale, Micros, Seconds};
 use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use std::hint::black_box;
+use std::path::Path;
 
 /// Microseconds between two frames of a display.
 const TICK_US: usize = 16_667;
@@ -15,27 +21,35 @@ const DRAWN: usize = 10_000;
 /// No clip of the generator is longer.
 const LONGEST_US: usize = 12_000_000;
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [path, question, times] = arguments.as_slice() else {
         return Err("usage: queries BANK QUESTION TIMES".into());
     };
     let bytes = std::fs::read(path)?;
     let times = times.parse()?;
-    // The layers over the bank and the banks of the set, made before: that does not count.
-    let beside = |name: &str| std::fs::read(std::path::Path::new(path).with_extension(name)).unwrap_or_default();
-    if let Some(question) = question.strip_prefix("face: ") {
-        return ask_faces(&beside("faces"), question, times);
+    // All files are read for each question: then what it takes to read them does not count.
+    let beside = |name: &str| std::fs::read(Path::new(path).with_extension(name)).unwrap_or_default();
+    let shards = (0..).map(|shard: usize| beside(&format!("shard{shard}"))).take_while(|shard| !shard.is_empty());
+    let set: Vec<Vec<u8>> = [beside("lipzset")].into_iter().chain(shards).collect();
+    let stack = [bytes, beside("patch"), beside("mod")];
+    let (of, question) = question.split_once(": ").unwrap_or(("", question));
+    match of {
+        "" => ask_bank(&stack[0], question, times),
+        "face" => ask_faces(&beside("faces"), question, times),
+        "one bank" => ask_dialogue(&stack[..1], question, times),
+        "stack" => ask_dialogue(&stack, question, times),
+        "set" => ask_dialogue(&set, question, times),
+        _ => Err(format!("no such question: {of}").into()),
     }
-    let shards = (0..).map(|shard: usize| beside(&format!("shard{shard}")));
-    let shards: Vec<Vec<u8>> = shards.take_while(|shard| !shard.is_empty()).collect();
-    ask([&bytes, &beside("patch"), &beside("mod")], &shards, question, times)
 }
 
 /// Questions about curves, of lines with seven of them.
-fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn std::error::Error>> {
+fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
     let bank = Bank::open(bytes)?.verify()?;
-    let clips: Vec<Clip<'_, '_>> = bank.clips().collect();
+    let clips: Vec<Clip<'_>> = bank.clips().collect();
     let jaws: Vec<_> = clips.iter().filter_map(|clip| clip.curve("jawOpen")).collect();
     let (name, profile) = (bank.event_name("jawOpen").ok_or("no jaw")?, bank.default_face_profile());
     let mut random = Random::new(DEFAULT_SEED, 0);
@@ -43,81 +57,113 @@ fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Box<dyn s
         (0..DRAWN).map(|_| (random.between(0, clips.len() - 1), random.between(0, LONGEST_US) as i64)).collect();
     let asked = drawn.into_iter().cycle().take(times);
     match question {
-        "find a curve" => asked.for_each(|(at, _)| _ = black_box(clips[at].curve_named(name))),
+        "find a curve" => asked.for_each(|(at, _)| _ = black_box(clips[at].curve(name))),
         "a curve at a time" => asked.for_each(|(at, time_us)| _ = black_box(jaws[at].value_at(Micros(time_us)))),
         "a tick of a curve" => {
             let mut cursor = CurveCursor::new();
             let time = |tick: usize| Micros((tick * TICK_US % LONGEST_US) as i64);
             (0..times).for_each(|tick| _ = black_box(cursor.value_at(&jaws[0], time(tick))));
         }
-        "emotions" => asked.for_each(|(at, time_us)| _ = black_box(clips[at].emotions_at(Micros(time_us)))),
+        "emotions" => {
+            asked.for_each(|(at, time_us)| _ = black_box(clips[at].emotions_at(Micros(time_us), Who::Speaker)));
+        }
         "whole" => asked.for_each(|(at, time_us)| {
-            black_box(clips[at].face_at(Micros(time_us), &profile, LookAt::AHEAD));
+            black_box(clips[at].face_at(Micros(time_us), Who::Speaker, &profile, LookAt::AHEAD));
         }),
         _ => return Err(format!("no such question: {question}").into()),
     }
     Ok(())
 }
 
-fn ask(
-    [bytes, patch, addition]: [&[u8]; 3],
-    shards: &[Vec<u8>],
-    question: &str,
-    times: usize,
-) -> Result<(), Box<dyn std::error::Error>> {
-    let bank = Bank::open(bytes)?.verify()?;
-    let locale = bank.locale("de-de").ok_or("the bank has no German")?;
-    let keys: Vec<String> = (0..bank.clip_count()).map(clip_key).collect();
+/// Questions that only a bank answers, and then those that a dialogue answers, too.
+fn ask_bank(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
+    match question {
+        "open" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)))),
+        "verify" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)).and_then(Bank::verify))),
+        _ => {
+            let bank = Bank::open(bytes)?.verify()?;
+            let locale = bank.locale("de-de").ok_or("the bank has no German")?;
+            return ask(&bank, bank.clip_count(), locale, question, times);
+        }
+    }
+    Ok(())
+}
+
+/// The same questions of a dialogue of these files.
+fn ask_dialogue(contents: &[Vec<u8>], question: &str, times: usize) -> Result<(), Failure> {
+    let mut files = vec![DialogueFile::ABSENT; contents.len()];
+    let dialogue = Dialogue::open(&mut files, contents.iter().map(Vec::as_slice))?;
+    let locale = dialogue.locale("de-de").ok_or("the dialogue has no German")?;
+    ask(&dialogue, dialogue.clip_count(), locale, question, times)
+}
+
+/// What is asked: a bank or a dialogue.
+trait Asked {
+    fn clip(&self, id: ClipId) -> Option<Clip<'_>>;
+    fn clip_by_key(&self, key: &str) -> Option<Clip<'_>>;
+}
+
+impl Asked for Bank<'_> {
+    #[inline(always)]
+    fn clip(&self, id: ClipId) -> Option<Clip<'_>> {
+        Bank::clip(self, id)
+    }
+
+    #[inline(always)]
+    fn clip_by_key(&self, key: &str) -> Option<Clip<'_>> {
+        Bank::clip_by_key(self, key)
+    }
+}
+
+impl Asked for Dialogue<'_> {
+    #[inline(always)]
+    fn clip(&self, id: ClipId) -> Option<Clip<'_>> {
+        Dialogue::clip(self, id)
+    }
+
+    #[inline(always)]
+    fn clip_by_key(&self, key: &str) -> Option<Clip<'_>> {
+        Dialogue::clip_by_key(self, key)
+    }
+}
+
+fn ask(asked: &impl Asked, clip_count: usize, locale: Locale, question: &str, times: usize) -> Result<(), Failure> {
+    let keys: Vec<String> = (0..clip_count).map(clip_key).collect();
     let ids: Vec<ClipId> = keys.iter().map(|key| ClipId::from_key(key)).collect();
-    let clips: Vec<Clip<'_, '_>> = ids.iter().filter_map(|id| bank.clip(*id)).collect();
+    let clips: Vec<Clip<'_>> = ids.iter().filter_map(|id| asked.clip(*id)).collect();
     let mut random = Random::new(DEFAULT_SEED, 0);
     // Where and when: as many for any number of questions, so that drawing does not count.
     let drawn: Vec<(usize, i64)> =
         (0..DRAWN).map(|_| (random.between(0, clips.len() - 1), random.between(0, LONGEST_US) as i64)).collect();
-    let asked = drawn.into_iter().cycle().take(times);
+    let drawn = drawn.into_iter().cycle().take(times);
     match question {
-        "open" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)))),
-        "verify" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)).and_then(Bank::verify))),
-        "find by id" => asked.for_each(|(at, _)| _ = black_box(bank.clip(ids[at]))),
-        "find by key" => asked.for_each(|(at, _)| _ = black_box(bank.clip_by_key(&keys[at]))),
+        "find by id" => drawn.for_each(|(at, _)| _ = black_box(asked.clip(ids[at]))),
+        "find by key" => drawn.for_each(|(at, _)| _ = black_box(asked.clip_by_key(&keys[at]))),
         "find nothing" => {
-            asked.for_each(|(at, _)| _ = black_box(bank.clip(ClipId::from_u64(ids[at].get() ^ 1))));
+            drawn.for_each(|(at, _)| _ = black_box(asked.clip(ClipId::from_u64(ids[at].get() ^ 1))));
         }
-        "find by id in a set" | "find by key in a set" => {
-            let banks: Vec<Bank<'_>> = shards.iter().map(|shard| Bank::open(shard)).collect::<Result<_, _>>()?;
-            let set = BankSet::new(&banks)?.verify()?;
-            match question {
-                "find by id in a set" => asked.for_each(|(at, _)| _ = black_box(set.clip(ids[at]))),
-                _ => asked.for_each(|(at, _)| _ = black_box(set.clip_by_key(&keys[at]))),
-            }
-        }
-        // A base with a patch of every hundredth clip and a mod of every thousandth over it.
-        "find in three layers" | "text in three layers" => {
-            let banks = [bank, Bank::open(patch)?.verify()?, Bank::open(addition)?.verify()?];
-            let layers = Layers::new(banks)?;
-            let german = layers.locale("de-de").ok_or("the stack has no German")?;
-            if question == "find in three layers" {
-                asked.for_each(|(at, _)| _ = black_box(layers.clip(ids[at])));
-            } else {
-                let clips: Vec<_> = ids.iter().filter_map(|id| layers.clip(*id)).collect();
-                asked.for_each(|(at, time_us)| {
-                    let segment = clips[at].segment_at(Micros(time_us));
-                    black_box(segment.and_then(|segment| clips[at].text(segment.index(), &german)));
-                });
-            }
-        }
-        "frame" => asked.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Micros(time_us)))),
-        "segment and text" => asked.for_each(|(at, time_us)| {
+        "frame" => drawn.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Micros(time_us)))),
+        "segment and text" => drawn.for_each(|(at, time_us)| {
             let segment = clips[at].segment_at(Micros(time_us));
             black_box(segment.and_then(|segment| segment.text(locale)));
         }),
+        "frame by seconds" => {
+            drawn.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Seconds(time_us as f64 * 1e-6))));
+        }
+        // Of the stack, too, a clip of the bank: patches change every hundredth.
+        _ => return follow(&clips[1], locale, question, times),
+    }
+    Ok(())
+}
+
+/// Questions of a game that plays a clip, for each rendered frame.
+fn follow(clip: &Clip<'_>, locale: Locale, question: &str, times: usize) -> Result<(), Failure> {
+    match question {
         "tick" => {
-            let clip = clips[0];
             (0..times).for_each(|tick| _ = black_box(clip.viseme_at(Micros((tick * TICK_US % LONGEST_US) as i64))));
         }
         // The same with the segment, and its text and its events when it has changed: a game without a cursor.
         "tick with segment, text and event on change" => {
-            let clip = clips[0];
             let mut shown = None;
             for tick in 0..times {
                 let time = Micros((tick * TICK_US % LONGEST_US) as i64);
@@ -132,24 +178,20 @@ fn ask(
                 }
             }
         }
-        // The same with what a game does for each picture: events, mouth and text.
+        // The same with a cursor: events, mouth and text.
         "cursor" => {
-            let clip = clips[0];
             let length_us = usize::try_from(clip.duration_us().ok_or("the clip has no frame rate")?)?;
-            let mut cursor = Cursor::new(&clip).ok_or("the clip has no frame rate")?;
+            let mut cursor = Cursor::new(clip).ok_or("the clip has no frame rate")?;
             for tick in 0..times {
                 let time = Micros((tick * TICK_US % length_us) as i64);
                 if tick * TICK_US % length_us < TICK_US {
-                    cursor.seek(&clip, time);
+                    cursor.seek(clip, time);
                 }
-                for event in cursor.advance_to(&clip, time).events() {
+                for event in cursor.advance_to(clip, time).events() {
                     black_box(event);
                 }
-                black_box(cursor.viseme(&clip));
+                black_box(cursor.viseme(clip));
             }
-        }
-        "frame by seconds" => {
-            asked.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Seconds(time_us as f64 * 1e-6))));
         }
         _ => return Err(format!("no such question: {question}").into()),
     }

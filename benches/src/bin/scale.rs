@@ -7,7 +7,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use lipz_bank::ClipId;
 use lipz_benches::{DEFAULT_SEED, parse_locale_count, temporary_folder, write_clips};
 use lipz_compiler::shard::{Link, Shard, shard_of};
-use lipz_compiler::{Compiled, Compiler, Input, Options, discover};
+use lipz_compiler::{Compiled, Compiler, Input, Options, discover_with_reports};
 use std::fmt::Write as _;
 use std::fs;
 use std::num::NonZero;
@@ -120,7 +120,7 @@ fn in_child(step: Step, folder: &Path, shards: NonZero<u16>) -> Result<Took, Str
 }
 
 fn run(step: Step, folder: &Path, shards: NonZero<u16>) -> Result<(), String> {
-    let compiler = Compiler::new(Options::new().default_locale("en-us").threads(1));
+    let compiler = Compiler::new(Options::new().default_locale("en-us").map_err(|error| error.to_string())?.threads(1));
     let object = |shard: u16| folder.join(format!("{shard}-of-{shards}.lipzobj"));
     let objects = || -> Vec<PathBuf> { (0..shards.get()).map(object).collect() };
     let link = || Link::open(&objects()).map_err(|reports| format!("{reports:?}"));
@@ -152,7 +152,7 @@ fn run(step: Step, folder: &Path, shards: NonZero<u16>) -> Result<(), String> {
 }
 
 fn inputs(folder: &Path) -> Vec<Input> {
-    discover(&[folder.join("clips")], None).0
+    discover_with_reports(&[folder.join("clips")], None).0
 }
 
 fn of<B>(compiled: &Compiled<B>) -> Result<(), String> {

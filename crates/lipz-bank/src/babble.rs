@@ -1,11 +1,12 @@
 //! Babble: a mouth that moves while somebody speaks whose mouth shapes nobody knows.
 
-use crate::{Bank, Fps, Time, Weight};
+use crate::{Bank, Fps, Time};
 use core::fmt;
-use core::iter::FusedIterator;
 use lipz_layout::{BabbleRecord, Tag};
 use lipz_types::StoredFps;
 use zerocopy::FromBytes;
+
+pub use lipz_types::Weight;
 
 /// What moves the mouth while somebody babbles.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -65,7 +66,8 @@ impl<M: FnOnce() -> P, P: Power> Power for M {
 /// "LipSync", "How to babble").
 ///
 /// ```
-/// use lipz_bank::{Babble, VoiceLevel, Micros};
+/// use lipz_bank::Micros;
+/// use lipz_bank::babble::{Babble, VoiceLevel};
 /// let babble = Babble::DEFAULT; // or that of a bank: bank.default_babble(), bank.babble("robot")
 /// let since_speech_began = Micros(250_000);
 /// let mouth = babble.at(since_speech_began, 0.8); // the power of the voice
@@ -194,33 +196,13 @@ impl<'data> Bank<'data> {
     }
 
     /// All babble profiles of the bank, in the order of their names.
-    pub fn babbles(&self) -> Babbles<'data> {
-        Babbles { bytes: self.file.section(Tag::BABBLE) }
-    }
-}
-
-/// The babble profiles of a bank in the order of their names.
-#[derive(Clone)]
-pub struct Babbles<'data> {
-    pub(crate) bytes: &'data [u8],
-}
-
-impl<'data> Iterator for Babbles<'data> {
-    type Item = Babble<'data>;
-
-    fn next(&mut self) -> Option<Babble<'data>> {
-        // A damaged profile ends the iteration.
-        let (babble, rest) = Babble::split_first(self.bytes)?;
-        self.bytes = rest;
-        Some(babble)
-    }
-}
-
-impl FusedIterator for Babbles<'_> {}
-
-/// The profiles that are left.
-impl fmt::Debug for Babbles<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(self.clone()).finish()
+    pub fn babbles(&self) -> impl Iterator<Item = Babble<'data>> + Clone {
+        let mut rest = self.file.section(Tag::BABBLE);
+        core::iter::from_fn(move || {
+            // A damaged profile ends the iteration.
+            let (babble, behind) = Babble::split_first(rest)?;
+            rest = behind;
+            Some(babble)
+        })
     }
 }

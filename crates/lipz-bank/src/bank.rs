@@ -1,11 +1,14 @@
-//! Opening a bank and finding its clips and locales.
+//! Opening a bank and finding its clips.
 
-use crate::file::{ALL_SECTIONS, File, Sections, entries, place};
+use crate::clip::Clips;
+use crate::file::{ALL_SECTIONS, File, Sections, TEXT_SECTIONS, entries, place};
 use crate::locale::LocaleTable;
-use crate::origin::Origin;
+use crate::origin::{Origin, add_checksum};
 use crate::pool::Pool;
-use crate::{Clip, ClipId, Clips, Error, EventName, Locale, Locales};
+use crate::{Clip, ClipId, Error, ErrorKind};
 use core::fmt;
+use core::mem::size_of;
+use core::sync::atomic::{Ordering, compiler_fence};
 use lipz_layout::{ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecord, Tag, TypedEventRecord, U32};
 
 /// A bank, used in place: a few slices into the caller's bytes.
@@ -15,6 +18,12 @@ use lipz_layout::{ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecor
 #[derive(Clone, Copy)]
 pub struct Bank<'data> {
     pub(crate) file: File<'data>,
+    /// What the handles of this bank have.
+    pub(crate) origin: Origin,
+    /// The number of the bank among the files of its dialogue.
+    pub(crate) number: u32,
+    /// The hash of the list of its locales, in a dialogue.
+    pub(crate) locale_list: u32,
     pub(crate) clips: &'data [ClipRecord],
     pub(crate) keys: &'data [KeyRecord],
     pub(crate) rates: &'data [RateRecord],
@@ -22,6 +31,9 @@ pub struct Bank<'data> {
     pub(crate) key_order: &'data [U32],
     pub(crate) frames: &'data [u8],
     pub(crate) starts: &'data [U32],
+    /// Keys of clips, and tags of locales.
+    pub(crate) names: Pool<'data>,
+    /// The locales, which may be those of a text bank.
     pub(crate) texts: LocaleTable<'data>,
     pub(crate) event_refs: &'data [U32],
     pub(crate) events: &'data [EventRecord],
@@ -38,7 +50,16 @@ impl<'data> Bank<'data> {
     /// When the bytes are not a bank of a known format version, were cut off, or have a directory
     /// that leads out of them.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let file = Bank::open_file(bytes)?;
+        let file = File::open(bytes)?;
+        if file.has_texts_only() {
+            return Err(Error::new(ErrorKind::TextsOnly, 0));
+        }
+        Bank::of_file(file)
+    }
+
+    /// The bank in a file that has clips.
+    #[inline(always)]
+    pub(crate) fn of_file(file: File<'data>) -> Result<Bank<'data>, Error> {
         let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
         file.find(ALL_SECTIONS, &mut found)?;
         Ok(Bank::from_sections(file, &found))
@@ -50,6 +71,9 @@ impl<'data> Bank<'data> {
         let starts: &[U32] = entries(found[place::STARTS]);
         Bank {
             file,
+            origin: Origin::of_file(file.header),
+            number: 0,
+            locale_list: 0,
             clips: entries(found[place::CLIPS]),
             keys: entries(found[place::KEYS]),
             rates: entries(found[place::RATES]),
@@ -57,6 +81,7 @@ impl<'data> Bank<'data> {
             key_order: entries(found[place::KEY_ORDER]),
             frames: found[place::FRAMES],
             starts,
+            names: Pool::Bytes(found[place::NAMES]),
             texts: LocaleTable::new(found, starts.len().saturating_sub(1)),
             event_refs: entries(found[place::EVENT_REFS]),
             events: entries(found[place::EVENTS]),
@@ -112,6 +137,59 @@ impl<'data> Bank<'data> {
         crate::verify::tables(*self)
     }
 
+    /// Opens and verifies the text bank that fills `bytes`, and returns the bank with its locales in place of its own.
+    ///
+    /// A program that has one language in memory packs with `--split-locales`, and opens the bank with the text bank of the
+    /// language. A [`Dialogue`](crate::Dialogue) takes several at the same time.
+    ///
+    /// ```
+    /// use lipz_bank::{Bank, Error};
+    ///
+    /// # fn main() -> Result<(), Error> {
+    /// # let base: &[u8] = include_bytes!("../examples/act1.lipzbank");
+    /// # let german = base; // a whole bank is accepted, too
+    /// let bank = Bank::open(base)?.verify()?.with_texts(german)?;
+    /// let segment = bank.clip_by_key("act1/mara-good-evening").and_then(|clip| clip.segment(0));
+    /// let text = segment.zip(bank.locale("de-de")).and_then(|(segment, german)| segment.text(german));
+    /// assert_eq!(text.map(|text| text.as_str()), Some("Guten Abend, Otto."));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Bank::verify`]; when the texts belong to other clips, or when the bank itself is not
+    /// [verified](Bank::is_verified).
+    pub fn with_texts(self, bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
+        let (file, mut table) = self.open_texts(bytes)?;
+        crate::verify::text_file(&file, &mut table, &self, crate::verify::core_utf8)?;
+        Ok(self.with_table(&file, table))
+    }
+
+    /// Like [`Bank::with_texts`], without verifying anything, in a time that depends only on the number of sections.
+    ///
+    /// # Errors
+    /// As [`Bank::open`], and when the texts belong to other clips.
+    pub fn with_texts_unverified(self, bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
+        let (file, table) = self.open_texts(bytes)?;
+        Ok(self.with_table(&file, table))
+    }
+
+    /// The table of a text bank for the clips of this bank.
+    fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<(File<'texts>, LocaleTable<'texts>), Error> {
+        let file = File::open(bytes)?;
+        let table = text_table(&file, self.texts.segment_count)?;
+        if file.header.fingerprint.get() != self.fingerprint() {
+            return Err(Error::new(ErrorKind::OtherClips, 24));
+        }
+        Ok((file, table))
+    }
+
+    /// The bank with the locales of another file. Handles of its own locales do not count any more.
+    fn with_table(self, file: &File<'data>, texts: LocaleTable<'data>) -> Bank<'data> {
+        let origin = Origin::of_hash(add_checksum(self.checksum(), file.header.checksum.get()));
+        Bank { texts, origin, ..self }
+    }
+
     /// Whether the bank came from [`Bank::verify`], [`Bank::verify_with`] or [`Bank::verify_lines`], which leaves out some sections.
     pub const fn is_verified(&self) -> bool {
         self.event_strings.is_checked()
@@ -125,39 +203,45 @@ impl<'data> Bank<'data> {
 
     /// The clip with this id: one pilot, two records, no loop.
     #[inline]
-    pub fn clip(&self, id: ClipId) -> Option<Clip<'data, '_>> {
+    pub fn clip(&self, id: ClipId) -> Option<Clip<'_>> {
         let (slot, _) = self.find(id)?;
         self.clip_at(slot)
     }
 
     /// The clip with this key, compared whole.
     #[inline]
-    pub fn clip_by_key(&self, key: &str) -> Option<Clip<'data, '_>> {
-        self.clip_with_key(ClipId::from_key(key), key)
-    }
-
-    /// The clip with this key, of which this is the id.
-    #[inline]
-    pub(crate) fn clip_with_key(&self, id: ClipId, key: &str) -> Option<Clip<'data, '_>> {
-        let (slot, record) = self.find(id)?;
+    pub fn clip_by_key(&self, key: &str) -> Option<Clip<'_>> {
+        let (slot, record) = self.find(ClipId::from_key(key))?;
         if self.key_bytes(record)? == key.as_bytes() { self.clip_at(slot) } else { None }
     }
 
     /// The clip in this slot, a number below [`Bank::clip_count`]. Slots are in no order that means anything.
     #[inline]
-    pub fn clip_at(&self, slot: u32) -> Option<Clip<'data, '_>> {
-        let record = self.clips.get(slot as usize)?;
-        Some(Clip::new(self, record, slot))
+    pub fn clip_at(&self, slot: u32) -> Option<Clip<'_>> {
+        Clip::new(self, slot, None, true)
+    }
+
+    /// The number of the clip with this record, which is one of the table.
+    #[inline]
+    pub(crate) fn slot_of(&self, record: &ClipRecord) -> u32 {
+        let table = self.clips.as_ptr() as usize;
+        let offset_bytes = (record as *const ClipRecord as usize).wrapping_sub(table);
+        const CLIP_BYTES: usize = size_of::<ClipRecord>();
+        offset_bytes.checked_div(CLIP_BYTES).unwrap_or(0) as u32
     }
 
     /// All clips in the order of their keys.
-    pub fn clips(&self) -> Clips<'data, '_> {
+    pub fn clips(&self) -> impl Iterator<Item = Clip<'_>> + Clone + '_ {
         Clips::new(self, 0, self.key_order.len())
     }
 
     /// The clips whose keys start with `prefix`, in the order of their keys: `act1/` gives those of
     /// a folder.
-    pub fn clips_under(&self, prefix: &str) -> Clips<'data, '_> {
+    pub fn clips_under(&self, prefix: &str) -> impl Iterator<Item = Clip<'_>> + Clone + '_ {
+        self.clips_from(prefix)
+    }
+
+    pub(crate) fn clips_from(&self, prefix: &str) -> Clips<'_> {
         let prefix = prefix.as_bytes();
         let key_at = |position: &U32| self.keys.get(position.get() as usize).and_then(|record| self.key_bytes(record));
         let first = self.key_order.partition_point(|at| key_at(at).map_or(true, |key| key < prefix));
@@ -168,7 +252,7 @@ impl<'data> Bank<'data> {
 
     /// The slot that the index names for `id`, and the key record there, if it has that id.
     // Long code where 64-bit products are not instructions.
-    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn find(&self, id: ClipId) -> Option<(u32, &'data KeyRecord)> {
         let spread = lipz_layout::spread(id.get(), self.file.header.index_seed.get());
@@ -176,47 +260,18 @@ impl<'data> Bank<'data> {
         let pilot = self.pilots.get(bucket as usize)?.get();
         let slot = lipz_layout::slot_of(spread, pilot, self.clips.len() as u32);
         let record = self.keys.get(slot as usize)?;
-        if record.id.get() == id.get() { Some((slot, record)) } else { None }
+        if record.id.get() != id.get() {
+            keep_branch();
+            return None;
+        }
+        Some((slot, record))
     }
 
     /// The key of a clip, not checked to be UTF-8.
     #[inline]
     pub(crate) fn key_bytes(&self, record: &KeyRecord) -> Option<&'data [u8]> {
         let start = record.key_offset_bytes.get() as usize;
-        self.texts.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
-    }
-
-    /// The locale with this tag, spelled as in the bank (`en-us`). Look it up once and pass it to text queries.
-    pub fn locale(&self, tag: &str) -> Option<Locale<'data>> {
-        self.texts.locale(self.origin(), tag)
-    }
-
-    /// The default locale, if one was set when the bank was packed.
-    pub fn default_locale(&self) -> Option<Locale<'data>> {
-        self.locales().find(Locale::is_default)
-    }
-
-    /// All locales of the bank, in the order of their tags.
-    pub fn locales(&self) -> Locales<'data> {
-        self.texts.locales(self.origin())
-    }
-
-    /// The name that events mention, spelled as there (`amy`); `None` if no event does.
-    ///
-    /// Look names up once and compare their [ids](EventName::id) per event.
-    pub fn event_name(&self, name: &str) -> Option<EventName<'data>> {
-        self.event_names().find(name)
-    }
-
-    /// The name with this [number](EventName::id), such as one that was kept without its bank.
-    pub fn event_name_at(&self, id: u32) -> Option<EventName<'data>> {
-        self.event_names().numbered(id)
-    }
-
-    /// The bank that handles came from, if they came from this one.
-    #[inline]
-    pub(crate) fn origin(&self) -> Origin {
-        Origin::new(self.file.header)
+        self.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
     }
 
     /// Hash of what the clips of this bank are: files that belong together share it.
@@ -245,6 +300,20 @@ impl<'data> Bank<'data> {
     pub fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.file.sections()
     }
+}
+
+/// Keeps the compiler from choosing between two answers without a branch, at no instruction: a processor predicts a branch, and
+/// goes on with the clip before it has compared the ids. A choice would make all that follows wait for both.
+#[inline(always)]
+fn keep_branch() {
+    compiler_fence(Ordering::SeqCst);
+}
+
+/// The locales in a file with texts for so many segments, which may be a whole bank.
+pub(crate) fn text_table<'data>(file: &File<'data>, segment_count: usize) -> Result<LocaleTable<'data>, Error> {
+    let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
+    file.find(if file.has_texts_only() { TEXT_SECTIONS } else { ALL_SECTIONS }, &mut found)?;
+    Ok(LocaleTable::new(&found, segment_count))
 }
 
 /// What the bank has, not its bytes.

@@ -3,26 +3,36 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::{Bank, ClipId, Fps, Segment, Segments, Time, Viseme, VisemeType};
+use crate::event::NameKey;
+use crate::segment::Segments;
+use crate::{Bank, ClipId, Dialogue, EventName, Fps, Segment, Time, Viseme, VisemeType};
 use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord};
 use lipz_types::StoredFps;
 
 /// One spoken line: mouth shapes by frame, and segments with texts and events.
 #[derive(Clone, Copy)]
-pub struct Clip<'data, 'bank> {
-    pub(crate) bank: &'bank Bank<'data>,
-    pub(crate) record: &'data ClipRecord,
-    slot: u32,
+pub struct Clip<'a> {
+    pub(crate) bank: &'a Bank<'a>,
+    pub(crate) record: &'a ClipRecord,
+    /// The dialogue that the clip was found in, which has texts, voices and names of other files.
+    pub(crate) home: Option<&'a Dialogue<'a>>,
     /// Not checked, so that finding a clip takes no time for it.
     fps: Option<StoredFps>,
-    viseme_type: Option<VisemeType>,
+    /// The number of the viseme type; 0 if it is unspecified. It is not looked at before it is asked for.
+    viseme_type: u8,
+    /// 1 if the texts of the clip are in its bank, too. A `bool` would be where an `Option` of a clip says that there is none,
+    /// and be looked at for each segment.
+    has_texts: u8,
 }
 
-impl<'data, 'bank> Clip<'data, 'bank> {
-    #[inline]
-    pub(crate) fn new(bank: &'bank Bank<'data>, record: &'data ClipRecord, slot: u32) -> Self {
+impl<'a> Clip<'a> {
+    /// The clip in this slot of a bank, found in a dialogue if that is named.
+    #[inline(always)]
+    pub(crate) fn new(bank: &'a Bank<'a>, slot: u32, home: Option<&'a Dialogue<'a>>, has_texts: bool) -> Option<Self> {
+        let record = bank.clips.get(slot as usize)?;
         let fps = lipz_layout::stored_fps(record.rate.get(), bank.rates);
-        Clip { bank, record, slot, fps, viseme_type: VisemeType::from_number(record.viseme_type) }
+        let has_texts = u8::from(has_texts);
+        Some(Clip { bank, record, home, fps, viseme_type: record.viseme_type, has_texts })
     }
 
     /// The clip with `fps` where its file and the project left the frame rate unspecified.
@@ -35,7 +45,9 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// The clip with `viseme_type` where its file and the project left the viseme type unspecified.
     #[must_use]
     pub fn or_viseme_type(mut self, viseme_type: VisemeType) -> Self {
-        self.viseme_type = self.viseme_type.or(Some(viseme_type));
+        if self.viseme_type().is_none() {
+            self.viseme_type = viseme_type as u8;
+        }
         self
     }
 
@@ -46,19 +58,40 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
     /// The key: path of the Lipz file below its source root, without extension. Empty only in a
     /// damaged bank.
-    pub fn key(&self) -> &'data str {
+    pub fn key(&self) -> &'a str {
         self.key_record().and_then(|record| key(self.bank, record)).unwrap_or("")
     }
 
     /// How the clip is found; in a verified bank there is one for each.
     #[inline]
-    fn key_record(&self) -> Option<&'data KeyRecord> {
-        self.bank.keys.get(self.slot as usize)
+    fn key_record(&self) -> Option<&'a KeyRecord> {
+        self.bank.keys.get(self.slot() as usize)
     }
 
-    /// The place of the clip in the bank, for [`Bank::clip_at`].
-    pub const fn slot(&self) -> u32 {
-        self.slot
+    /// The number of the clip in its bank, for [`Bank::clip_at`].
+    #[inline]
+    pub fn slot(&self) -> u32 {
+        self.bank.slot_of(self.record)
+    }
+
+    /// The number of its bank among the files of its dialogue, for [`Dialogue::clip_at`](crate::Dialogue::clip_at).
+    pub const fn file(&self) -> u32 {
+        self.bank.number
+    }
+
+    /// Whether the texts of the clip are in its bank, too.
+    #[inline]
+    pub(crate) const fn has_texts(&self) -> bool {
+        self.has_texts != 0
+    }
+
+    /// The name that a cursor has kept, if it is one of the bank or of the dialogue.
+    pub(crate) fn name(&self, key: NameKey) -> Option<EventName<'a>> {
+        if key.bank == self.bank.origin {
+            return EventName::numbered(self.bank, key.id);
+        }
+        let home = self.home?;
+        (home.queries.name)(home, key)
     }
 
     /// The frame rate; `None` if it is unspecified and none was given with [`Clip::or_fps`], or if it is damaged.
@@ -75,8 +108,8 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
     /// The viseme type; `None` if it is unspecified and none was given with
     /// [`Clip::or_viseme_type`].
-    pub const fn viseme_type(&self) -> Option<VisemeType> {
-        self.viseme_type
+    pub fn viseme_type(&self) -> Option<VisemeType> {
+        VisemeType::from_number(self.viseme_type)
     }
 
     /// Whether the file has a `visemes` element. Without one, a clip has texts or events but no
@@ -97,7 +130,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     }
 
     /// The frame codes, one byte per frame, without delimiters. Empty if damaged.
-    pub fn frames(&self) -> &'data [u8] {
+    pub fn frames(&self) -> &'a [u8] {
         let start = self.record.frames_offset_bytes.get() as usize;
         let end = start.checked_add(self.frame_count() as usize);
         end.and_then(|end| self.bank.frames.get(start..end)).unwrap_or(&[])
@@ -152,71 +185,76 @@ impl<'data, 'bank> Clip<'data, 'bank> {
 
     /// The segment with this index.
     #[inline(always)] // otherwise the whole clip is copied for the call
-    pub fn segment(&self, index: u32) -> Option<Segment<'data, 'bank>> {
+    pub fn segment(&self, index: u32) -> Option<Segment<'a>> {
         if index < self.segment_count() { Some(Segment::new(*self, index)) } else { None }
     }
 
     /// All segments in order.
-    pub fn segments(&self) -> Segments<'data, 'bank> {
+    pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<'a>> + Clone {
         Segments::new(*self)
     }
 
     /// The segment that frame `index` belongs to. Segments of no frames are never found by frame.
     #[inline(always)]
-    pub fn segment_of_frame(&self, index: u32) -> Option<Segment<'data, 'bank>> {
+    pub fn segment_of_frame(&self, index: u32) -> Option<Segment<'a>> {
         if index < self.frame_count() { self.segment_that_has(index) } else { None }
     }
 
     /// The segment at `time`; `None` before the start, from the end on, and without a frame rate.
     #[inline(always)]
-    pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'data, 'bank>> {
+    pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'a>> {
         self.segment_that_has(self.frame_at(time)?)
     }
 
     /// The segment of a frame that the clip has.
     #[inline(always)]
-    fn segment_that_has(&self, frame: u32) -> Option<Segment<'data, 'bank>> {
+    fn segment_that_has(&self, frame: u32) -> Option<Segment<'a>> {
         Some(Segment::new(*self, crate::segment::index_of_frame(self, frame)?))
     }
 }
 
 /// The key, unless it is damaged.
 pub(crate) fn key<'data>(bank: &Bank<'data>, record: &KeyRecord) -> Option<&'data str> {
-    bank.texts.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
+    bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
 }
 
-/// Equal are the same clips of one bank, if they were given the same frame rate and viseme type.
-impl PartialEq for Clip<'_, '_> {
+/// Equal are the same clips of one bank, if they have the same texts and were given the same frame rate and viseme type.
+impl PartialEq for Clip<'_> {
     fn eq(&self, other: &Self) -> bool {
-        let place = |clip: &Self| (clip.bank.origin(), clip.slot, clip.fps, clip.viseme_type);
+        let place = |clip: &Self| (clip.bank.origin, clip.slot(), clip.has_texts, clip.fps, clip.viseme_type);
         place(self) == place(other)
     }
 }
-impl Eq for Clip<'_, '_> {}
+impl Eq for Clip<'_> {}
 
 /// The key and the slot, not the frames.
-impl fmt::Debug for Clip<'_, '_> {
+impl fmt::Debug for Clip<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Clip").field("key", &self.key()).field("slot", &self.slot).finish_non_exhaustive()
+        f.debug_struct("Clip").field("key", &self.key()).field("slot", &self.slot()).finish_non_exhaustive()
     }
 }
 
 /// Clips of a bank in the order of their keys.
-#[derive(Clone, Debug)]
-pub struct Clips<'data, 'bank> {
-    bank: &'bank Bank<'data>,
+#[derive(Clone)]
+pub(crate) struct Clips<'a> {
+    bank: &'a Bank<'a>,
     next: usize,
     end: usize,
 }
 
-impl<'data, 'bank> Clips<'data, 'bank> {
-    pub(crate) fn new(bank: &'bank Bank<'data>, next: usize, end: usize) -> Self {
+impl<'a> Clips<'a> {
+    pub(crate) fn new(bank: &'a Bank<'a>, next: usize, end: usize) -> Self {
         Clips { bank, next, end }
+    }
+
+    /// The same without the first ones.
+    pub(crate) fn behind(self, passed: usize) -> Self {
+        Clips { next: self.next.saturating_add(passed).min(self.end), ..self }
     }
 }
 
-impl<'data, 'bank> Iterator for Clips<'data, 'bank> {
-    type Item = Clip<'data, 'bank>;
+impl<'a> Iterator for Clips<'a> {
+    type Item = Clip<'a>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.next >= self.end {
@@ -234,4 +272,4 @@ impl<'data, 'bank> Iterator for Clips<'data, 'bank> {
     }
 }
 
-impl FusedIterator for Clips<'_, '_> {}
+impl FusedIterator for Clips<'_> {}

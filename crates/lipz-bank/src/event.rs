@@ -6,8 +6,7 @@ use core::hash::{Hash, Hasher};
 use core::iter::FusedIterator;
 
 use crate::origin::Origin;
-use crate::pool::Pool;
-use crate::{Bank, Command};
+use crate::{Bank, Command, Strength};
 use lipz_layout::{EventNameRecord, EventRecord, NO_NAME, TypedEventRecord};
 use lipz_layout::{VERB_BLINKS, VERB_BREATHES, VERB_LOOKS_AWAY, VERB_NODS, VERB_SHAKES};
 use lipz_layout::{VERB_DOES, VERB_FEELS, VERB_POINTS, VERB_SEES, VERB_STARES};
@@ -15,72 +14,92 @@ use lipz_layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 
 /// A name that events mention: a character, an emotion, a target or an action.
 ///
-/// Names know their bank. Equal are names of one bank that are spelled alike; names of two banks are never
-/// equal, however they are spelled: compare [`EventName::as_str`] there. Names of one bank are in the order of
-/// their strings.
+/// Names are equal if they are spelled alike, whichever bank they are from, and in the order of their bytes. Compare them
+/// with each other or with a string: `event.character.map_or(false, |name| name == "mara")`. Names of one bank are compared
+/// as numbers.
 #[derive(Clone, Copy)]
-pub struct EventName<'data> {
-    key: NameKey,
-    record: &'data EventNameRecord,
-    strings: Pool<'data>,
-}
-
-/// What identifies a name, and borrows nothing: its bank, and its number there.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(crate) struct NameKey {
-    bank: Origin,
+pub struct EventName<'a> {
+    bank: &'a Bank<'a>,
     id: u32,
 }
 
-impl NameKey {
-    /// Whether the name is one of `bank`.
-    pub(crate) fn is_of(&self, bank: &Bank<'_>) -> bool {
-        self.bank == bank.origin()
-    }
+/// What identifies a name, and borrows nothing: its bank, and its number there.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(crate) struct NameKey {
+    pub(crate) bank: Origin,
+    pub(crate) id: u32,
 }
 
-impl<'data> EventName<'data> {
-    /// The number of the name in this bank. It is the same as long as the bank is, and another one
-    /// when the bank is packed again.
-    pub const fn id(self) -> u32 {
-        self.key.id
+impl<'a> EventName<'a> {
+    /// The name with this number in a bank.
+    #[inline]
+    pub(crate) fn numbered(bank: &'a Bank<'a>, id: u32) -> Option<EventName<'a>> {
+        bank.event_names.get(id as usize)?;
+        Some(EventName { bank, id })
     }
 
     /// The name as it is spelled in the Lipz file. Empty only in a damaged bank.
-    pub fn as_str(self) -> &'data str {
-        self.strings.text_at(self.record.offset_bytes.get(), self.record.length_bytes.get()).unwrap_or("")
+    pub fn as_str(self) -> &'a str {
+        let record = self.record();
+        record
+            .and_then(|record| self.bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get()))
+            .unwrap_or("")
     }
 
-    /// The bytes of the name, which nobody has to check to be UTF-8 to compare them with known names; none of a damaged one.
-    pub(crate) fn bytes(self) -> &'data [u8] {
-        let start = self.record.offset_bytes.get() as usize;
-        let end = start.saturating_add(self.record.length_bytes.get() as usize);
-        self.strings.slice(start, end).unwrap_or(&[])
+    /// The bytes of the name, which need no check to be UTF-8 to be compared with known names; none of a damaged one.
+    pub(crate) fn bytes(self) -> &'a [u8] {
+        self.record().and_then(|record| bytes_of(self.bank, record)).unwrap_or(&[])
     }
 
-    /// Whether the name is one of `bank`.
-    pub fn is_of(self, bank: &Bank<'_>) -> bool {
-        self.key.is_of(bank)
+    fn record(self) -> Option<&'a EventNameRecord> {
+        self.bank.event_names.get(self.id as usize)
     }
 
-    /// A debug assertion that the name is one of `bank`.
-    #[inline(always)]
-    pub(crate) fn assert_is_of(self, bank: &Bank<'_>) {
-        self.key.bank.assert_is(bank.origin());
+    /// The name as numbers that borrow nothing, for a struct of another language:
+    /// [`Dialogue::event_name_of_words`](crate::Dialogue::event_name_of_words).
+    pub const fn to_words(self) -> [u32; 2] {
+        [self.bank.origin.to_u32(), self.id]
+    }
+
+    /// The number of the name in its bank.
+    pub(crate) const fn id(self) -> u32 {
+        self.id
     }
 
     /// What identifies the name.
-    pub(crate) fn key(self) -> NameKey {
-        self.key
+    pub(crate) const fn key(self) -> NameKey {
+        NameKey { bank: self.bank.origin, id: self.id }
+    }
+}
+
+impl NameKey {
+    /// What [`EventName::to_words`] said.
+    pub(crate) const fn from_words([bank, id]: [u32; 2]) -> NameKey {
+        NameKey { bank: Origin::from_u32(bank), id }
     }
 }
 
 impl PartialEq for EventName<'_> {
     fn eq(&self, other: &Self) -> bool {
-        self.key == other.key
+        match self.bank.origin == other.bank.origin {
+            true => self.id == other.id,
+            false => self.bytes() == other.bytes(),
+        }
     }
 }
 impl Eq for EventName<'_> {}
+
+impl PartialEq<str> for EventName<'_> {
+    fn eq(&self, other: &str) -> bool {
+        self.bytes() == other.as_bytes()
+    }
+}
+
+impl PartialEq<&str> for EventName<'_> {
+    fn eq(&self, other: &&str) -> bool {
+        self == *other
+    }
+}
 
 impl PartialOrd for EventName<'_> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
@@ -89,13 +108,16 @@ impl PartialOrd for EventName<'_> {
 }
 impl Ord for EventName<'_> {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.key.cmp(&other.key)
+        match self.bank.origin == other.bank.origin {
+            true => self.id.cmp(&other.id), // which are in the order of the bytes
+            false => self.bytes().cmp(other.bytes()),
+        }
     }
 }
 
 impl Hash for EventName<'_> {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.key.hash(state);
+        self.bytes().hash(state);
     }
 }
 
@@ -105,78 +127,60 @@ impl fmt::Display for EventName<'_> {
     }
 }
 
-/// The id and the name.
 impl fmt::Debug for EventName<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "EventName({}, {:?})", self.id(), self.as_str())
+        write!(f, "EventName({:?})", self.as_str())
     }
 }
 
-/// The names in the events of a bank.
-#[derive(Clone, Copy)]
-pub(crate) struct EventNames<'data> {
-    bank: Origin,
-    records: &'data [EventNameRecord],
-    strings: Pool<'data>,
+/// The bytes of the name with this record, if they lie in the bank.
+fn bytes_of<'a>(bank: &Bank<'a>, record: &EventNameRecord) -> Option<&'a [u8]> {
+    let start = record.offset_bytes.get() as usize;
+    bank.event_strings.slice(start, start.checked_add(record.length_bytes.get() as usize)?)
 }
 
-impl<'data> Bank<'data> {
-    /// The names in events.
-    #[inline]
-    pub(crate) fn event_names(&self) -> EventNames<'data> {
-        EventNames { bank: self.origin(), records: self.event_names, strings: self.event_strings }
-    }
-}
-
-impl<'data> EventNames<'data> {
-    /// The name with this number, if there is one.
-    pub(crate) fn numbered(&self, id: u32) -> Option<EventName<'data>> {
-        let record = self.records.get(id as usize)?;
-        Some(EventName { key: NameKey { bank: self.bank, id }, record, strings: self.strings })
+impl Bank<'_> {
+    /// The name that events mention, spelled as there (`amy`); `None` if no event does.
+    pub fn event_name(&self, name: &str) -> Option<EventName<'_>> {
+        EventName::numbered(self, self.event_name_id(name.as_bytes())?)
     }
 
-    /// The name of this bank that `key` identifies.
-    pub(crate) fn named(&self, key: NameKey) -> Option<EventName<'data>> {
-        self.numbered(key.id)
-    }
-
-    /// The name that is spelled so.
-    pub(crate) fn find(&self, name: &str) -> Option<EventName<'data>> {
-        let bytes = |record: &EventNameRecord| {
-            let start = record.offset_bytes.get() as usize;
-            self.strings.slice(start, start.checked_add(record.length_bytes.get() as usize)?)
-        };
-        let id = self.records.partition_point(|record| bytes(record) < Some(name.as_bytes()));
-        let found = self.numbered(id as u32)?;
-        if bytes(found.record) == Some(name.as_bytes()) { Some(found) } else { None }
+    /// The number of the name that is spelled so.
+    pub(crate) fn event_name_id(&self, name: &[u8]) -> Option<u32> {
+        let id = self.event_names.partition_point(|record| bytes_of(self, record) < Some(name));
+        let found = bytes_of(self, self.event_names.get(id)?);
+        if found == Some(name) { Some(id as u32) } else { None }
     }
 }
 
-/// One event: `[character] verb …`. It is displayed as it is written in Lipz files.
+/// One event: `[character] verb …`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
-pub struct Event<'data> {
+pub struct Event<'a> {
     /// Who; `None` for the speaker of the clip.
-    pub character: Option<EventName<'data>>,
+    pub character: Option<EventName<'a>>,
     /// What.
-    pub command: Command<EventName<'data>>,
+    pub command: Command<EventName<'a>>,
 }
 
-impl<'data> Event<'data> {
-    /// The event of a record, unless that is damaged.
-    pub(crate) fn new(names: &EventNames<'data>, record: &TypedEventRecord) -> Option<Self> {
-        let name = |id| names.numbered(id);
+impl<'a> Event<'a> {
+    /// The event of a record of a bank; `None` if it is damaged.
+    pub(crate) fn new(bank: &'a Bank<'a>, record: &TypedEventRecord) -> Option<Self> {
+        let name = |id| EventName::numbered(bank, id);
         let object = name(record.object.get());
-        let maybe = |object: Option<_>| if record.object.get() == NO_NAME { Some(None) } else { object.map(Some) };
+        let strength = |object: Option<EventName<'_>>| match record.object.get() {
+            NO_NAME => Some(None),
+            _ => Strength::parse(object?.bytes()).map(Some),
+        };
         let command = match record.verb {
             VERB_FEELS => Command::Feels(object?),
             VERB_SEES => Command::Sees(object?),
             VERB_STARES => Command::Stares(object?),
             VERB_POINTS => Command::Points(object?),
             VERB_DOES => Command::Does(object?),
-            VERB_NODS => Command::Nods(maybe(object)?),
-            VERB_SHAKES => Command::Shakes(maybe(object)?),
-            VERB_BREATHES => Command::Breathes(maybe(object)?),
+            VERB_NODS => Command::Nods(strength(object)?),
+            VERB_SHAKES => Command::Shakes(strength(object)?),
+            VERB_BREATHES => Command::Breathes(strength(object)?),
             _ if record.object.get() != NO_NAME => return None,
             VERB_STOPS_STARING => Command::StopsStaring,
             VERB_STOPS_POINTING => Command::StopsPointing,
@@ -192,6 +196,7 @@ impl<'data> Event<'data> {
     }
 }
 
+/// As it is written in Lipz files.
 impl fmt::Display for Event<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(character) = self.character {
@@ -199,28 +204,29 @@ impl fmt::Display for Event<'_> {
             f.write_str(" ")?;
         }
         f.write_str(self.command.verb())?;
-        match self.command.object() {
-            Some(object) => {
-                f.write_str(" ")?;
-                f.write_str(object.as_str())
-            }
+        if let Some(object) = self.command.object() {
+            f.write_str(" ")?;
+            f.write_str(object.as_str())?;
+        }
+        match self.command.amount() {
+            Some(strength) => write!(f, " {strength}"),
             None => Ok(()),
         }
     }
 }
 
-/// The events of a segment in the order of their string; see [`Segment::events`](crate::Segment::events).
+/// The events of a segment in the order of their string.
 #[derive(Clone)]
-pub struct Events<'data> {
-    records: &'data [TypedEventRecord],
-    names: EventNames<'data>,
+pub(crate) struct Events<'a> {
+    records: &'a [TypedEventRecord],
+    bank: &'a Bank<'a>,
 }
 
-impl<'data> Events<'data> {
+impl<'a> Events<'a> {
     /// The events of an event string; none if that is damaged.
-    pub(crate) fn new(bank: &Bank<'data>, of: Option<&EventRecord>) -> Self {
+    pub(crate) fn new(bank: &'a Bank<'a>, of: Option<&EventRecord>) -> Self {
         let records = of.and_then(|record| typed_events(bank, record)).unwrap_or(&[]);
-        Events { records, names: bank.event_names() }
+        Events { records, bank }
     }
 }
 
@@ -230,12 +236,12 @@ pub(crate) fn typed_events<'data>(bank: &Bank<'data>, record: &EventRecord) -> O
     bank.typed_events.get(first..first.checked_add(record.typed_count.get() as usize)?)
 }
 
-impl<'data> Iterator for Events<'data> {
-    type Item = Event<'data>;
+impl<'a> Iterator for Events<'a> {
+    type Item = Event<'a>;
 
-    fn next(&mut self) -> Option<Event<'data>> {
+    fn next(&mut self) -> Option<Event<'a>> {
         let (record, rest) = self.records.split_first()?;
-        let event = Event::new(&self.names, record);
+        let event = Event::new(self.bank, record);
         // A damaged record ends the iteration.
         self.records = if event.is_some() { rest } else { &[] };
         event
@@ -247,10 +253,3 @@ impl<'data> Iterator for Events<'data> {
 }
 
 impl FusedIterator for Events<'_> {}
-
-/// The events.
-impl fmt::Debug for Events<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(self.clone()).finish()
-    }
-}

@@ -1,28 +1,30 @@
 //! Reader of lipz dialogue banks: `no_std`, no allocation, no `unsafe`.
 //!
 //! A *bank* is one packed file that holds the mouth shapes, subtitles and events of many spoken
-//! lines. It is used in place: from a memory map, from ROM, from any `&[u8]`. The data flows one
-//! way, bytes → [`Bank`] → [`Clip`] → [`Segment`].
+//! lines. It is used in place: from a memory map, from ROM, from any `&[u8]`. A *dialogue* is a bank, or the set of
+//! several, with any patches and text banks. Data flows one way, files → [`Dialogue`] → [`Clip`] → [`Segment`].
 //!
 //! Four types are the ones to read first:
 //!
-//! * [`Bank`] opens the bytes, and finds clips, locales and names.
+//! * [`Dialogue`] opens the files, and finds clips, locales and names. [`Bank`] does it for one file.
 //! * [`Clip`] is one spoken line: mouth shapes and segments by time.
 //! * [`Segment`] is a stretch of it: subtitles and events.
-//! * [`Cursor`] follows the sound through a clip and fires each event once. A game keeps it from picture to picture,
-//!   beside its bank.
+//! * [`Cursor`] follows the audio through a clip and fires each event once. A game keeps it from rendered frame to rendered
+//!   frame, next to its dialogue.
 //!
 //! ```
-//! use lipz_bank::{Bank, ClipId, Micros};
+//! use lipz_bank::files::DialogueFile;
+//! use lipz_bank::{ClipId, Dialogue, Micros};
 //!
 //! // Ids are computed while compiling; a key is the path of a Lipz file without extension.
 //! const GOOD_EVENING: ClipId = ClipId::from_key("act1/mara-good-evening");
 //!
-//! # fn main() -> Result<(), lipz_bank::Error> {
-//! # let bytes: &[u8] = include_bytes!("../examples/act1.lipzbank");
-//! let bank = Bank::open(bytes)?.verify()?;
+//! # fn main() -> Result<(), lipz_bank::files::DialogueError> {
+//! # let bank: &[u8] = include_bytes!("../examples/act1.lipzbank");
+//! let mut files = [DialogueFile::ABSENT; 8]; // room for the bank, patches and text banks
+//! let dialogue = Dialogue::open(&mut files, [bank])?;
 //! let now = Micros(1_500_000);
-//! if let (Some(clip), Some(german)) = (bank.clip(GOOD_EVENING), bank.locale("de-de")) {
+//! if let (Some(clip), Some(german)) = (dialogue.clip(GOOD_EVENING), dialogue.locale("de-de")) {
 //!     let mouth = clip.viseme_at(now); // rest outside the clip, never an error
 //!     let text = clip.segment_at(now).and_then(|segment| segment.text(german));
 //!     println!("{mouth} {}", text.map_or("", |text| text.as_str()));
@@ -31,6 +33,8 @@
 //! # }
 //! ```
 //!
+//! [DESIGN.md](https://github.com/lipz/lipz/blob/main/docs/DESIGN.md) gives the reasons for this API.
+//!
 //! # Features
 //!
 //! `std`, on by default, implements `std::error::Error` for [`Error`]. The reader itself never needs it: for
@@ -38,15 +42,16 @@
 //!
 //! # Trust
 //!
-//! [`Bank::open`] looks at the header and the directory only. After it, no call panics, reads out
-//! of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or
-//! rest. [`Bank::verify`] checks every byte and every reference; after it has passed, no query fails for which the
+//! [`Dialogue::open`] and [`Bank::verify`] check every byte and every reference. Afterwards, no query fails for which the
 //! compiler stored data, and texts are returned without being checked again.
 //!
-//! A [`Locale`] or an [`EventName`] of another bank leads to nothing. That is a mistake of the program, so debug
-//! builds stop there with an assertion.
+//! [`Dialogue::open_unverified`] and [`Bank::open`] look at headers and directories only. After them, too, no call panics, reads
+//! out of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or rest.
 //!
-//! The checksum finds damage. It does not prove who wrote a file: sign banks that come from
+//! A [`Locale`] or a [`Voice`] of a different dialogue, or of a different version of it, leads to nothing: to no text, and to
+//! the clip itself.
+//!
+//! The checksum finds damage. It does not prove who wrote a file: sign files that come from
 //! strangers, as any other code or asset.
 
 #![no_std]
@@ -67,57 +72,42 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
-mod babble;
 mod bank;
-mod bank_set;
 mod clip;
-mod curve;
-mod emotions;
+mod dialogue;
 mod error;
 mod event;
-mod face;
 mod file;
-mod layers;
 mod locale;
 mod openness;
 mod origin;
-mod places;
-mod playback;
 mod pool;
 mod recording;
 mod segment;
 mod set_index;
 mod text;
-mod text_bank;
 mod verify;
 mod voice;
-mod who;
 
-pub use babble::{Babble, Babbles, Power, VoiceLevel, Weights};
+pub mod babble;
+pub mod curve;
+pub mod face;
+pub mod files;
+pub mod playback;
+
 pub use bank::Bank;
-pub use bank_set::{BankSet, BankSetError, SetLocale, SetName, SetVoice};
-pub use clip::{Clip, Clips};
-pub use curve::{Curve, CurveCursor, CurveKey, Curves};
-pub use emotions::Emotions;
+pub use clip::Clip;
+pub use dialogue::Dialogue;
 pub use error::{Error, ErrorKind};
-pub use event::{Event, EventName, Events};
-pub use face::{Face, FaceProfile, FaceProfiles, LookAt};
-pub use layers::{Layer, LayeredClip, LayeredClips, LayeredLocale, LayeredName, Layers, LayersError};
-pub use layers::{LayeredVoice, LayeredVoicedClip, Stacked, VoiceTags, original_of, played_in, voice_tags};
-pub use locale::{Locale, Locales};
-pub use places::Places;
-pub use playback::{CharacterState, Characters, ConsonantHold, Cursor, DueSegments, Lead};
+pub use event::{Event, EventName};
+pub use locale::Locale;
+pub use playback::Cursor;
 pub use recording::Recording;
-pub use segment::{Segment, Segments};
-pub use set_index::{SetBank, SetIndex};
+pub use segment::Segment;
 pub use text::Text;
-pub use text_bank::TextBank;
-pub use voice::{Spoken, Voice, VoicedClip, Voices};
-pub use who::Who;
+pub use voice::{Spoken, Voice, VoicedClip};
 
-pub use lipz_types::{
-    ClipId, Command, CurveValue, Emotion, FaceCurve, Fps, Micros, Samples, Seconds, Time, Viseme, VisemeType, Weight,
-};
+pub use lipz_types::{ClipId, Command, Fps, Micros, Samples, Seconds, Strength, Time, Viseme, VisemeType};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

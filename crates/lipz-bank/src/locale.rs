@@ -1,16 +1,42 @@
 //! The locales of a file: handles that text queries take.
 
-use core::fmt;
-use core::iter::FusedIterator;
-
 use crate::Bank;
 use crate::file::{Sections, entries, place};
 use crate::origin::Origin;
 use crate::pool::Pool;
-use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, U32};
+use crate::text::{FoundText, TextPlace};
+use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, NO_TEXT, U32};
+use lipz_types::hash::{FINISH, STEP, mix};
 
-/// The locales of a file with their texts: four of the sections of a bank, all that a text bank
-/// has.
+/// A locale of a [`Dialogue`](crate::Dialogue) or of a [`Bank`]: what a text is asked for by.
+///
+/// Look it up once, with `locale("de-de")`, and keep it: it is two numbers that borrow nothing. Its tag is
+/// `locale_tag(locale)`.
+///
+/// A locale belongs to the dialogue that it was looked up in. With segments of another dialogue, or of another version
+/// of it, there is no text: look the locale up again after a refresh.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Locale {
+    /// Of the dialogue, and of the list that `index` counts in.
+    pub(crate) origin: Origin,
+    /// The file that has the list.
+    pub(crate) file: u16,
+    pub(crate) index: u16,
+}
+
+impl Locale {
+    /// The handle as numbers, for a struct of another language.
+    pub const fn to_words(self) -> [u32; 2] {
+        [self.origin.to_u32(), (self.file as u32) << 16 | self.index as u32]
+    }
+
+    /// The handle of [`Locale::to_words`]. Any numbers are accepted: those of no locale lead to no text.
+    pub const fn from_words([origin, place]: [u32; 2]) -> Locale {
+        Locale { origin: Origin::from_u32(origin), file: (place >> 16) as u16, index: place as u16 }
+    }
+}
+
+/// The locales of a file with their texts: four of the sections of a bank, all that a text bank has.
 #[derive(Clone, Copy)]
 pub(crate) struct LocaleTable<'data> {
     pub(crate) records: &'data [LocaleRecord],
@@ -22,7 +48,7 @@ pub(crate) struct LocaleTable<'data> {
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about clips with so many segments.
+    /// The table of a file about clips with this number of segments.
     pub(crate) fn new(sections: &Sections<'data>, segment_count: usize) -> LocaleTable<'data> {
         LocaleTable {
             records: entries(sections[place::LOCALES]),
@@ -33,108 +59,86 @@ impl<'data> LocaleTable<'data> {
         }
     }
 
-    /// The locale of `bank` with this tag.
-    pub(crate) fn locale(&self, bank: Origin, tag: &str) -> Option<Locale<'data>> {
-        self.locales(bank).find(|locale| locale.tag_bytes() == Some(tag.as_bytes()))
+    /// The tag of the locale with this index, not checked to be UTF-8.
+    pub(crate) fn tag_bytes(&self, index: usize) -> Option<&'data [u8]> {
+        let record = self.records.get(index)?;
+        let start = record.tag_offset_bytes.get() as usize;
+        self.names.slice(start, start.checked_add(usize::from(record.tag_length_bytes.get()))?)
     }
 
-    /// The locale at this place, as one of `bank`.
-    pub(crate) fn at(&self, bank: Origin, place: usize) -> Option<Locale<'data>> {
-        let record = self.records.get(place)?;
-        let start = place.checked_mul(self.segment_count)?;
-        let starts = self.starts.get(start..=start.checked_add(self.segment_count)?)?;
-        Some(Locale { bank, record, names: self.names, starts, texts: self.texts })
+    /// The tag of the locale with this index.
+    pub(crate) fn tag(&self, index: usize) -> Option<&'data str> {
+        let record = self.records.get(index)?;
+        self.names.text_at(record.tag_offset_bytes.get(), u32::from(record.tag_length_bytes.get()))
     }
 
-    /// The locales, as those of `bank`.
-    pub(crate) fn locales(&self, bank: Origin) -> Locales<'data> {
-        Locales { bank, table: *self, next: 0 }
-    }
-}
-
-/// A locale of a bank: where its texts are.
-///
-/// Look it up once, with [`Bank::locale`], and pass it to every text query.
-///
-/// A locale knows its bank. With a segment of another bank, or of another version of its bank, there is no text
-/// (and debug builds stop with an assertion): look it up again when a bank is replaced.
-///
-/// Equal are locales of one bank with equal tags.
-#[derive(Clone, Copy)]
-pub struct Locale<'data> {
-    pub(crate) bank: Origin,
-    record: &'data LocaleRecord,
-    names: Pool<'data>,
-    /// This locale's text starts: one per segment, and the entry behind them.
-    pub(crate) starts: &'data [U32],
-    pub(crate) texts: Pool<'data>,
-}
-
-impl<'data> Locale<'data> {
-    /// The tag, as in `text_en-us` of a Lipz file: `en-us`. Empty only in a damaged bank.
-    pub fn tag(&self) -> &'data str {
-        let record = self.record;
-        self.names.text_at(record.tag_offset_bytes.get(), u32::from(record.tag_length_bytes.get())).unwrap_or("")
+    /// The index of the locale with this tag.
+    pub(crate) fn index_of(&self, tag: &[u8]) -> Option<usize> {
+        (0..self.records.len()).find(|&index| self.tag_bytes(index) == Some(tag))
     }
 
-    /// Whether this is the default locale that was set when the bank was packed.
-    pub fn is_default(&self) -> bool {
-        self.record.flags.get() & LOCALE_DEFAULT != 0
+    /// The index of the default locale, if one is marked.
+    pub(crate) fn default_index(&self) -> Option<usize> {
+        self.records.iter().position(|record| record.flags.get() & LOCALE_DEFAULT != 0)
     }
 
-    /// Whether the locale is one of `bank`, or of a text bank beside it.
-    pub fn is_of(&self, bank: &Bank<'_>) -> bool {
-        self.bank == bank.origin()
+    /// A hash of the tags in their order: files with equal lists have equal ones.
+    pub(crate) fn list_hash(&self) -> u32 {
+        let mut hash = self.records.len() as u64;
+        for index in 0..self.records.len() {
+            for &byte in self.tag_bytes(index).unwrap_or(&[]) {
+                hash = mix(hash ^ u64::from(byte), STEP);
+            }
+            hash = mix(hash, FINISH);
+        }
+        (hash >> 32) as u32
     }
 
-    fn tag_bytes(&self) -> Option<&'data [u8]> {
-        let start = self.record.tag_offset_bytes.get() as usize;
-        self.names.slice(start, start.checked_add(usize::from(self.record.tag_length_bytes.get()))?)
+    /// The text of a segment in the locale with this index, given the number of the clip's first segment and its own.
+    #[inline(always)]
+    pub(crate) fn find(&'data self, index: usize, first: usize, number: usize) -> Option<FoundText<'data>> {
+        let list = index.wrapping_mul(self.segment_count);
+        let (first, number) = (list.wrapping_add(first), list.wrapping_add(number));
+        // A clip has texts in all of its segments or in none. Its first entry is mostly in one line of the cache with
+        // that of the segment: the processor fetches it while it still looks for the segment.
+        if self.starts.get(first)?.get() == NO_TEXT {
+            return None;
+        }
+        match self.starts.get(number..number.wrapping_add(2))? {
+            [start, next] => {
+                let place = TextPlace::between(*start, *next, self.texts)?;
+                Some(FoundText { place, texts: &self.texts })
+            }
+            _ => None,
+        }
     }
 }
 
-impl PartialEq for Locale<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        self.bank == other.bank && self.tag_bytes() == other.tag_bytes()
-    }
-}
-impl Eq for Locale<'_> {}
-
-/// The tag, not the texts.
-impl fmt::Debug for Locale<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Locale({:?})", self.tag())
-    }
-}
-
-/// The locales of a file in the order of their tags.
-#[derive(Clone)]
-pub struct Locales<'data> {
-    bank: Origin,
-    table: LocaleTable<'data>,
-    next: usize,
-}
-
-impl<'data> Iterator for Locales<'data> {
-    type Item = Locale<'data>;
-
-    fn next(&mut self) -> Option<Locale<'data>> {
-        let locale = self.table.at(self.bank, self.next)?;
-        self.next = self.next.saturating_add(1);
-        Some(locale)
+impl<'data> Bank<'data> {
+    /// The locale with this tag, spelled as in the bank (`en-us`). Look it up once and pass it to text queries.
+    pub fn locale(&self, tag: &str) -> Option<Locale> {
+        Some(self.numbered_locale(self.texts.index_of(tag.as_bytes())?))
     }
 
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.table.records.len().saturating_sub(self.next);
-        (0, Some(left))
+    /// The default locale, if one was set when the bank was packed.
+    pub fn default_locale(&self) -> Option<Locale> {
+        Some(self.numbered_locale(self.texts.default_index()?))
     }
-}
 
-impl FusedIterator for Locales<'_> {}
+    /// All locales of the bank, in the order of their tags.
+    pub fn locales(&self) -> impl ExactSizeIterator<Item = Locale> + Clone + '_ {
+        (0..self.texts.records.len() as u32).map(move |index| self.numbered_locale(index as usize))
+    }
 
-/// The locales that are left.
-impl fmt::Debug for Locales<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(self.clone()).finish()
+    /// The tag of a locale, as in `text_en-us` of a Lipz file: `en-us`. Empty for a locale of another bank, and in a
+    /// damaged bank.
+    pub fn locale_tag(&self, locale: Locale) -> &'data str {
+        let tag = if locale.origin == self.origin { self.texts.tag(usize::from(locale.index)) } else { None };
+        tag.unwrap_or("")
+    }
+
+    /// The handle of the locale with this index.
+    fn numbered_locale(&self, index: usize) -> Locale {
+        Locale { origin: self.origin, file: 0, index: index as u16 }
     }
 }

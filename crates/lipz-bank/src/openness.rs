@@ -1,8 +1,9 @@
 //! How far a mouth is open: one question for shapes, loudness and babble.
 
-use crate::{Babble, Clip, Power, Time, Weight};
+use crate::babble::{Babble, Power, Weight};
+use crate::{Clip, Time};
 
-impl Clip<'_, '_> {
+impl Clip<'_> {
     /// How far the mouth is open at `time`; `None` if the clip does not say: it has no frames, or no viseme
     /// type.
     pub fn openness_at<T: Time>(&self, time: T) -> Option<Weight> {
@@ -15,7 +16,8 @@ impl Clip<'_, '_> {
     /// How far the mouth is open at `time`; as `babble` says it if the clip does not, at the power of the voice.
     ///
     /// ```
-    /// use lipz_bank::{Babble, Bank, VoiceLevel, Micros};
+    /// use lipz_bank::babble::VoiceLevel;
+    /// use lipz_bank::{Bank, Micros};
     /// # let bytes: &[u8] = include_bytes!("../examples/act1.lipzbank");
     /// let bank = Bank::open(bytes)?.verify()?;
     /// let babble = bank.default_babble();

@@ -1,27 +1,62 @@
-//! Which bank a handle came from.
+//! Which bank or dialogue a handle came from.
 
 use lipz_layout::Header;
+use lipz_types::hash::{FINISH, STEP, mix};
 
-/// The bank that a handle came from: 32 bits of the checksum, which differ between banks of different contents.
+/// The bank or the dialogue that a handle came from: 32 bits made of checksums, which differ between files of different
+/// contents.
 ///
-/// Each bit of the checksum depends on all of the contents. Whoever forges a bank can choose them: a handle then
-/// leads to other contents, but never out of the bank.
+/// Each bit of a checksum depends on all of the contents. A forged bank can have any checksum: a handle then leads to
+/// other contents, but never out of the bank.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Origin(u32);
 
 impl Origin {
-    /// The bank with this header.
-    #[inline]
-    pub(crate) fn new(header: &Header) -> Origin {
-        Origin(header.checksum.get() as u32)
+    /// The origin of no handle.
+    pub(crate) const NONE: Origin = Origin(0);
+
+    /// The origin that a program has kept as a number.
+    pub(crate) const fn from_u32(number: u32) -> Origin {
+        Origin(number)
     }
 
-    /// A debug assertion that a handle from here is used with its own bank.
-    #[inline(always)]
-    pub(crate) fn assert_is(self, bank: Origin) {
-        debug_assert!(
-            self == bank,
-            "a handle of another bank: look locales and names up again when a bank is replaced"
-        );
+    /// The number to keep.
+    pub(crate) const fn to_u32(self) -> u32 {
+        self.0
+    }
+
+    /// The file with this header.
+    #[inline]
+    pub(crate) fn of_file(header: &Header) -> Origin {
+        Origin::of_hash(header.checksum.get())
+    }
+
+    /// The files with this hash of their checksums.
+    #[inline]
+    pub(crate) fn of_hash(hash: u64) -> Origin {
+        Origin((hash as u32).max(1))
+    }
+
+    /// The origin of handles that are numbered by a list of which this is the hash.
+    #[inline]
+    pub(crate) fn with_list(self, list: u32) -> Origin {
+        Origin(self.0 ^ list)
+    }
+}
+
+/// The hash of one more checksum behind those that `hash` is of.
+pub(crate) fn add_checksum(hash: u64, checksum: u64) -> u64 {
+    mix(mix(hash, STEP) ^ checksum, FINISH)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn origins_are_never_none() {
+        assert_ne!(Origin::of_hash(1 << 32), Origin::NONE);
+        assert_ne!(Origin::of_hash(7).with_list(1), Origin::of_hash(7).with_list(2));
+        assert_ne!(add_checksum(add_checksum(0, 1), 2), add_checksum(add_checksum(0, 2), 1));
     }
 }

@@ -39,7 +39,7 @@ impl Recording {
     }
 }
 
-impl Clip<'_, '_> {
+impl Clip<'_> {
     /// The recording that the clip was made for; `None` if the bank was packed without recordings, or the clip had
     /// none.
     pub fn recording(&self) -> Option<Recording> {

@@ -1,27 +1,28 @@
 //! One segment of a clip: frames, display texts and event string.
 
-use crate::text::TextPlace;
-use crate::{Bank, Clip, Events, Locale, Text};
+use crate::event::Events;
+use crate::text::FoundText;
+use crate::{Bank, Clip, Dialogue, Event, Locale, Text};
 use core::fmt;
 use core::iter::FusedIterator;
 use core::ops::Range;
-use lipz_layout::EventRecord;
+use lipz_layout::{ClipRecord, EventRecord};
 
 /// A stretch of a clip, between two `|` of its Lipz file.
 #[derive(Clone, Copy)]
-pub struct Segment<'data, 'bank> {
-    clip: Clip<'data, 'bank>,
+pub struct Segment<'a> {
+    clip: Clip<'a>,
     index: u32,
 }
 
-impl<'data, 'bank> Segment<'data, 'bank> {
+impl<'a> Segment<'a> {
     #[inline]
-    pub(crate) fn new(clip: Clip<'data, 'bank>, index: u32) -> Self {
+    pub(crate) fn new(clip: Clip<'a>, index: u32) -> Self {
         Segment { clip, index }
     }
 
     /// The clip that this is a segment of.
-    pub const fn clip(&self) -> &Clip<'data, 'bank> {
+    pub const fn clip(&self) -> &Clip<'a> {
         &self.clip
     }
 
@@ -71,49 +72,63 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     }
 
     /// The frame codes of the segment, one byte per frame.
-    pub fn frames(&self) -> &'data [u8] {
+    pub fn frames(&self) -> &'a [u8] {
         let Range { start, end } = self.frame_range();
         self.clip.bank.frames.get(start as usize..end as usize).unwrap_or(&[])
     }
 
-    /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has
-    /// a text for this clip.
+    /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has a text for this clip.
     ///
-    /// A segment of an existing text may be empty. `locale` comes from the same bank, or from a
-    /// [`TextBank`](crate::TextBank) beside it. With a locale of [another bank](Locale::is_of) there is no text, and
-    /// debug builds panic.
+    /// A segment of an existing text may be empty. In a locale of another bank or dialogue there is no text.
     #[inline(always)] // otherwise the whole segment is copied for the call
-    pub fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
-        locale.bank.assert_is(self.clip.bank.origin());
-        self.text_place(locale)?.text(locale)
+    pub fn text(&self, locale: Locale) -> Option<Text<'a>> {
+        match self.clip.home {
+            None => self.own_text(locale)?.text(),
+            Some(home) => {
+                let Clip { bank, record, .. } = self.clip;
+                (home.queries.text)(home, bank, record, (self.index, self.clip.has_texts()), locale)
+            }
+        }
     }
 
     /// Like [`Segment::text`], as bytes that are not checked to be UTF-8: for programs that cannot
     /// afford the checker's code.
-    #[inline]
-    pub fn text_bytes<'texts>(&self, locale: Locale<'texts>) -> Option<&'texts [u8]> {
-        locale.bank.assert_is(self.clip.bank.origin());
-        self.text_place(locale)?.bytes(locale)
-    }
-
-    /// Whether `locale` has a text of its own for this clip, which may be empty in this segment. Looks at no byte of it.
-    pub fn has_own_text(&self, locale: Locale<'_>) -> bool {
-        locale.bank.assert_is(self.clip.bank.origin());
-        self.text_place(locale).map_or(false, |place| !place.is_fallback())
-    }
-
-    /// Where the text in `locale` stands; nowhere if that is a locale of another bank.
     #[inline(always)]
-    fn text_place(&self, locale: Locale<'_>) -> Option<TextPlace> {
-        if locale.bank != self.clip.bank.origin() {
+    pub fn text_bytes(&self, locale: Locale) -> Option<&'a [u8]> {
+        match self.clip.home {
+            None => self.own_text(locale)?.bytes(),
+            Some(home) => self.text_in(home, locale)?.bytes(),
+        }
+    }
+
+    /// Whether `locale` has a text of its own for this clip, which may be empty in this segment. Reads no byte of it.
+    pub fn has_own_text(&self, locale: Locale) -> bool {
+        let found = match self.clip.home {
+            None => self.own_text(locale),
+            Some(home) => self.text_in(home, locale),
+        };
+        found.map_or(false, |found| !found.place.is_fallback())
+    }
+
+    /// The text in `locale`, if that is one of the bank.
+    #[inline(always)]
+    fn own_text(&self, locale: Locale) -> Option<FoundText<'a>> {
+        if locale.origin != self.clip.bank.origin {
             return None;
         }
-        TextPlace::new(locale, self.first_number(), self.number())
+        self.clip.bank.texts.find(usize::from(locale.index), self.first_number(), self.number())
+    }
+
+    /// The text in `locale`, wherever the dialogue has it.
+    #[inline(always)] // otherwise the whole segment is copied for the call
+    fn text_in(&self, home: &'a Dialogue<'a>, locale: Locale) -> Option<FoundText<'a>> {
+        let Clip { bank, record, .. } = self.clip;
+        (home.queries.find_text)(home, bank, record, (self.index, self.clip.has_texts()), locale)
     }
 
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
     /// no `events` element.
-    pub fn event(&self) -> Option<&'data str> {
+    pub fn event(&self) -> Option<&'a str> {
         let record = self.event_record()?;
         self.clip.bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
     }
@@ -128,35 +143,34 @@ impl<'data, 'bank> Segment<'data, 'bank> {
     ///
     /// # let bytes: &[u8] = include_bytes!("../examples/act1.lipzbank");
     /// let bank = Bank::open(bytes)?.verify()?;
-    /// let sad = bank.event_name("sad"); // names are looked up once, and compared as numbers
     /// let segments = bank.clips().flat_map(|clip| clip.segments());
     /// let tears = segments.flat_map(|segment| segment.events()).filter(|event| match event.command {
-    ///     Command::Feels(emotion) => Some(emotion) == sad,
+    ///     Command::Feels(emotion) => emotion == "sad",
     ///     _ => false,
     /// });
     /// assert_eq!(tears.count(), 1);
     /// # Ok::<(), lipz_bank::Error>(())
     /// ```
-    pub fn events(&self) -> Events<'data> {
+    pub fn events(&self) -> impl Iterator<Item = Event<'a>> + Clone {
         Events::new(self.clip.bank, self.event_record())
     }
 
-    fn event_record(&self) -> Option<&'data EventRecord> {
+    fn event_record(&self) -> Option<&'a EventRecord> {
         let bank = self.clip.bank;
         bank.events.get(bank.event_refs.get(self.number())?.get() as usize)
     }
 }
 
 /// Equal are segments of one clip with equal indices.
-impl PartialEq for Segment<'_, '_> {
+impl PartialEq for Segment<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.clip == other.clip && self.index == other.index
     }
 }
-impl Eq for Segment<'_, '_> {}
+impl Eq for Segment<'_> {}
 
 /// The clip and the index, not the texts.
-impl fmt::Debug for Segment<'_, '_> {
+impl fmt::Debug for Segment<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Segment").field("clip", &self.clip).field("index", &self.index).finish()
     }
@@ -167,49 +181,58 @@ const NEAR_STARTS: usize = 4;
 
 /// The last segment that starts at or before `frame`, one of the clip: the segment that contains it.
 #[inline(always)]
-pub(crate) fn index_of_frame(clip: &Clip<'_, '_>, frame: u32) -> Option<u32> {
+pub(crate) fn index_of_frame(clip: &Clip<'_>, frame: u32) -> Option<u32> {
     let offset = clip.record.frames_offset_bytes.get().wrapping_add(frame);
     // Segment 0 starts at or before every frame.
     let second = (clip.record.segments_first.get() as usize).wrapping_add(1);
     if cfg!(target_pointer_width = "64") {
-        // Starts ascend from clip to clip, so those that are not the clip's own do no harm. Few clips need the
-        // second look.
-        for index in [0, NEAR_STARTS] {
-            let first = second.wrapping_add(index);
-            if let Some(near) = clip.bank.starts.get(first..first.wrapping_add(NEAR_STARTS)) {
-                let passed = near.iter().map(|start| u32::from(start.get() <= offset)).fold(0, u32::wrapping_add);
-                if passed < NEAR_STARTS as u32 {
-                    return Some(passed.wrapping_add(index as u32));
-                }
-            }
+        if let Some(passed) = passed_of_near(clip.bank, second, offset) {
+            return Some(passed);
         }
     }
-    index_in_starts(clip.bank, clip.slot(), second, offset)
+    index_in_starts(clip.bank, clip.record, second, offset)
 }
 
-/// A clip of more than nine segments, or one of the last clips: rare, so it is kept out of the way.
+/// How many of the starts from this one on are at or before an offset, if that is not all that are compared at once.
+///
+/// Starts ascend from clip to clip, so those that are not the clip's own do no harm.
+#[inline(always)]
+fn passed_of_near(bank: &Bank<'_>, first: usize, offset: u32) -> Option<u32> {
+    let near = bank.starts.get(first..first.wrapping_add(NEAR_STARTS))?;
+    let passed = near.iter().map(|start| u32::from(start.get() <= offset)).fold(0, u32::wrapping_add);
+    if passed < NEAR_STARTS as u32 { Some(passed) } else { None }
+}
+
+/// A segment behind the fifth one, or of one of the last clips: rare, so it is kept out of the way.
 #[cold]
-fn index_in_starts(bank: &Bank<'_>, slot: u32, second: usize, offset: u32) -> Option<u32> {
-    let count = usize::from(bank.keys.get(slot as usize)?.segment_count.get()).checked_sub(1)?;
+#[inline(never)]
+fn index_in_starts(bank: &Bank<'_>, record: &ClipRecord, second: usize, offset: u32) -> Option<u32> {
+    if cfg!(target_pointer_width = "64") {
+        if let Some(passed) = passed_of_near(bank, second.wrapping_add(NEAR_STARTS), offset) {
+            return Some(passed.wrapping_add(NEAR_STARTS as u32));
+        }
+    }
+    let key = bank.keys.get(bank.slot_of(record) as usize)?;
+    let count = usize::from(key.segment_count.get()).checked_sub(1)?;
     let starts = bank.starts.get(second..second.wrapping_add(count))?;
     Some(starts.partition_point(|start| start.get() <= offset) as u32)
 }
 
 /// The segments of a clip in order.
-#[derive(Clone, Debug)]
-pub struct Segments<'data, 'bank> {
-    clip: Clip<'data, 'bank>,
+#[derive(Clone)]
+pub(crate) struct Segments<'a> {
+    clip: Clip<'a>,
     next: u32,
 }
 
-impl<'data, 'bank> Segments<'data, 'bank> {
-    pub(crate) fn new(clip: Clip<'data, 'bank>) -> Self {
+impl<'a> Segments<'a> {
+    pub(crate) fn new(clip: Clip<'a>) -> Self {
         Segments { clip, next: 0 }
     }
 }
 
-impl<'data, 'bank> Iterator for Segments<'data, 'bank> {
-    type Item = Segment<'data, 'bank>;
+impl<'a> Iterator for Segments<'a> {
+    type Item = Segment<'a>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let segment = self.clip.segment(self.next)?;
@@ -223,23 +246,5 @@ impl<'data, 'bank> Iterator for Segments<'data, 'bank> {
     }
 }
 
-impl ExactSizeIterator for Segments<'_, '_> {}
-impl FusedIterator for Segments<'_, '_> {}
-
-#[cfg(test)]
-mod tests {
-    use crate::Bank;
-    use lipz_testkit::golden::{DRAMA, changed, put};
-
-    /// What [`Segment::text`] returns where debug assertions are off.
-    #[test]
-    fn a_locale_of_another_bank_leads_to_no_text() {
-        let newer = changed(DRAMA, |bank| put(bank, 22, [9, 0]));
-        let banks = [Bank::open(DRAMA), Bank::open(&newer)].map(|bank| bank.expect("a bank"));
-        for (own, other) in [(0, 1), (1, 0)] {
-            let segment = banks[own].clips().next().and_then(|clip| clip.segment(0)).expect("a segment");
-            let [own, other] = [own, other].map(|at: usize| banks[at].locale("de-de").expect("German"));
-            assert!(segment.text_place(own).is_some() && segment.text_place(other).is_none());
-        }
-    }
-}
+impl ExactSizeIterator for Segments<'_> {}
+impl FusedIterator for Segments<'_> {}

@@ -5,16 +5,17 @@ use crate::pool::Pool;
 use crate::{Bank, ClipId, Error, ErrorKind};
 use core::fmt;
 use core::mem::size_of;
-use lipz_layout::{Header, MAX_SET_BANKS, SECTION_REQUIRED, SetBankRecord, Tag, U16, U64, shard_of};
+use lipz_layout::{Header, KeyRecord, MAX_SET_BANKS, SECTION_REQUIRED, SetBankRecord, Tag, U16, U64, shard_of};
 
 /// The index of a set, used in place: a small file (`.lipzset`) that names the banks of a project, one for each shard.
 ///
 /// It says which bank has a clip without looking into one: the one of the top bits of its id, or another for dubs, which are in
 /// the bank of their originals. The program opens the banks, or only those that it needs, and asks the one that
-/// [`bank_of`](SetIndex::bank_of) names; a [`BankSet`](crate::BankSet) does it with all of them.
+/// [`bank_of`](SetIndex::bank_of) names; a [`Dialogue`](crate::Dialogue) does it with all of them.
 ///
 /// ```
-/// use lipz_bank::{Bank, ClipId, Error, SetIndex};
+/// use lipz_bank::files::SetIndex;
+/// use lipz_bank::{Bank, ClipId, Error};
 ///
 /// fn has_clip(index: &[u8], banks: &[&[u8]], key: &str) -> Result<bool, Error> {
 ///     let index = SetIndex::open(index)?.verify()?;
@@ -140,6 +141,26 @@ impl<'data> SetIndex<'data> {
             return Err(Error::new(ErrorKind::Fingerprint, 24));
         }
         Ok(self)
+    }
+
+    /// Checks that a bank is the one with this number, and that each of its clips is looked for in it: elsewhere a clip is never
+    /// found. Reads all ids. The bank is [verified](crate::Bank::verify) on its own.
+    ///
+    /// # Errors
+    /// [`ErrorKind::OtherBank`] if the index names a different bank, or says that a clip is in a different one.
+    pub fn verify_bank(&self, number: usize, bank: &Bank<'_>) -> Result<(), Error> {
+        self.check_bank(number, bank)?;
+        let is_here = |record: &KeyRecord| self.bank_of(ClipId::from_u64(record.id.get())) == number;
+        if bank.keys.iter().all(is_here) { Ok(()) } else { Err(Error::new(ErrorKind::OtherBank, 0)) }
+    }
+
+    /// Checks that a bank is the one with this number, by all that the index says of it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::OtherBank`] if the index names a different bank.
+    pub fn check_bank(&self, number: usize, bank: &Bank<'_>) -> Result<(), Error> {
+        let is_named = self.bank_at(number).map_or(false, |named| named.is_of(bank));
+        if is_named { Ok(()) } else { Err(Error::new(ErrorKind::OtherBank, 0)) }
     }
 
     /// The number of banks.

@@ -1,12 +1,9 @@
 //! Display texts, and where they stand in the pool.
 
-use crate::Locale;
 use crate::pool::Pool;
 use core::fmt;
 use core::ops::Deref;
-use lipz_layout::{
-    NO_TEXT, TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_MAX_BYTES, TEXT_OFFSET, U32, counted_length,
-};
+use lipz_layout::{TEXT_COUNT_BYTES, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_MAX_BYTES, TEXT_OFFSET, U32, counted_length};
 
 /// A display text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -21,14 +18,9 @@ impl<'data> Text<'data> {
         self.text
     }
 
-    /// Whether the locale asked for has no text for this clip, and this is that of another one.
+    /// Whether the locale has no text for this clip, so that this is the text of the locale that it falls back to.
     pub const fn is_fallback(self) -> bool {
         self.is_fallback
-    }
-
-    /// The text, shown for want of one in the locale that was asked for.
-    pub(crate) const fn as_fallback(self) -> Text<'data> {
-        Text { is_fallback: true, ..self }
     }
 }
 
@@ -52,7 +44,34 @@ impl fmt::Display for Text<'_> {
     }
 }
 
+/// A text that was found: its place, and the pool that the place is in.
+#[derive(Clone, Copy)]
+pub(crate) struct FoundText<'a> {
+    pub(crate) place: TextPlace,
+    pub(crate) texts: &'a Pool<'a>,
+}
+
+impl<'a> FoundText<'a> {
+    #[inline(always)]
+    pub(crate) fn text(&self) -> Option<Text<'a>> {
+        let TextPlace { start, end, is_fallback } = self.place;
+        Some(Text { text: self.texts.text(start, end)?, is_fallback })
+    }
+
+    #[inline(always)]
+    pub(crate) fn bytes(&self) -> Option<&'a [u8]> {
+        self.texts.slice(self.place.start, self.place.end)
+    }
+
+    /// The same text, marked as a fallback if `stands_in`.
+    pub(crate) fn marked(mut self, stands_in: bool) -> FoundText<'a> {
+        self.place.is_fallback |= stands_in;
+        self
+    }
+}
+
 /// Where a text stands in the pool.
+#[derive(Clone, Copy)]
 pub(crate) struct TextPlace {
     start: usize,
     end: usize,
@@ -60,20 +79,6 @@ pub(crate) struct TextPlace {
 }
 
 impl TextPlace {
-    /// The place of the text of a segment in `locale`, given the number of the clip's first segment and its own.
-    #[inline(always)]
-    pub(crate) fn new(locale: Locale<'_>, first: usize, number: usize) -> Option<TextPlace> {
-        // A clip has texts in all of its segments or in none. Its first entry is mostly in one line of the cache with
-        // that of the segment: the processor fetches it while it still looks for the segment.
-        if locale.starts.get(first)?.get() == NO_TEXT {
-            return None;
-        }
-        match locale.starts.get(number..number.wrapping_add(2))? {
-            [start, next] => TextPlace::between(*start, *next, locale.texts),
-            _ => None,
-        }
-    }
-
     /// The place of the text with this entry, `next` being the one behind it. Without a text there is no place, or
     /// nothing in it; a damaged entry may lead to another text.
     #[inline(always)]
@@ -102,16 +107,6 @@ impl TextPlace {
     /// The same, and that of a string.
     pub(crate) fn is_valid(&self, texts: Pool<'_>) -> bool {
         texts.text(self.start, self.end).map_or(false, |text| text.len() <= TEXT_MAX_BYTES)
-    }
-
-    #[inline(always)]
-    pub(crate) fn text<'texts>(&self, locale: Locale<'texts>) -> Option<Text<'texts>> {
-        Some(Text { text: locale.texts.text(self.start, self.end)?, is_fallback: self.is_fallback })
-    }
-
-    #[inline(always)]
-    pub(crate) fn bytes<'texts>(&self, locale: Locale<'texts>) -> Option<&'texts [u8]> {
-        locale.texts.slice(self.start, self.end)
     }
 }
 

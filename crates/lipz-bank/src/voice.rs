@@ -3,56 +3,60 @@
 use crate::file::{File, entries};
 use crate::origin::Origin;
 use crate::{Bank, Clip};
-use core::fmt;
 use core::iter::FusedIterator;
 use lipz_layout::{DUB_OF, NO_DUB, OTHER_DUB, Tag, U32};
 
-/// A language in which lines are recorded: that of the original, or one with dubs.
+/// A language in which lines are recorded: that of the originals, or one with dubs.
 ///
-/// Look it up once, with [`Bank::voice`], and ask each clip for its mouth in that voice with [`Clip::in_voice`].
+/// Look it up once, with `voice("de-de")`, and ask each clip for its mouth in that voice with [`Clip::in_voice`]. It is two
+/// numbers that borrow nothing. Its tag is `voice_tag(voice)`.
 ///
-/// A voice knows its bank. With a clip of another bank, or of another version of its bank, it leads to the clip itself
-/// (and debug builds stop with an assertion): look it up again when a bank is replaced.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub struct Voice<'data> {
-    bank: Origin,
-    tag: &'data [u8],
-    /// What stands for the clip in each slot; `None` for the voice of the originals.
-    dubs: Option<&'data [U32]>,
+/// A voice belongs to the dialogue that it was looked up in. With a clip of another dialogue, or of another version of it,
+/// it leads to the clip itself: look the voice up again after a refresh.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Voice {
+    pub(crate) origin: Origin,
+    /// The file that lists the voice.
+    pub(crate) file: u16,
+    /// Its place in the list; 0 for the voice of the originals.
+    pub(crate) index: u16,
 }
 
-impl<'data> Voice<'data> {
-    /// The locale of the voice: `de-de`. Empty only in a damaged bank.
-    pub fn tag(&self) -> &'data str {
-        core::str::from_utf8(self.tag).unwrap_or("")
-    }
-
+impl Voice {
     /// Whether this is the voice of the original recordings, in which no clip is a dub.
-    pub const fn is_original(&self) -> bool {
-        self.dubs.is_none()
+    pub const fn is_original(self) -> bool {
+        self.index == 0
     }
 
-    /// Whether the voice is one of `bank`.
-    pub fn is_of(&self, bank: &Bank<'_>) -> bool {
-        self.bank == bank.origin()
+    /// The handle as numbers, for a struct of another language.
+    pub const fn to_words(self) -> [u32; 2] {
+        [self.origin.to_u32(), (self.file as u32) << 16 | self.index as u32]
     }
 
-    /// The entry of the clip in this slot; that of no dub, if there is none.
+    /// The handle of [`Voice::to_words`]. Any numbers are accepted: those of no voice change no clip.
+    pub const fn from_words([origin, place]: [u32; 2]) -> Voice {
+        Voice { origin: Origin::from_u32(origin), file: (place >> 16) as u16, index: place as u16 }
+    }
+}
+
+/// The dubs of one voice of a bank.
+#[derive(Clone, Copy)]
+pub(crate) struct Dubs<'data> {
+    pub(crate) tag: &'data [u8],
+    /// What stands for the clip in each slot; `None` for the voice of the originals.
+    entries: Option<&'data [U32]>,
+}
+
+impl Dubs<'_> {
+    /// The entry of the clip in this slot; [`NO_DUB`] if there is none.
     pub(crate) fn entry(&self, slot: u32) -> u32 {
-        self.dubs.and_then(|dubs| dubs.get(slot as usize)).map_or(NO_DUB, |entry| entry.get())
+        self.entries.and_then(|entries| entries.get(slot as usize)).map_or(NO_DUB, |entry| entry.get())
     }
 
     /// The slot of the clip of which that in `slot` is a dub in this voice.
     fn original_of(&self, slot: u32) -> Option<u32> {
         let entry = self.entry(slot);
         if entry != NO_DUB && entry & DUB_OF != 0 { Some(entry & !DUB_OF) } else { None }
-    }
-}
-
-/// The locale.
-impl fmt::Debug for Voice<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Voice({:?})", self.tag())
     }
 }
 
@@ -71,34 +75,56 @@ pub enum Spoken {
 /// A clip as it is played in a voice.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
-pub struct VoicedClip<'data, 'bank> {
+pub struct VoicedClip<'a> {
     /// The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
-    pub clip: Clip<'data, 'bank>,
+    pub clip: Clip<'a>,
     /// Whether it is the dub, or what stands for it.
     pub spoken: Spoken,
+}
+
+impl<'a> VoicedClip<'a> {
+    pub(crate) fn new(clip: Clip<'a>, spoken: Spoken) -> VoicedClip<'a> {
+        VoicedClip { clip, spoken }
+    }
 }
 
 impl<'data> Bank<'data> {
     /// The voice in this locale, spelled as in the bank (`de-de`); `None` if the bank has no dubs, or the project names no
     /// such voice: play the clips as they are.
-    pub fn voice(&self, tag: &str) -> Option<Voice<'data>> {
-        self.voices().find(|voice| voice.tag == tag.as_bytes())
+    pub fn voice(&self, tag: &str) -> Option<Voice> {
+        self.voices().find(|voice| self.voice_tag(*voice) == tag)
     }
 
     /// The voices of the bank: that of the originals first, then those of the dubs in the order of their tags. None in a
     /// bank without dubs.
-    pub fn voices(&self) -> Voices<'data> {
-        Voices {
-            bank: self.origin(),
-            clip_count: self.clips.len(),
-            tags: tags(&self.file),
-            dubs: dubs(&self.file),
-            is_first: true,
-        }
+    pub fn voices(&self) -> impl Iterator<Item = Voice> + Clone + '_ {
+        let numbers = self.dubs().take(1 << 16).zip(0..);
+        numbers.map(move |(_, index)| Voice { origin: self.origin, file: 0, index: index as u16 })
+    }
+
+    /// The locale of a voice: `de-de`. Empty for a voice of another bank, and in a damaged bank.
+    pub fn voice_tag(&self, voice: Voice) -> &'data str {
+        let tag = self.dubs_of(voice).and_then(|dubs| core::str::from_utf8(dubs.tag).ok());
+        tag.unwrap_or("")
+    }
+
+    /// The dubs of each voice.
+    pub(crate) fn dubs(&self) -> AllDubs<'data> {
+        AllDubs { clip_count: self.clips.len(), tags: tags(&self.file), dubs: dubs(&self.file), is_first: true }
+    }
+
+    /// The dubs of a voice of this bank.
+    fn dubs_of(&self, voice: Voice) -> Option<Dubs<'data>> {
+        if voice.origin == self.origin { self.dubs().nth(usize::from(voice.index)) } else { None }
+    }
+
+    /// The number of the voice that the clip in this slot is a dub in, and the slot of its original.
+    fn original_in(&self, slot: u32) -> Option<(u32, u32)> {
+        (0..).zip(self.dubs()).find_map(|(index, dubs)| Some((index, dubs.original_of(slot)?)))
     }
 }
 
-impl<'data, 'bank> Clip<'data, 'bank> {
+impl<'a> Clip<'a> {
     /// The clip as it is played in `voice`: the dub in it; if there is none, that in a voice that this one falls back to,
     /// as the project says; otherwise the original.
     ///
@@ -108,7 +134,7 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     /// ```
     /// use lipz_bank::{Bank, Clip, Spoken};
     /// /// What a game plays for a line: the mouth, and whether the sound of the dub belongs to it.
-    /// fn line<'a, 'b>(bank: &'b Bank<'a>, key: &str, spoken_in: &str) -> Option<(Clip<'a, 'b>, bool)> {
+    /// fn line<'a>(bank: &'a Bank<'_>, key: &str, spoken_in: &str) -> Option<(Clip<'a>, bool)> {
     ///     let clip = bank.clip_by_key(key)?;
     ///     match bank.voice(spoken_in) {
     ///         Some(voice) => {
@@ -119,28 +145,42 @@ impl<'data, 'bank> Clip<'data, 'bank> {
     ///     }
     /// }
     /// ```
-    pub fn in_voice(&self, voice: Voice<'_>) -> VoicedClip<'data, 'bank> {
-        voice.bank.assert_is(self.bank.origin());
-        let original = if voice.is_of(self.bank) { self.original().unwrap_or(*self) } else { *self };
-        let entry = if voice.is_of(self.bank) { voice.entry(original.slot()) } else { NO_DUB };
+    pub fn in_voice(&self, voice: Voice) -> VoicedClip<'a> {
+        if let Some(home) = self.home {
+            return (home.queries.in_voice)(home, self, voice);
+        }
+        let dubs = match self.bank.dubs_of(voice) {
+            Some(dubs) => dubs,
+            None => return VoicedClip::new(*self, Spoken::Original),
+        };
+        let original = self.original().unwrap_or(*self);
+        let entry = dubs.entry(original.slot());
         let spoken = if entry & OTHER_DUB == 0 { Spoken::Dub } else { Spoken::OtherDub };
         // No slot is as great as the number of no dub.
         match self.bank.clip_at(entry & !OTHER_DUB) {
-            Some(clip) => VoicedClip { clip, spoken },
-            None => VoicedClip { clip: original, spoken: Spoken::Original },
+            Some(clip) => VoicedClip::new(clip, spoken),
+            None => VoicedClip::new(original, Spoken::Original),
         }
     }
 
     /// The voice whose recording the mouth of this clip belongs to; `None` in a bank without dubs.
-    pub fn voice(&self) -> Option<Voice<'data>> {
-        let of_dub = self.bank.voices().find(|voice| voice.original_of(self.slot()).is_some());
-        of_dub.or_else(|| self.bank.voices().next())
+    pub fn voice(&self) -> Option<Voice> {
+        if let Some(home) = self.home {
+            return (home.queries.voice)(home, self);
+        }
+        let index = match self.bank.original_in(self.slot()) {
+            Some((index, _)) => index,
+            None => self.bank.dubs().next().map(|_| 0)?,
+        };
+        Some(Voice { origin: self.bank.origin, file: 0, index: index as u16 })
     }
 
     /// The clip of which this one is a dub; `None` if it is none.
-    pub fn original(&self) -> Option<Clip<'data, 'bank>> {
-        let slot = self.bank.voices().find_map(|voice| voice.original_of(self.slot()))?;
-        self.bank.clip_at(slot)
+    pub fn original(&self) -> Option<Clip<'a>> {
+        if let Some(home) = self.home {
+            return (home.queries.original)(home, self);
+        }
+        self.bank.clip_at(self.bank.original_in(self.slot())?.1)
     }
 }
 
@@ -154,10 +194,9 @@ pub(crate) fn dubs<'data>(file: &File<'data>) -> &'data [U32] {
     entries(file.section(Tag::DUBS))
 }
 
-/// The voices of a bank.
+/// The dubs of the voices of a bank.
 #[derive(Clone)]
-pub struct Voices<'data> {
-    bank: Origin,
+pub(crate) struct AllDubs<'data> {
     clip_count: usize,
     /// The tags that are left.
     tags: &'data [u8],
@@ -166,13 +205,13 @@ pub struct Voices<'data> {
     is_first: bool,
 }
 
-impl<'data> Iterator for Voices<'data> {
-    type Item = Voice<'data>;
+impl<'data> Iterator for AllDubs<'data> {
+    type Item = Dubs<'data>;
 
-    fn next(&mut self) -> Option<Voice<'data>> {
+    fn next(&mut self) -> Option<Dubs<'data>> {
         let end = self.tags.iter().position(|byte| *byte == 0)?;
         let tag = self.tags.get(..end)?;
-        let dubs = if self.is_first {
+        let entries = if self.is_first {
             None
         } else {
             let own = self.dubs.get(..self.clip_count)?;
@@ -181,15 +220,8 @@ impl<'data> Iterator for Voices<'data> {
         };
         self.is_first = false;
         self.tags = self.tags.get(end.wrapping_add(1)..)?;
-        Some(Voice { bank: self.bank, tag, dubs })
+        Some(Dubs { tag, entries })
     }
 }
 
-impl FusedIterator for Voices<'_> {}
-
-/// The voices that are left.
-impl fmt::Debug for Voices<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(self.clone()).finish()
-    }
-}
+impl FusedIterator for AllDubs<'_> {}

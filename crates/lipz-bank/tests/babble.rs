@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-use lipz_bank::{Babble, Fps, Micros, Samples, Seconds, Viseme, VisemeType, VoiceLevel, Weight, Weights};
+use lipz_bank::babble::{Babble, VoiceLevel, Weight, Weights};
+use lipz_bank::{Fps, Micros, Samples, Seconds, Viseme, VisemeType};
 use lipz_testkit::golden::{SMALL, verified};
 use std::time::Duration;
 

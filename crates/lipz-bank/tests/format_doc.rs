@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-use lipz_bank::{ClipId, CurveValue, ErrorKind};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::{ClipId, ErrorKind};
 use lipz_layout::SetBankRecord;
 use lipz_layout::{BabbleRecord, EventNameRecord, EventRecord, FaceRecord, RecordingRecord, TypedEventRecord};
 use lipz_layout::{ClipRecord, DirectoryEntry, Header, KeyRecord, LocaleRecord, RateRecord, Tag};

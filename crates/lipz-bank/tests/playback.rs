@@ -3,38 +3,36 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
-use lipz_bank::{
-    Bank, CharacterState, Clip, ConsonantHold, Cursor, DueSegments, Fps, Lead, Micros, Samples, Seconds, Time,
-    VisemeType,
-};
+use lipz_bank::playback::{CharacterState, ConsonantHold, DueSegments, Lead};
+use lipz_bank::{Bank, Clip, Cursor, Fps, Micros, Samples, Seconds, Time, VisemeType};
 use lipz_testkit::golden::{DRAMA, SMALL, changed, put, verified};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// Every clip of the golden banks, those of no frames and of no segments' frames among them.
-fn clips<'bank>(banks: &'bank [Bank<'static>; 2]) -> Vec<Clip<'static, 'bank>> {
-    banks.iter().flat_map(|bank| bank.clips()).map(|clip| clip.or_fps(Fps::whole(24))).collect()
+fn clips<'bank>(banks: &'bank [Bank<'static>; 2]) -> Vec<Clip<'bank>> {
+    banks.iter().flat_map(Bank::clips).map(|clip| clip.or_fps(Fps::whole(24))).collect()
 }
 
-fn start(clip: &Clip<'_, '_>) -> Cursor {
+fn start(clip: &Clip<'_>) -> Cursor {
     Cursor::new(clip).expect("a frame rate")
 }
 
 /// A clip, and a cursor at its start.
-fn started<'bank>(bank: &'bank Bank<'static>, key: &str) -> (Clip<'static, 'bank>, Cursor) {
+fn started<'bank>(bank: &'bank Bank<'static>, key: &str) -> (Clip<'bank>, Cursor) {
     let clip = bank.clip_by_key(key).expect("a clip");
     (clip, start(&clip))
 }
 
-fn indices(due: DueSegments<'_, '_>) -> Vec<u32> {
+fn indices(due: DueSegments<'_>) -> Vec<u32> {
     let length = due.len();
     let indices: Vec<u32> = due.map(|segment| segment.index()).collect();
     assert_eq!(indices.len(), length);
     indices
 }
 
-fn events(due: DueSegments<'_, '_>) -> Vec<String> {
+fn events(due: DueSegments<'_>) -> Vec<String> {
     due.events().map(|event| event.to_string()).collect()
 }
 
@@ -59,7 +57,7 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
 }
 
 /// Ticks in any order, as after jitter, in any unit.
-fn tick(cursor: &mut Cursor, clip: &Clip<'_, '_>, time: i64, unit: u8) -> Vec<u32> {
+fn tick(cursor: &mut Cursor, clip: &Clip<'_>, time: i64, unit: u8) -> Vec<u32> {
     let unsigned = u64::try_from(time);
     indices(match (unit, unsigned) {
         (1, Ok(us)) => cursor.advance_to(clip, Duration::from_micros(us)),
@@ -70,7 +68,7 @@ fn tick(cursor: &mut Cursor, clip: &Clip<'_, '_>, time: i64, unit: u8) -> Vec<u3
 }
 
 /// The segments that begin before `time`, or also in its frame: all of them, from the first on.
-fn begun(clip: &Clip<'_, '_>, time: i64, with_its_frame: bool) -> u32 {
+fn begun(clip: &Clip<'_>, time: i64, with_its_frame: bool) -> u32 {
     let Ok(us) = u64::try_from(time) else { return 0 };
     let fps = clip.fps().expect("a frame rate");
     let frame = (us as u128 * u128::from(fps.numerator()) / (u128::from(fps.denominator()) * 1_000_000)) as u32;
@@ -253,7 +251,7 @@ fn state_is_rebuilt_by_a_jump_and_outlasts_a_round() {
 }
 
 /// Mouth, frame of the sound and number of segments that fire at `time`.
-fn shown(clip: Clip<'_, '_>, lead: Lead, time: impl Time) -> (char, Option<u32>, usize) {
+fn shown(clip: Clip<'_>, lead: Lead, time: impl Time) -> (char, Option<u32>, usize) {
     let mut cursor = start(&clip).with_lead(lead);
     let fired = cursor.advance_to(&clip, time).count();
     (cursor.viseme(&clip).to_char(), cursor.frame(), fired)
@@ -314,7 +312,7 @@ fn a_cursor_remembers_what_its_clip_was_given() {
     let clip = bank.clip_by_key("act2/unspecified").expect("a clip"); // -A-M
     let given = clip.or_fps(Fps::whole(10)).or_viseme_type(VisemeType::Blair);
     let mut cursor = start(&given).with_hold(ConsonantHold::frames(2));
-    let shown = |cursor: &mut Cursor, clip: &Clip<'_, '_>| -> String {
+    let shown = |cursor: &mut Cursor, clip: &Clip<'_>| -> String {
         cursor.seek(clip, Micros(0));
         let at = |at| {
             let _ = cursor.advance_to(clip, Micros(i64::from(at) * 100_000));
@@ -359,7 +357,7 @@ proptest! {
         let newer = other_version();
         let banks = [verified(SMALL), verified(DRAMA)];
         let third = Bank::open(&newer).and_then(Bank::verify).expect("a bank");
-        let clips: Vec<Clip<'_, '_>> = clips(&banks).into_iter().chain(third.clips()).collect();
+        let clips: Vec<Clip<'_>> = clips(&banks).into_iter().chain(third.clips()).collect();
         let fast = ConsonantHold::frames(9);
         let start = start(&clips[first % clips.len()]).with_speaker(banks[1].event_name("otto")).with_hold(fast);
         let mut cursor = start;

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::incompatible_msrv)]
 
-use lipz_bank::{Bank, ConsonantHold, Cursor, Fps, Lead, Micros};
+use lipz_bank::playback::{ConsonantHold, Lead};
+use lipz_bank::{Bank, Cursor, Fps, Micros};
 use lipz_layout::Tag;
 use lipz_testkit::exercise::{Effort, every_query};
 use lipz_testkit::golden::{SMALL, changed, put, record_of, section};

@@ -15,7 +15,7 @@ static ENGLISH: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.en-us.l
 
 /// What opening and verifying the texts finds.
 fn refusal(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
-    bank.open_texts(bytes).and_then(|texts| texts.verify(bank)).err()
+    bank.with_texts(bytes).err()
 }
 
 #[test]
@@ -25,11 +25,11 @@ fn answers_are_those_of_the_bank_with_texts() {
     assert_eq!(base.fingerprint(), whole.fingerprint());
     let mut compared = 0;
     for bytes in [GERMAN, ENGLISH] {
-        let texts = base.open_texts(bytes).and_then(|texts| texts.verify(&base)).expect("a golden text bank");
-        for locale in texts.locales() {
-            let same = whole.locale(locale.tag()).expect("a locale of the whole bank");
-            assert_eq!(locale.is_default(), same.is_default());
-            for clip in base.clips() {
+        let with_texts = base.with_texts(bytes).expect("a golden text bank");
+        for locale in with_texts.locales() {
+            let same = whole.locale(with_texts.locale_tag(locale)).expect("a locale of the whole bank");
+            assert_eq!(with_texts.default_locale() == Some(locale), whole.default_locale() == Some(same));
+            for clip in with_texts.clips() {
                 let other = whole.clip(clip.id()).expect("a clip of the whole bank");
                 assert_eq!(clip.frames(), other.frames());
                 for (segment, other) in clip.segments().zip(other.segments()) {
@@ -47,11 +47,10 @@ fn answers_are_those_of_the_bank_with_texts() {
 #[test]
 fn texts_belong_to_one_bank() {
     let other = verified(DRAMA);
-    let error = other.open_texts(GERMAN).expect_err("texts of other clips");
-    assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::OtherClips, 24));
-    // Opened with the one, verified against the other.
-    let texts = verified(BASE).open_texts(GERMAN).expect("its own texts");
-    assert_eq!(texts.verify(&other).expect_err("texts of other clips").kind(), ErrorKind::OtherClips);
+    for opened in [other.with_texts(GERMAN), other.with_texts_unverified(GERMAN)] {
+        let error = opened.expect_err("texts of other clips");
+        assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::OtherClips, 24));
+    }
 }
 
 #[test]
@@ -63,9 +62,9 @@ fn a_text_bank_is_no_bank() {
 #[test]
 fn a_bank_with_texts_is_a_text_bank() {
     let base = verified(BASE);
-    let texts = base.open_texts(SMALL).and_then(|texts| texts.verify(&base)).expect("the same clips");
-    assert!(texts.locales().map(|locale| locale.tag()).eq(["de-de", "en-us"]));
-    assert!(every_text_query(&base, &texts));
+    let with_texts = base.with_texts(SMALL).expect("the same clips");
+    assert!(with_texts.locales().map(|locale| with_texts.locale_tag(locale)).eq(["de-de", "en-us"]));
+    assert!(every_text_query(&with_texts));
 }
 
 #[test]
@@ -78,9 +77,9 @@ fn every_truncation_and_every_change_is_noticed() {
     for at in 0..bytes.len() {
         for change in 1..=255 {
             bytes[at] ^= change;
-            if let Ok(texts) = base.open_texts(&bytes) {
-                every_text_query(&base, &texts);
-                assert!(texts.verify(&base).is_err(), "byte {at} ^ {change:#x} goes unnoticed");
+            if let Ok(with_texts) = base.with_texts_unverified(&bytes) {
+                every_text_query(&with_texts);
+                assert!(refusal(&base, &bytes).is_some(), "byte {at} ^ {change:#x} goes unnoticed");
             }
             bytes[at] ^= change;
         }
@@ -96,10 +95,10 @@ fn every_forged_byte() {
             let mut bytes = GERMAN.to_vec();
             bytes[at] ^= change;
             reseal(&mut bytes);
-            let Ok(texts) = base.open_texts(&bytes) else { continue };
-            every_text_query(&base, &texts);
-            if let Ok(texts) = texts.verify(&base) {
-                assert!(every_text_query(&base, &texts), "byte {at} ^ {change:#x}");
+            let Ok(with_texts) = base.with_texts_unverified(&bytes) else { continue };
+            every_text_query(&with_texts);
+            if let Ok(with_texts) = base.with_texts(&bytes) {
+                assert!(every_text_query(&with_texts), "byte {at} ^ {change:#x}");
             }
         }
     }

@@ -1,4 +1,6 @@
-/* Plays a clip of a mapped bank in C99: play <bank> <key> <locale>. */
+/* Plays a clip of mapped files in C99: play <key> <locale> <file>...
+ *
+ * The files are a bank, or the index of a set and its banks, then patches and text banks. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <lipz.h>
@@ -11,8 +13,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Time between two pictures: 24 a second, rounded up, so that each frame starts a picture. */
-#define PICTURE_US 41667
+#define MOST_FILES 16
+
+/* Time between two rendered frames: 24 a second, rounded up, so that each frame of the clip starts one. */
+#define RENDERED_FRAME_US 41667
 
 static const char *const VERBS[] = {"",              "feels",  "sees",           "stares",
                                     "stops staring", "points", "stops pointing", "does",
@@ -32,43 +36,45 @@ static int failed(const char *what, lipz_status status) {
     return 1;
 }
 
-/* Maps a whole file; NULL if that fails or the file is empty. */
-static const uint8_t *mapped(const char *path, size_t *length_bytes) {
+/* Maps a whole file; no bytes if that fails or the file is empty. */
+static lipz_bytes mapped(const char *path) {
+    lipz_bytes bytes = {NULL, 0};
     struct stat about;
-    void *data = MAP_FAILED;
     const int file = open(path, O_RDONLY);
-    if (file < 0) {
-        return NULL;
+    if (file >= 0 && fstat(file, &about) == 0 && about.st_size > 0) {
+        void *data = mmap(NULL, (size_t)about.st_size, PROT_READ, MAP_PRIVATE, file, 0);
+        if (data != MAP_FAILED) {
+            bytes.data = data;
+            bytes.length_bytes = (size_t)about.st_size;
+        }
     }
-    if (fstat(file, &about) == 0 && about.st_size > 0) {
-        *length_bytes = (size_t)about.st_size;
-        data = mmap(NULL, *length_bytes, PROT_READ, MAP_PRIVATE, file, 0);
+    if (file >= 0) {
+        close(file);
     }
-    close(file);
-    return data == MAP_FAILED ? NULL : data;
+    return bytes;
 }
 
 static void print_event(const lipz_event *event) {
     printf("* ");
     print(event->character.name.data, event->character.name.length_bytes);
-    printf("%s%s", event->character.id == LIPZ_NO_NAME ? "" : " ", VERBS[event->verb]);
-    printf("%s", event->object.id == LIPZ_NO_NAME ? "" : " ");
+    printf("%s%s", event->character.bank == LIPZ_NO_NAME ? "" : " ", VERBS[event->verb]);
+    printf("%s", event->object.bank == LIPZ_NO_NAME ? "" : " ");
     print(event->object.name.data, event->object.name.length_bytes);
     printf("\n");
 }
 
-static void print_subtitle(const lipz_bank *bank, const lipz_segment *segment, const lipz_locale *locale) {
+static void print_subtitle(const lipz_dialogue *dialogue, const lipz_segment *segment, const lipz_locale *locale) {
     lipz_text text;
 
     printf("\n%" PRIu32 ": ", segment->index);
-    if (lipz_segment_text(bank, segment, locale, &text) == LIPZ_OK) {
+    if (lipz_segment_text(dialogue, segment, locale, &text) == LIPZ_OK) {
         print(text.data, text.length_bytes);
         printf("%s", text.is_fallback ? " (fallback)" : "");
     }
     printf("\n");
 }
 
-static int play(const lipz_bank *bank, const char *key, const char *tag) {
+static int play(const lipz_dialogue *dialogue, const char *key, const char *tag) {
     lipz_clip clip;
     lipz_locale locale;
     lipz_cursor cursor;
@@ -79,29 +85,29 @@ static int play(const lipz_bank *bank, const char *key, const char *tag) {
     uint32_t shown = UINT32_MAX;
     lipz_status status;
 
-    if ((status = lipz_clip_by_key(bank, key, strlen(key), &clip)) != LIPZ_OK) {
+    if ((status = lipz_dialogue_clip_by_key(dialogue, key, strlen(key), &clip)) != LIPZ_OK) {
         return failed(key, status);
     }
-    if ((status = lipz_locale_by_tag(bank, tag, strlen(tag), &locale)) != LIPZ_OK) {
+    if ((status = lipz_dialogue_locale(dialogue, tag, strlen(tag), &locale)) != LIPZ_OK) {
         return failed(tag, status);
     }
-    if ((status = lipz_cursor_new(bank, &clip, sizeof cursor, &cursor)) != LIPZ_OK) {
+    if ((status = lipz_cursor_new(dialogue, &clip, sizeof cursor, &cursor)) != LIPZ_OK) {
         return failed("frame rate", status);
     }
     printf("%s: %" PRIu32 " frames, %" PRIu32 " segments", key, clip.frame_count, clip.segment_count);
-    for (time_us = 0; cursor.frame != LIPZ_OVER; time_us += PICTURE_US) {
-        lipz_cursor_advance_us(bank, &cursor, time_us);
+    for (time_us = 0; cursor.frame != LIPZ_OVER; time_us += RENDERED_FRAME_US) {
+        lipz_cursor_advance(dialogue, &cursor, lipz_time_us(time_us));
         if (cursor.frame == LIPZ_OVER) {
             printf("\n");
-        } else if (lipz_cursor_segment(bank, &cursor, &segment) == LIPZ_OK && segment.index != shown) {
-            print_subtitle(bank, &segment, &locale);
+        } else if (lipz_cursor_segment(dialogue, &cursor, &segment) == LIPZ_OK && segment.index != shown) {
+            print_subtitle(dialogue, &segment, &locale);
             shown = segment.index;
         }
-        /* Of all segments that have begun since the last picture, also of those without frames. */
-        while (lipz_cursor_take_event(bank, &cursor, &event) == LIPZ_OK) {
+        /* Of all segments that have begun since the last rendered frame, also of those without frames. */
+        while (lipz_cursor_take_event(dialogue, &cursor, &event) == LIPZ_OK) {
             print_event(&event);
         }
-        lipz_cursor_viseme(bank, &cursor, &viseme);
+        lipz_cursor_viseme(dialogue, &cursor, &viseme);
         printf("%s%c", cursor.frame == LIPZ_OVER ? "end: " : "", viseme);
     }
     printf("\n");
@@ -109,26 +115,30 @@ static int play(const lipz_bank *bank, const char *key, const char *tag) {
 }
 
 int main(int count, char **arguments) {
-    lipz_bank bank;
+    lipz_bytes contents[MOST_FILES];
+    lipz_file files[MOST_FILES];
+    lipz_dialogue dialogue;
+    lipz_problem problem;
     lipz_status status;
-    size_t length_bytes = 0;
-    const uint8_t *data;
+    const int file_count = count - 3;
+    int number;
     int result;
 
-    if (count != 4) {
-        fprintf(stderr, "usage: play <bank> <key> <locale>\n");
+    if (file_count < 1 || file_count > MOST_FILES) {
+        fprintf(stderr, "usage: play <key> <locale> <file>...\n");
         return 2;
     }
-    if ((data = mapped(arguments[1], &length_bytes)) == NULL) {
-        perror(arguments[1]);
-        return 1;
+    for (number = 0; number < file_count; number++) {
+        contents[number] = mapped(arguments[3 + number]);
+        if (contents[number].data == NULL) {
+            perror(arguments[3 + number]);
+            return 1;
+        }
     }
-    if ((status = lipz_bank_open(data, length_bytes, &bank, NULL)) != LIPZ_OK ||
-        (status = lipz_bank_verify(&bank, NULL)) != LIPZ_OK) {
-        result = failed(arguments[1], status);
-    } else {
-        result = play(&bank, arguments[2], arguments[3]);
+    status = lipz_dialogue_open(&dialogue, files, contents, (size_t)file_count, 0, &problem);
+    result = status == LIPZ_OK ? play(&dialogue, arguments[1], arguments[2]) : failed(arguments[3 + problem.file], status);
+    for (number = 0; number < file_count; number++) {
+        munmap((void *)contents[number].data, contents[number].length_bytes);
     }
-    munmap((void *)data, length_bytes);
     return result;
 }

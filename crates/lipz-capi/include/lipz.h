@@ -2,16 +2,21 @@
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
  *
  * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
- * docs/C.md shows how to use it.
+ * docs/C.md has a first program, and a page of what each struct has.
+ *
+ * Arguments come in one order: the dialogue, the value that is asked, the time, who, the profile, options,
+ * and the answer last.
  *
  * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
- * beside it says; that holds for the pointers in a lipz_bank and a lipz_who, too, for as long as the bank and
- * strings from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+ * beside it says; that holds for the pointers in a lipz_bytes and a lipz_who, too. The words of a
+ * lipz_dialogue and of its files are those that lipz_dialogue_open has written; the files, where they are,
+ * and their contents stay for as long as the dialogue and strings from it are used. Nobody writes to
+ * any of them meanwhile, and answers do not overlap arguments.
  *
  * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
- * bytes of the bank and the numbers in the structs are. Each returns a status, and writes an
- * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All may be called from several
- * threads at once.
+ * bytes of the files and the numbers in the other structs are. Each returns a status, and writes an
+ * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All but lipz_dialogue_supply
+ * may be called from several threads at once.
  */
 
 #ifndef LIPZ_H
@@ -164,8 +169,36 @@
 // Third number of the version.
 #define LIPZ_VERSION_PATCH 0
 
-// How many words the places of the sections take.
-#define LIPZ_PLACE_WORDS 34
+// Words of a `lipz_dialogue`.
+#define LIPZ_DIALOGUE_WORDS 80
+
+// Words of a `lipz_file`.
+#define LIPZ_FILE_WORDS 80
+
+// For `lipz_dialogue_open`: verifies nothing. Queries are as safe as ever, but a damaged file may have wrong answers, and each
+// text is checked to be UTF-8 when it is asked for.
+#define LIPZ_UNVERIFIED 1
+
+// Kind of a file: a bank of a set that is not there yet.
+#define LIPZ_FILE_ABSENT 0
+
+// Kind of a file: a bank with clips.
+#define LIPZ_FILE_BANK 1
+
+// Kind of a file: a bank that was packed over others.
+#define LIPZ_FILE_PATCH 2
+
+// Kind of a file: the texts of locales.
+#define LIPZ_FILE_TEXTS 3
+
+// Kind of a file: the index of a set of banks.
+#define LIPZ_FILE_SET 4
+
+// The `rate_hz` of a time in seconds.
+#define LIPZ_SECONDS 4294967295
+
+// The `rate_hz` of a time in seconds that comes from a clock without `double`.
+#define LIPZ_SECONDS_F32 4294967294
 
 // Viseme type: Preston Blair's chart, `-AMOSWEFLU`.
 #define LIPZ_BLAIR 1
@@ -175,6 +208,18 @@
 
 // Viseme type: loudness, `-0123456789`.
 #define LIPZ_RMS 3
+
+// The clip is the original: the line is not dubbed, or the original was asked for.
+#define LIPZ_ORIGINAL 0
+
+// The clip is the dub in the voice that was asked for.
+#define LIPZ_DUB 1
+
+// The clip is the dub in a voice that the one that was asked for falls back to.
+#define LIPZ_OTHER_DUB 2
+
+// The `bank` where there is no name.
+#define LIPZ_NO_NAME 0
 
 // Verb: `feels emotion`, lasts until changed.
 #define LIPZ_FEELS 1
@@ -197,13 +242,13 @@
 // Verb: `does action`, an action of the game.
 #define LIPZ_DOES 7
 
-// Verb: `nods`, as far as the number says that is the object, 0 to 10; no name if there is none.
+// Verb: `nods`, as far as `strength_thousandths` says.
 #define LIPZ_NODS 8
 
-// Verb: `shakes`, the head, with a number as `LIPZ_NODS`.
+// Verb: `shakes`, the head, with a strength as `LIPZ_NODS`.
 #define LIPZ_SHAKES 9
 
-// Verb: `breathes`, with a number as `LIPZ_NODS`.
+// Verb: `breathes`, with a strength as `LIPZ_NODS`.
 #define LIPZ_BREATHES 10
 
 // Verb: `blinks`.
@@ -212,20 +257,20 @@
 // Verb: `looks away`.
 #define LIPZ_LOOKS_AWAY 12
 
-// The `id` where there is no name.
-#define LIPZ_NO_NAME 4294967295
+// The `strength_thousandths` where the event says none.
+#define LIPZ_NO_STRENGTH 4294967295
 
-// In place of a frame: the sound is past the last one. All events of the clip have been due.
+// In place of a frame: the audio is past the last one. All events of the clip have been due.
 #define LIPZ_OVER 4294967295
 
-// In place of a frame: the sound has not begun.
+// In place of a frame: the audio has not begun.
 #define LIPZ_WAITING 4294967294
 
-// The `index` of the Second Life viewer's own profile, which needs no bank.
+// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
 #define LIPZ_BUILT_IN 4294967295
 
-// The level of a voice that nobody measures: three quarters, where all digits of the viewer's profile show, but not at
-// their widest.
+// The level of a voice that the program does not measure: three quarters, where all digits of the viewer's profile show, but not
+// at their widest.
 #define LIPZ_UNMEASURED 49152
 
 // Attribute of emotion: `sadness`, place in `thousandths`.
@@ -270,69 +315,96 @@
 // `strongest` of a neutral face.
 #define LIPZ_NEUTRAL 4294967295
 
-// What is played is the original: the line is not dubbed, or the original was asked for.
-#define LIPZ_ORIGINAL 0
-
-// What is played is the dub in the voice that was asked for.
-#define LIPZ_DUB 1
-
-// What is played is the dub in another voice, which the one that was asked for falls back to.
-#define LIPZ_OTHER_DUB 2
-
-// In place of a layer: there is none.
-#define LIPZ_NO_LAYER UINT32_MAX
-
-// What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
-// that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
+// The result of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
+// that was found in a file, from 1 to 255. Numbers are never given a new meaning.
 typedef uint32_t lipz_status;
 
 // A string in UTF-8, without terminator: it stands in the bytes of the bank and lives as long as
 // they do. It may contain U+0000.
-typedef struct lipz_string {
+typedef struct {
   // The first byte; null only if there is no string.
   const char *data;
   // Length in bytes.
   size_t length_bytes;
 } lipz_string;
 
-// An opened bank: the caller's bytes, and beside them those of a text bank, if one is used. It owns
-// nothing: copy it, keep it, forget it.
-typedef struct lipz_bank {
-  // The bytes of the bank, at any address: a mapped file, ROM, memory.
+// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. `lipz_dialogue_open` writes it,
+// and no program reads or writes its words. It owns nothing: forget it when you no longer need it.
+typedef struct {
+  // Written by the library.
+  size_t words[LIPZ_DIALOGUE_WORDS];
+} lipz_dialogue;
+
+// A place for an open file of a dialogue, which `lipz_dialogue_open` fills.
+typedef struct {
+  // Written by the library.
+  size_t words[LIPZ_FILE_WORDS];
+} lipz_file;
+
+// The contents of a file, at any address: a mapped file, ROM, memory.
+typedef struct {
+  // The first byte.
   const uint8_t *data;
-  // Length of the bank.
+  // Length of the file; 0 for a bank of a set that is not there yet.
   size_t length_bytes;
-  // The bytes of the text bank that has the locales; null if they are those of the bank itself.
-  const uint8_t *texts;
-  // Length of the text bank.
-  size_t texts_length_bytes;
-  // Where `lipz_bank_open` has found the sections, and the checksum of the bank. Each query looks whether the bytes
-  // still have this checksum, and whether the places lie in them.
-  uint32_t places[LIPZ_PLACE_WORDS];
-} lipz_bank;
+} lipz_bytes;
 
-// What a bank has.
-typedef struct lipz_bank_info_t {
-  // Hash of what the clips are: a bank and its text banks share it.
-  uint64_t fingerprint;
-  // Number of clips: their slots are the numbers below it.
-  uint32_t clip_count;
-  // Number of locales: those of the text bank, if one is used.
+// Which file is damaged or does not fit the others, and where.
+typedef struct {
+  // Its number, from 0.
+  uint32_t file;
+  // Bytes from its start.
+  uint32_t offset_bytes;
+} lipz_problem;
+
+// What a dialogue has.
+typedef struct {
+  // Number of clips. Counted, if there are patches: that takes time in proportion.
+  uint64_t clip_count;
+  // Number of files.
+  uint32_t file_count;
+  // Number of locales.
   uint32_t locale_count;
-  // Major format version.
-  uint32_t format_major;
-  // Minor format version.
-  uint32_t format_minor;
-} lipz_bank_info_t;
+  // Number of voices; 0 without dubs.
+  uint32_t voice_count;
+  // 0.
+  uint32_t reserved;
+} lipz_dialogue_info_t;
 
-// One spoken line.
-//
-// Queries go by `id`, and take the frame rate from here only where the bank has none. The other
-// fields are there to be read.
-typedef struct lipz_clip {
-  // Hash of the key: names the clip within its bank.
+// A file of a dialogue.
+typedef struct {
+  // The checksum in its header: files of different contents have different ones.
+  uint64_t checksum;
+  // Hash of what its clips are: a bank and its text banks share it; 0 for other files.
+  uint64_t fingerprint;
+  // `LIPZ_FILE_BANK` and so on.
+  uint32_t kind;
+  // Number of its clips.
+  uint32_t clip_count;
+} lipz_file_info;
+
+// What the index of a set says about a bank.
+typedef struct {
+  // The name of its file, which is next to the index.
+  lipz_string file_name;
+  // The checksum of the bank.
+  uint64_t checksum;
+  // Its length.
+  uint32_t length_bytes;
+  // Number of its clips.
+  uint32_t clip_count;
+} lipz_set_bank;
+
+// One spoken line, in the version of the dialogue that it was found in. The fields are there to be read, and two pairs to be set
+// where they are 0.
+typedef struct {
+  // Hash of the key: names the clip in every version.
   uint64_t id;
-  // Place of the clip in the bank, for `lipz_clip_at`.
+  // The version of the dialogue: in another one, queries of the clip give `LIPZ_NONE`.
+  uint32_t version;
+  // The number of the file that it is in.
+  uint32_t file;
+  // Its number in that file.
   uint32_t slot;
   // Number of frames.
   uint32_t frame_count;
@@ -343,7 +415,7 @@ typedef struct lipz_clip {
   uint32_t fps_numerator;
   // Seconds in which `fps_numerator` frames pass; 0 if unspecified.
   uint32_t fps_denominator;
-  // `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified.
+  // `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified. Set it to supply it.
   uint32_t viseme_type;
   // 1 if the Lipz file has visemes. Without them there are no frames, and segments have no times.
   uint32_t has_visemes;
@@ -351,103 +423,143 @@ typedef struct lipz_clip {
   uint32_t has_events;
 } lipz_clip;
 
+// A time since the audio began, as `lipz_time_us`, `lipz_time_samples`, `lipz_time_seconds` and `lipz_time_seconds_f32` make it.
+//
+// Each unit leads to the frame of exact arithmetic. Times before the start, from the end on, infinite or not a number lead to no
+// frame, and so to rest.
+typedef struct {
+  // Microseconds, or samples per channel.
+  int64_t count;
+  // Seconds.
+  double seconds;
+  // 0 for microseconds, `LIPZ_SECONDS`, `LIPZ_SECONDS_F32`, or samples per second.
+  uint32_t rate_hz;
+  // 0.
+  uint32_t reserved;
+} lipz_time;
+
 // A mouth shape: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
 typedef uint8_t lipz_viseme;
 
-// The recording that a clip was made for: how long it is, and what is in its file. Compare it with the sound
-// that is about to be played.
-typedef struct lipz_recording {
-  // Length in microseconds, rounded to the nearest.
-  uint64_t length_us;
-  // XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
-  uint64_t content_hash;
-} lipz_recording;
-
-// A stretch of a clip, between two `|` of its Lipz file. Queries go by `clip_id` and `index`.
-typedef struct lipz_segment {
-  // The clip that this is a segment of.
+// A stretch of a clip, between two `|` of its Lipz file, in the version of the dialogue that it was found in.
+typedef struct {
+  // The clip.
   uint64_t clip_id;
+  // The version of the dialogue: in another one, queries of the segment give `LIPZ_NONE`.
+  uint32_t version;
+  // The number of the file that the clip is in.
+  uint32_t file;
+  // The number of the clip in that file.
+  uint32_t slot;
   // Place of the segment in its clip, from 0.
   uint32_t index;
   // Its first frame.
   uint32_t start_frame;
   // The frame behind its last one.
   uint32_t end_frame;
-  // Zero; keeps the size the same on all machines.
-  uint32_t reserved;
 } lipz_segment;
 
-// A locale of a bank. Look it up once; queries go by `index` and `bank`. With another bank, another text bank or
-// another version of one, it leads to `LIPZ_NONE`: look it up again.
-typedef struct lipz_locale {
+// The recording that a clip was made for. Compare it with the audio that is about to be played.
+typedef struct {
+  // Length in microseconds, rounded to the nearest.
+  uint64_t length_us;
+  // XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
+  uint64_t content_hash;
+} lipz_recording;
+
+// A voice: a language in which lines are recorded. In another version of the dialogue it changes no clip: look it up again.
+typedef struct {
+  // The locale of the voice: `de-de`.
+  lipz_string tag;
+  // Tells the version of the dialogue apart from others.
+  uint32_t version;
+  // Where it is in the dialogue.
+  uint32_t place;
+  // 1 for the voice of the original recordings, in which no clip is a dub.
+  uint32_t is_original;
+} lipz_voice;
+
+// A clip as it is played in a voice.
+typedef struct {
+  // The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
+  lipz_clip clip;
+  // `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
+  uint32_t spoken;
+  // 0.
+  uint32_t reserved;
+} lipz_voiced_clip;
+
+// A locale of a dialogue. In another version of the dialogue it leads to `LIPZ_NONE`: look it up again.
+typedef struct {
   // Its tag, as in `text_en-us` of a Lipz file: `en-us`.
-  struct lipz_string tag;
-  // Its place among the locales, which are in the order of their tags.
-  uint32_t index;
-  // 1 for the default locale that was set when the bank was packed.
+  lipz_string tag;
+  // Tells the version of the dialogue apart from others.
+  uint32_t version;
+  // Where it is in the dialogue.
+  uint32_t place;
+  // 1 for the default locale.
   uint32_t is_default;
-  // Tells the bank and the text bank that the locale is of apart from others.
-  uint32_t bank;
 } lipz_locale;
 
-// A display text, as a player sees it: UTF-8 without terminator, in the bytes of the bank.
-typedef struct lipz_text {
+// A display text, as a player sees it: UTF-8 without terminator, in the bytes of a file.
+typedef struct {
   // The first byte; null only if there is no text.
   const char *data;
   // Length in bytes.
   size_t length_bytes;
-  // 1 if the clip has no text of its own in the locale, and this is that of another one.
+  // 1 if the clip has no text of its own in the locale, and this is that of the locale that it falls back to.
   uint32_t is_fallback;
 } lipz_text;
 
-// A name that events mention: a character, an emotion, a target or an action.
-typedef struct lipz_name {
+// A name that events mention: a character, an emotion, a target or an action. Equal names have equal strings.
+typedef struct {
   // The name as it is spelled in the Lipz file.
-  struct lipz_string name;
-  // Its number in this bank: equal names have equal numbers. `LIPZ_NO_NAME` if there is none. In another bank,
-  // and in another version of this one, the number is another name's.
-  uint32_t id;
-  // Tells the bank that the name is of apart from others; 0 if there is no name.
+  lipz_string name;
+  // Tells the bank that the name is of apart from others; `LIPZ_NO_NAME` if there is no name.
   uint32_t bank;
+  // Its number in that bank.
+  uint32_t id;
 } lipz_name;
 
 // One event of Character Event Syntax: `[character] verb object`.
-typedef struct lipz_event {
+typedef struct {
   // Who; no name for the speaker of the clip.
-  struct lipz_name character;
-  // The emotion, target or action, or the number of a gesture, as it is written; no name where there is none.
-  struct lipz_name object;
-  // `LIPZ_FEELS` and so on.
+  lipz_name character;
+  // The emotion, target or action; no name where there is none.
+  lipz_name object;
+  // `LIPZ_FEELS` and so on. Verbs are added; skip those that you do not know.
   uint32_t verb;
+  // How far a gesture goes, 0 to 10,000, or `LIPZ_NO_STRENGTH`.
+  uint32_t strength_thousandths;
 } lipz_event;
 
-// Where a clip is while it is played: a plain struct of numbers, which a program keeps beside its bank. Once per
-// picture, move it to the position of the sound, take the events that are due, and draw what it shows.
+// Where a clip is while it is played: a plain struct of numbers, which a program keeps next to its dialogue. Once per
+// rendered frame, move it to the position of the audio, take the events that are due, and draw what it shows.
 //
-// It remains right when a newer bank replaces the old one: it goes on at the same time. For another line, start
-// another cursor. docs/PLAYBACK.md has a table of what happens when time goes on, stands still, jumps and loops.
-typedef struct lipz_cursor {
+// It remains right when a new version of the dialogue replaces the old one: it continues at the same time. For another line,
+// start another cursor. docs/PLAYBACK.md has a table of what happens when time goes on, stands still, jumps and loops.
+typedef struct {
   // Size of this struct where it was started; each function looks at it.
   uint32_t size_bytes;
-  // The frame at the position of the sound; `LIPZ_WAITING` before it begins, `LIPZ_OVER` from its end on.
+  // The frame at the position of the audio; `LIPZ_WAITING` before it begins, `LIPZ_OVER` from its end on.
   uint32_t frame;
   // The clip.
   uint64_t clip_id;
-  // Frames in `fps_denominator` seconds, if the bank does not say.
+  // Frames in `fps_denominator` seconds, if the clip has no frame rate.
   uint32_t fps_numerator;
-  // Seconds in which `fps_numerator` frames pass, if the bank does not say.
+  // Seconds in which `fps_numerator` frames pass, if the clip has no frame rate.
   uint32_t fps_denominator;
-  // The viseme type, if the bank does not say; 0 for none.
+  // The viseme type, if the clip has none; 0 for none.
   uint32_t viseme_type;
-  // Set it: how many microseconds mouth shapes are ahead of the sound. Segments and events stay with the sound.
+  // Set it: how many microseconds mouth shapes are ahead of the audio. Segments and events stay with the audio.
   uint32_t lead_us;
   // Set it: how many frames a consonant shows at least; at most 255.
   uint32_t hold_frames;
   // Set it: who speaks, so whose events name no character: the `id` of a `lipz_name`.
   uint32_t speaker_id;
-  // Set it: the `bank` of that name. The names of another bank are nobody's: set both again when it is replaced.
+  // Set it: the `bank` of that name. The names of another version do not count: set both again after a refresh.
   uint32_t speaker_bank;
-  // The frame that the mouth shows, which is ahead of the sound.
+  // The frame that the mouth shows, which is ahead of the audio.
   uint32_t mouth_frame;
   // The first segment whose events have not been due.
   uint32_t next_segment;
@@ -465,67 +577,85 @@ typedef struct lipz_cursor {
 
 // What a character feels, stares and points at. No name where no event has said anything: it is as it was before the
 // clip.
-typedef struct lipz_character {
-  // Who; no name for a speaker that the cursor does not know.
-  struct lipz_name name;
+typedef struct {
+  // Who; no name for a speaker that the cursor does not have.
+  lipz_name name;
   // The emotion, until changed.
-  struct lipz_name feels;
+  lipz_name feels;
   // The target, until `stops staring`.
-  struct lipz_name stares_at;
+  lipz_name stares_at;
   // The target, until `stops pointing`.
-  struct lipz_name points_at;
+  lipz_name points_at;
 } lipz_character;
 
-// A babble profile of a bank. Look it up once; queries go by `index` and `bank`.
-typedef struct lipz_babble {
+// A babble profile of a dialogue. Look it up once; queries go by `index` and `version`.
+typedef struct {
   // Its name: `default` for that of the project.
-  struct lipz_string name;
+  lipz_string name;
   // Its place among the profiles, or `LIPZ_BUILT_IN`.
   uint32_t index;
-  // Tells the bank that the profile is of apart from others.
-  uint32_t bank;
+  // The version of the dialogue.
+  uint32_t version;
 } lipz_babble;
 
-// What moves the mouth while somebody babbles.
-typedef struct lipz_weights {
+// What moves the mouth while a character babbles.
+typedef struct {
   // How far the lips are pursed, in ten-thousandths.
   uint32_t ooh;
   // How far the jaw is open, in ten-thousandths.
   uint32_t aah;
 } lipz_weights;
 
-// A curve of a clip. Queries go by `place` and `bank`; the other fields are there to be read.
-typedef struct lipz_curve {
+// A curve of a clip, in the version of the dialogue that it was found in. The fields are there to be read.
+typedef struct {
   // Its name: `jawOpen`, `anger`.
-  struct lipz_string name;
-  // Its place among all curves of the bank.
-  uint32_t place;
+  lipz_string name;
   // Number of keys, at least 1 in a verified bank.
   uint32_t key_count;
-  // Tells the bank that the curve is of apart from others: asked of another one, also of a newer version, a curve gives
-  // `LIPZ_NONE`.
-  uint32_t bank;
+  // The version of the dialogue: in another one, queries of the curve give `LIPZ_NONE`.
+  uint32_t version;
+  // The number of the file that it is in.
+  uint32_t file;
+  // The number of its clip in that file.
+  uint32_t slot;
+  // Its place among all curves of that file.
+  uint32_t place;
+  // Frames in `fps_denominator` seconds, of its clip.
+  uint32_t fps_numerator;
+  // Seconds in which `fps_numerator` frames pass.
+  uint32_t fps_denominator;
+  // 0.
+  uint32_t reserved;
 } lipz_curve;
 
 // A key of a curve: its value at the start of a frame.
-typedef struct lipz_curve_key {
+typedef struct {
   // The frame.
   uint32_t frame;
   // The value in thousandths.
   int32_t thousandths;
-} lipz_curve_key;
+} lipz_curve_key_t;
 
 // Which key of a curve was needed last. Start with zeros: `lipz_curve_cursor cursor = {0}`.
 //
-// With it, no key is searched for as long as time moves on by a few keys per picture. The answers are the same, also
+// With it, no key is searched for as long as time moves on by a few keys per rendered frame. The answers are the same, also
 // after a jump, and with a cursor of another curve.
-typedef struct lipz_curve_cursor {
+typedef struct {
   // The key, by its index.
   uint32_t key;
 } lipz_curve_cursor;
 
+// A character of a clip: `mara feels fear` and `mara nods` in its events are about mara, and in curves with this name in front.
+typedef struct {
+  // The name as events have it: data and length.
+  lipz_string name;
+  // 1 for the speaker: then curves without a name are about them, too. Of two for the same, that one counts which is farther
+  // from neutral. 0 for other characters.
+  uint32_t is_speaker;
+} lipz_who;
+
 // What a character feels: all zeros for a neutral face.
-typedef struct lipz_emotions {
+typedef struct {
   // Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
   int32_t thousandths[LIPZ_EMOTION_COUNT];
   // The attribute with the highest value, `LIPZ_NEUTRAL` if none is above 0.
@@ -534,27 +664,18 @@ typedef struct lipz_emotions {
   int32_t sum;
 } lipz_emotions;
 
-// A character of a clip: `mara feels fear` and `mara nods` in its events are about mara, and in curves with this name in front.
-typedef struct lipz_who {
-  // The name as events have it: data and length.
-  struct lipz_string name;
-  // 1 for the speaker: then curves without a name are about them, too. Of two for the same, that one counts which is farther
-  // from neutral. 0 for somebody else.
-  uint32_t is_speaker;
-} lipz_who;
-
-// A face profile of a bank. Look it up once; queries go by `index` and `bank`.
-typedef struct lipz_face_profile {
+// A face profile of a dialogue. Look it up once; queries go by `index` and `version`.
+typedef struct {
   // Its name: `default` for that of the project.
-  struct lipz_string name;
+  lipz_string name;
   // Its place among the profiles, or `LIPZ_BUILT_IN`.
   uint32_t index;
-  // Tells the bank that the profile is of apart from others.
-  uint32_t bank;
+  // The version of the dialogue.
+  uint32_t version;
 } lipz_face_profile;
 
-// What somebody looks at: a direction, as seen from the head at rest.
-typedef struct lipz_look_at {
+// What a character looks at: a direction, as seen from the head at rest.
+typedef struct {
   // How far up it is.
   int32_t pitch;
   // How far to the left of the character it is.
@@ -564,7 +685,7 @@ typedef struct lipz_look_at {
 } lipz_look_at;
 
 // What a face does at a time, besides its mouth and its emotions. Numbers are in thousandths.
-typedef struct lipz_face {
+typedef struct {
   // How far the lids are closed: 0 to 1,000.
   int32_t blink;
   // How far the head is raised.
@@ -581,94 +702,9 @@ typedef struct lipz_face {
   int32_t brows;
   // A shrug of the face, 0 to 1,000. Only curves make one.
   int32_t shrug;
-  // How hard somebody breathes: 0 to 10,000. Only curves say so.
+  // How hard the character breathes: 0 to 10,000. Only curves say so.
   int32_t breath;
 } lipz_face;
-
-// A clip as it is played in a voice.
-typedef struct lipz_voiced_clip {
-  // The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
-  struct lipz_clip clip;
-  // `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
-  uint32_t spoken;
-  // 0.
-  uint32_t reserved;
-} lipz_voiced_clip;
-
-// A clip of a stack. Ask the bank `banks[layer]` about `clip`: mouths, segments, events, curves, a cursor. Texts are those of
-// `lipz_layers_text`.
-typedef struct lipz_layered_clip {
-  // The clip in its own bank.
-  struct lipz_clip clip;
-  // Index of that bank.
-  uint32_t layer;
-  // Index of the bank that has the texts; `LIPZ_NO_LAYER` if none has any.
-  uint32_t texts_layer;
-  // The id that the clip with the texts has there: that of this clip, or of its original, if it is a dub.
-  uint64_t texts_id;
-} lipz_layered_clip;
-
-// A locale of a stack in one of its banks.
-typedef struct lipz_layered_locale {
-  // The locale of that bank whose texts show.
-  struct lipz_locale locale;
-  // 1 if it is another locale, which stands in for the one that was asked for.
-  uint32_t is_stand_in;
-} lipz_layered_locale;
-
-// Which banks of a stack say what is said once.
-typedef struct lipz_layers_info_t {
-  // Index of the bank whose babble profiles count.
-  uint32_t babble_layer;
-  // Index of the bank whose default locale counts.
-  uint32_t default_locale_layer;
-  // Index of the bank whose face profiles count.
-  uint32_t faces_layer;
-} lipz_layers_info_t;
-
-// A clip of a stack as it is played in a voice.
-typedef struct lipz_layered_voiced_clip {
-  // The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
-  struct lipz_layered_clip clip;
-  // `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
-  uint32_t spoken;
-  // 0.
-  uint32_t reserved;
-} lipz_layered_voiced_clip;
-
-// The index of a set: the caller's bytes. It owns nothing: copy it, keep it, forget it.
-typedef struct lipz_set {
-  // The bytes of the index, at any address.
-  const uint8_t *data;
-  // Length of the index.
-  size_t length_bytes;
-} lipz_set;
-
-// What a set has.
-typedef struct lipz_set_info_t {
-  // Hash of what the clips of all banks are.
-  uint64_t fingerprint;
-  // Number of clips in all banks.
-  uint64_t clip_count;
-  // Number of banks.
-  uint32_t bank_count;
-  // Number of clips that are not in the bank of their id, but in that of their line: dubs.
-  uint32_t moved_count;
-} lipz_set_info_t;
-
-// What the index says about a bank.
-typedef struct lipz_set_bank {
-  // The name of its file, which is beside the index.
-  struct lipz_string file_name;
-  // The checksum of the bank.
-  uint64_t checksum;
-  // Its fingerprint.
-  uint64_t fingerprint;
-  // Its length.
-  uint32_t length_bytes;
-  // Number of its clips.
-  uint32_t clip_count;
-} lipz_set_bank;
 
 // The answer was written.
 #define LIPZ_OK 0
@@ -683,13 +719,15 @@ typedef struct lipz_set_bank {
 // A key, tag or name that was asked for is not UTF-8.
 #define LIPZ_NOT_UTF8 258
 
-// The bytes of a bank are not those that it was opened with: another length, or another checksum in their header. Open
-// it again.
+// The dialogue was not opened.
 #define LIPZ_NOT_OPENED 259
 
-// A struct has another size than in this library: the program was compiled with the header of another version, or
+// A struct has a different size in this library: the program was compiled with the header of another version, or
 // never started the struct.
 #define LIPZ_OTHER_VERSION 260
+
+// A bank of the set is not there that would have it. Of a clip, `file` is the number of the bank to supply.
+#define LIPZ_ABSENT 261
 
 #ifdef __cplusplus
 extern "C" {
@@ -699,836 +737,303 @@ extern "C" {
 uint32_t lipz_version(void);
 
 // A status in one English sentence, without full stop; `LIPZ_NONE` for numbers that are no status.
-lipz_status lipz_status_message(lipz_status status, struct lipz_string *message);
+lipz_status lipz_status_message(lipz_status status, lipz_string *message);
 
-// Opens the bank that fills `length_bytes` bytes at `data`: checks header and directory, in a time
-// that does not depend on the number of clips. Keep `bank`, and open it again when other bytes are at `data`.
+// Opens the files whose contents are the `file_count` ones at `contents`, from the bottom to the top: the base first, a bank or
+// the index of a set with all of its banks behind it; then patches, each over those before it, and text banks, each behind
+// the bank of its clips. `files` has room for as many. Keep `files`, where they are, and the contents as long as you ask the
+// dialogue; copy `dialogue` as you like.
 //
-// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
-lipz_status lipz_bank_open(const uint8_t *data,
-                           size_t length_bytes,
-                           struct lipz_bank *bank,
-                           uint32_t *damage_offset_bytes);
+// `flags` is 0 or `LIPZ_UNVERIFIED`. `problem` may be null. Unless the status is `LIPZ_OK`, the dialogue is not opened.
+lipz_status lipz_dialogue_open(lipz_dialogue *dialogue,
+                               lipz_file *files,
+                               const lipz_bytes *contents,
+                               size_t file_count,
+                               uint32_t flags,
+                               lipz_problem *problem);
 
-// Makes `bank` use the locales of a text bank: opens it, and checks that it belongs to the clips.
-// Unless that succeeds, `bank` stays as it was.
+// Puts a bank of a set into its place, with the number of its file, that was not there when the dialogue was opened. Handles
+// count as before. `files` are those of `lipz_dialogue_open`; no other function is called meanwhile.
 //
-// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank.
-lipz_status lipz_bank_use_texts(struct lipz_bank *bank,
-                                const uint8_t *texts,
-                                size_t texts_length_bytes,
-                                uint32_t *damage_offset_bytes);
+// `LIPZ_NONE` if the file is there already, or is not a bank of the set.
+lipz_status lipz_dialogue_supply(lipz_dialogue *dialogue,
+                                 lipz_file *files,
+                                 uint32_t number,
+                                 const lipz_bytes *contents,
+                                 uint32_t flags,
+                                 lipz_problem *problem);
 
-// Checks every byte and reference of a bank, and of its text bank. After it no query fails for
-// which the bank has data.
-//
-// `damage_offset_bytes` as for `lipz_bank_open`; the place is one in the text bank if the bank is
-// whole.
-lipz_status lipz_bank_verify(const struct lipz_bank *bank, uint32_t *damage_offset_bytes);
+// What a dialogue has.
+lipz_status lipz_dialogue_info(const lipz_dialogue *dialogue, lipz_dialogue_info_t *info);
 
-// What a bank has.
-lipz_status lipz_bank_info(const struct lipz_bank *bank, struct lipz_bank_info_t *info);
+// The file with this index: ask from 0 on until `LIPZ_NONE`.
+lipz_status lipz_dialogue_file_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_file_info *file);
+
+// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The contents
+// of all of them go behind the index in `lipz_dialogue_open`, in this order.
+lipz_status lipz_set_bank_by_index(const lipz_bytes *contents, uint32_t index, lipz_set_bank *bank);
 
 // The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
 // clips as constants.
 lipz_status lipz_clip_id_of_key(const char *key, size_t key_length_bytes, uint64_t *id);
 
-// The clip with this id.
-lipz_status lipz_clip_by_id(const struct lipz_bank *bank, uint64_t id, struct lipz_clip *clip);
+// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
+// `file` of the clip is the number of the file to supply.
+lipz_status lipz_dialogue_clip(const lipz_dialogue *dialogue, uint64_t id, lipz_clip *clip);
 
-// The clip with this key, compared whole.
-lipz_status lipz_clip_by_key(const struct lipz_bank *bank,
-                             const char *key,
-                             size_t key_length_bytes,
-                             struct lipz_clip *clip);
+// The clip with this key, compared whole; as `lipz_dialogue_clip`.
+lipz_status lipz_dialogue_clip_by_key(const lipz_dialogue *dialogue, const char *key, size_t key_length_bytes, lipz_clip *clip);
 
-// The clip in this slot, a number below `clip_count` of the bank. Slots are in no order that means
-// anything.
-lipz_status lipz_clip_at(const struct lipz_bank *bank, uint32_t slot, struct lipz_clip *clip);
+// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
+// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
+lipz_status lipz_dialogue_next_clip(const lipz_dialogue *dialogue,
+                                    const char *prefix,
+                                    size_t prefix_length_bytes,
+                                    uint64_t *position,
+                                    lipz_clip *clip);
 
 // The key of a clip: the path of its Lipz file below the source root, without extension.
-lipz_status lipz_clip_key(const struct lipz_bank *bank,
-                          const struct lipz_clip *clip,
-                          struct lipz_string *key);
+lipz_status lipz_clip_key(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_string *key);
 
 // The frame codes of a clip, one byte per frame.
-lipz_status lipz_clip_frames(const struct lipz_bank *bank,
-                             const struct lipz_clip *clip,
-                             struct lipz_string *frames);
+lipz_status lipz_clip_frames(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_string *frames);
+
+// The frame that shows at a time.
+lipz_status lipz_clip_frame_at(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_time time, uint32_t *frame);
 
 // The viseme of a frame; rest outside the clip.
-lipz_status lipz_clip_viseme(const struct lipz_bank *bank,
-                             const struct lipz_clip *clip,
-                             uint32_t frame,
-                             lipz_viseme *viseme);
+lipz_status lipz_clip_viseme(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t frame, lipz_viseme *viseme);
 
-// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the
-// clip. `LIPZ_NONE` without a frame rate.
-lipz_status lipz_clip_start_of_frame_us(const struct lipz_bank *bank,
-                                        const struct lipz_clip *clip,
-                                        uint32_t frame,
-                                        uint64_t *time_us);
+// The viseme that shows at a time; rest while the character does not speak.
+lipz_status lipz_clip_viseme_at(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_time time, lipz_viseme *viseme);
 
-// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without
-// recordings, or the clip had none.
-lipz_status lipz_clip_recording(const struct lipz_bank *bank,
-                                const struct lipz_clip *clip,
-                                struct lipz_recording *recording);
+// The segment of a clip with this index.
+lipz_status lipz_clip_segment(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t index, lipz_segment *segment);
 
-// The frame that shows `time_us` microseconds after the audio began: the fastest unit.
-lipz_status lipz_frame_at_us(const struct lipz_bank *bank,
-                             const struct lipz_clip *clip,
-                             int64_t time_us,
-                             uint32_t *frame);
+// The segment at a time.
+lipz_status lipz_clip_segment_at(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_time time, lipz_segment *segment);
 
-// The frame that shows after `position` samples (per channel) at `rate_hz` samples per second.
-lipz_status lipz_frame_at_samples(const struct lipz_bank *bank,
-                                  const struct lipz_clip *clip,
-                                  int64_t position,
-                                  uint32_t rate_hz,
-                                  uint32_t *frame);
+// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the clip, that of frame 1 the
+// `lead_us` of a cursor that leads by one frame. `LIPZ_NONE` without a frame rate.
+lipz_status lipz_clip_start_of_frame_us(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t frame, uint64_t *time_us);
 
-// The frame that shows after `seconds`, taken two units in the last place later, so that `n / fps`
-// leads to frame `n`. Where your engine offers an integer clock, use the other units.
-lipz_status lipz_frame_at_seconds(const struct lipz_bank *bank,
-                                  const struct lipz_clip *clip,
-                                  double seconds,
-                                  uint32_t *frame);
+// The `hold_frames` of a cursor for a display that shows each rendered frame for so many microseconds: every consonant that has
+// the room is in at least one. For 0, two frames at 24 fps, which is the least that can be read. `LIPZ_NONE` without a frame rate.
+lipz_status lipz_clip_hold_frames(const lipz_dialogue *dialogue,
+                                  const lipz_clip *clip,
+                                  uint32_t rendered_frame_us,
+                                  uint32_t *hold_frames);
 
-// `lipz_frame_at_seconds` for clocks that have no `double`. The last place of a `float` is coarse: `n / fps`
-// leads to frame `n` up to 2^21 only, a day at 24 fps.
-lipz_status lipz_frame_at_seconds_f32(const struct lipz_bank *bank,
-                                      const struct lipz_clip *clip,
-                                      float seconds,
-                                      uint32_t *frame);
+// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the clip had none.
+lipz_status lipz_clip_recording(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_recording *recording);
 
-// The viseme that shows `time_us` microseconds after the audio began; rest when nobody speaks.
-lipz_status lipz_viseme_at_us(const struct lipz_bank *bank,
-                              const struct lipz_clip *clip,
-                              int64_t time_us,
-                              lipz_viseme *viseme);
+// The clip as it is played in `voice`: the dub in it; if there is none, that in a voice that this one falls back to; otherwise
+// the original. The clip may be the original or any of its dubs. With a voice of another version, the clip itself.
+lipz_status lipz_clip_in_voice(const lipz_dialogue *dialogue,
+                               const lipz_clip *clip,
+                               const lipz_voice *voice,
+                               lipz_voiced_clip *voiced);
 
-// The viseme that shows after `position` samples at `rate_hz`; rest when nobody speaks.
-lipz_status lipz_viseme_at_samples(const struct lipz_bank *bank,
-                                   const struct lipz_clip *clip,
-                                   int64_t position,
-                                   uint32_t rate_hz,
-                                   lipz_viseme *viseme);
+// The voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` without dubs.
+lipz_status lipz_clip_voice(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_voice *voice);
 
-// The viseme that shows after `seconds`, with the rule of `lipz_frame_at_seconds`; rest when nobody
-// speaks.
-lipz_status lipz_viseme_at_seconds(const struct lipz_bank *bank,
-                                   const struct lipz_clip *clip,
-                                   double seconds,
-                                   lipz_viseme *viseme);
-
-// `lipz_viseme_at_seconds` for clocks that have no `double`.
-lipz_status lipz_viseme_at_seconds_f32(const struct lipz_bank *bank,
-                                       const struct lipz_clip *clip,
-                                       float seconds,
-                                       lipz_viseme *viseme);
-
-// The segment `time_us` microseconds after the audio began.
-lipz_status lipz_segment_at_us(const struct lipz_bank *bank,
-                               const struct lipz_clip *clip,
-                               int64_t time_us,
-                               struct lipz_segment *segment);
-
-// The segment after `position` samples at `rate_hz`.
-lipz_status lipz_segment_at_samples(const struct lipz_bank *bank,
-                                    const struct lipz_clip *clip,
-                                    int64_t position,
-                                    uint32_t rate_hz,
-                                    struct lipz_segment *segment);
-
-// The segment after `seconds`, with the rule of `lipz_frame_at_seconds`.
-lipz_status lipz_segment_at_seconds(const struct lipz_bank *bank,
-                                    const struct lipz_clip *clip,
-                                    double seconds,
-                                    struct lipz_segment *segment);
-
-// `lipz_segment_at_seconds` for clocks that have no `double`.
-lipz_status lipz_segment_at_seconds_f32(const struct lipz_bank *bank,
-                                        const struct lipz_clip *clip,
-                                        float seconds,
-                                        struct lipz_segment *segment);
-
-// The segment of a clip with this index, a number below its `segment_count`.
-lipz_status lipz_segment_at(const struct lipz_bank *bank,
-                            const struct lipz_clip *clip,
-                            uint32_t index,
-                            struct lipz_segment *segment);
-
-// The segment that a frame belongs to. Segments of no frames are never found by frame.
-lipz_status lipz_segment_of_frame(const struct lipz_bank *bank,
-                                  const struct lipz_clip *clip,
-                                  uint32_t frame,
-                                  struct lipz_segment *segment);
-
-// The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by
-// fallback, and if the locale is one of another bank.
-lipz_status lipz_segment_text(const struct lipz_bank *bank,
-                              const struct lipz_segment *segment,
-                              const struct lipz_locale *locale,
-                              struct lipz_text *text);
-
-// The locale with this tag, spelled as in the bank.
-lipz_status lipz_locale_by_tag(const struct lipz_bank *bank,
-                               const char *tag,
-                               size_t tag_length_bytes,
-                               struct lipz_locale *locale);
-
-// The locale with this index, a number below `locale_count` of the bank.
-lipz_status lipz_locale_at(const struct lipz_bank *bank,
-                           uint32_t index,
-                           struct lipz_locale *locale);
-
-// The default locale; `LIPZ_NONE` if none was set when the bank was packed.
-lipz_status lipz_locale_default(const struct lipz_bank *bank, struct lipz_locale *locale);
+// The display text of a segment in a locale, or in the locale that it falls back to. `LIPZ_NONE` if neither has a text for this
+// clip, and for a locale of another version. A segment of an existing text may be empty.
+lipz_status lipz_segment_text(const lipz_dialogue *dialogue,
+                              const lipz_segment *segment,
+                              const lipz_locale *locale,
+                              lipz_text *text);
 
 // The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
 // `LIPZ_NONE` if the file has no events.
-lipz_status lipz_segment_event_string(const struct lipz_bank *bank,
-                                      const struct lipz_segment *segment,
-                                      struct lipz_string *string);
+lipz_status lipz_segment_event_string(const lipz_dialogue *dialogue, const lipz_segment *segment, lipz_string *string);
 
 // The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
 // event string is some other syntax, such as a script.
-lipz_status lipz_segment_event(const struct lipz_bank *bank,
-                               const struct lipz_segment *segment,
-                               uint32_t index,
-                               struct lipz_event *event);
+lipz_status lipz_segment_event(const lipz_dialogue *dialogue, const lipz_segment *segment, uint32_t index, lipz_event *event);
 
-// The name that events mention, spelled as there. Look names up once and compare numbers per event.
-lipz_status lipz_event_name(const struct lipz_bank *bank,
-                            const char *name,
-                            size_t name_length_bytes,
-                            struct lipz_name *found);
+// The locale with this tag, spelled as in the files; the default locale if `tag` is null. `LIPZ_ABSENT` if no bank of a set is
+// there.
+lipz_status lipz_dialogue_locale(const lipz_dialogue *dialogue, const char *tag, size_t tag_length_bytes, lipz_locale *locale);
 
-// Starts a cursor that waits for the sound of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: unless that is the
+// The locale with this index: ask from 0 on until `LIPZ_NONE`.
+lipz_status lipz_dialogue_locale_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_locale *locale);
+
+// The voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or the project names no such voice: play
+// the clips as they are. `LIPZ_ABSENT` if none is found while a bank of a set is not there: a bank without dubs names no voices.
+lipz_status lipz_dialogue_voice(const lipz_dialogue *dialogue, const char *tag, size_t tag_length_bytes, lipz_voice *voice);
+
+// The voice with this index, that of the originals first: ask from 0 on until `LIPZ_NONE`.
+lipz_status lipz_dialogue_voice_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_voice *voice);
+
+// The name that events mention, spelled as there: for the speaker of a cursor. Of a set, those in the banks that are there.
+lipz_status lipz_dialogue_event_name(const lipz_dialogue *dialogue, const char *name, size_t name_length_bytes, lipz_name *found);
+
+// Starts a cursor that waits for the audio of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: unless that is the
 // size in the library that runs, the status is `LIPZ_OTHER_VERSION`, and nothing is written.
 //
-// `LIPZ_NONE` if there is no such clip, and if it has no frame rate: give it one in `clip`. The cursor remembers frame
-// rate and viseme type of `clip`, and takes them where the bank has none.
-lipz_status lipz_cursor_new(const struct lipz_bank *bank,
-                            const struct lipz_clip *clip,
-                            size_t size_bytes,
-                            struct lipz_cursor *cursor);
+// `LIPZ_NONE` if there is no such clip, and if it has no frame rate: set one in `clip`. The cursor remembers frame
+// rate and viseme type of `clip`, and uses them where the dialogue has none.
+lipz_status lipz_cursor_new(const lipz_dialogue *dialogue, const lipz_clip *clip, size_t size_bytes, lipz_cursor *cursor);
 
-// Ends the clip before the sound does, as when a player skips it: what is left becomes due, so that lasting states take
-// effect.
-lipz_status lipz_cursor_finish(const struct lipz_bank *bank,
-                               struct lipz_cursor *cursor);
+// The audio has reached `time`: the events of the segments that have begun since are due. A time before that of the last call
+// makes nothing due, and nothing comes again until the audio is past the point that it had reached: clocks jitter.
+lipz_status lipz_cursor_advance(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_time time);
+
+// The audio has jumped from its end to its start, and has reached `time` since: the segments that were left are due, then those
+// that have begun since. Call it once per round. What characters feel, stare and point at outlasts the end of a round.
+lipz_status lipz_cursor_loop(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_time time);
+
+// Jumps to `time`, forward or back. Nothing is due; the next advance starts with the segments that begin in the frame of this
+// time. States are as if the clip had been played once from its start to here.
+lipz_status lipz_cursor_seek(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_time time);
+
+// Ends the clip before the audio does, as when a player skips it: the segments that are left become due, so that lasting states
+// take effect.
+lipz_status lipz_cursor_finish(const lipz_dialogue *dialogue, lipz_cursor *cursor);
 
 // Takes the next event that is due: of the segments that have begun since the move before the last one, in order, each
 // once, also of segments without frames. Events that name no character are the speaker's. Call it after each move until
-// `LIPZ_NONE`: what is not taken before the next move does not come again.
-lipz_status lipz_cursor_take_event(const struct lipz_bank *bank,
-                                   struct lipz_cursor *cursor,
-                                   struct lipz_event *event);
+// `LIPZ_NONE`: events that are not taken before the next move do not come again.
+lipz_status lipz_cursor_take_event(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_event *event);
 
 // Takes the next segment that is due, with all its events: for event strings in another syntax than that of
 // `lipz_cursor_take_event`. `LIPZ_NONE` when all are taken.
-lipz_status lipz_cursor_take_segment(const struct lipz_bank *bank,
-                                     struct lipz_cursor *cursor,
-                                     struct lipz_segment *segment);
+lipz_status lipz_cursor_take_segment(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_segment *segment);
 
 // The mouth shape to draw, with lead and hold; rest before the start and from the end on.
-lipz_status lipz_cursor_viseme(const struct lipz_bank *bank,
-                               const struct lipz_cursor *cursor,
-                               lipz_viseme *viseme);
+lipz_status lipz_cursor_viseme(const lipz_dialogue *dialogue, const lipz_cursor *cursor, lipz_viseme *viseme);
 
 // How far that mouth is open, in ten-thousandths; `LIPZ_NONE` if the clip has no frames or no viseme type: let the mouth
 // babble.
-lipz_status lipz_cursor_openness(const struct lipz_bank *bank,
-                                 const struct lipz_cursor *cursor,
-                                 uint32_t *ten_thousandths);
+lipz_status lipz_cursor_openness(const lipz_dialogue *dialogue, const lipz_cursor *cursor, uint32_t *ten_thousandths);
 
 // The segment whose subtitle to show; `LIPZ_NONE` before the start and from the end on.
-lipz_status lipz_cursor_segment(const struct lipz_bank *bank,
-                                const struct lipz_cursor *cursor,
-                                struct lipz_segment *segment);
-
-// The sound has reached `time_us` microseconds: the events of the segments that have begun since are due. A time before
-// that of the last call makes nothing due, and nothing comes again until the sound is past the point that it had
-// reached: clocks jitter.
-lipz_status lipz_cursor_advance_us(const struct lipz_bank *bank,
-                                   struct lipz_cursor *cursor,
-                                   int64_t time_us);
-
-// The sound has reached `position` samples (per channel) at `rate_hz` samples per second.
-lipz_status lipz_cursor_advance_samples(const struct lipz_bank *bank,
-                                        struct lipz_cursor *cursor,
-                                        int64_t position,
-                                        uint32_t rate_hz);
-
-// The sound has reached `seconds`, with the rule of `lipz_frame_at_seconds`.
-lipz_status lipz_cursor_advance_seconds(const struct lipz_bank *bank,
-                                        struct lipz_cursor *cursor,
-                                        double seconds);
-
-// `lipz_cursor_advance_seconds` for clocks that have no `double`.
-lipz_status lipz_cursor_advance_seconds_f32(const struct lipz_bank *bank,
-                                            struct lipz_cursor *cursor,
-                                            float seconds);
-
-// The sound has jumped from its end to its start, and has reached `time_us` microseconds since: what was left is due, then
-// what has begun since. What characters feel, stare and point at outlasts the end of a round.
-lipz_status lipz_cursor_loop_us(const struct lipz_bank *bank,
-                                struct lipz_cursor *cursor,
-                                int64_t time_us);
-
-// The sound has jumped from its end to its start, and has reached `position` samples since.
-lipz_status lipz_cursor_loop_samples(const struct lipz_bank *bank,
-                                     struct lipz_cursor *cursor,
-                                     int64_t position,
-                                     uint32_t rate_hz);
-
-// The sound has jumped from its end to its start, and has reached `seconds` since.
-lipz_status lipz_cursor_loop_seconds(const struct lipz_bank *bank,
-                                     struct lipz_cursor *cursor,
-                                     double seconds);
-
-// `lipz_cursor_loop_seconds` for clocks that have no `double`.
-lipz_status lipz_cursor_loop_seconds_f32(const struct lipz_bank *bank,
-                                         struct lipz_cursor *cursor,
-                                         float seconds);
-
-// Jumps to `time_us` microseconds, forward or back. Nothing is due; the next advance starts with the segments that begin
-// in the frame of this time. States are as if the clip had been played once from its start to here.
-lipz_status lipz_cursor_seek_us(const struct lipz_bank *bank,
-                                struct lipz_cursor *cursor,
-                                int64_t time_us);
-
-// Jumps to `position` samples at `rate_hz`.
-lipz_status lipz_cursor_seek_samples(const struct lipz_bank *bank,
-                                     struct lipz_cursor *cursor,
-                                     int64_t position,
-                                     uint32_t rate_hz);
-
-// Jumps to `seconds`, with the rule of `lipz_frame_at_seconds`.
-lipz_status lipz_cursor_seek_seconds(const struct lipz_bank *bank,
-                                     struct lipz_cursor *cursor,
-                                     double seconds);
-
-// `lipz_cursor_seek_seconds` for clocks that have no `double`.
-lipz_status lipz_cursor_seek_seconds_f32(const struct lipz_bank *bank,
-                                         struct lipz_cursor *cursor,
-                                         float seconds);
+lipz_status lipz_cursor_segment(const lipz_dialogue *dialogue, const lipz_cursor *cursor, lipz_segment *segment);
 
 // What `name` feels, stares and points at after the events that were due or were jumped over; the speaker if it is null
-// or no name. `LIPZ_NONE` for a name of another bank.
+// or no name. `LIPZ_NONE` for a name of another version.
 //
-// Read from the events anew with each call, in a time that grows with their number.
-lipz_status lipz_cursor_character(const struct lipz_bank *bank,
-                                  const struct lipz_cursor *cursor,
-                                  const struct lipz_name *name,
-                                  struct lipz_character *character);
+// Each call reads the events again, in a time that grows with their number.
+lipz_status lipz_cursor_character(const lipz_dialogue *dialogue,
+                                  const lipz_cursor *cursor,
+                                  const lipz_name *name,
+                                  lipz_character *character);
 
 // A character that an event of the clip is about, also one to come, with its state: ask from 0 on until `LIPZ_NONE`
 // after a jump, to set the scene. They are in the order of their names.
-lipz_status lipz_cursor_character_at(const struct lipz_bank *bank,
-                                     const struct lipz_cursor *cursor,
-                                     uint32_t index,
-                                     struct lipz_character *character);
+lipz_status lipz_cursor_character_by_index(const lipz_dialogue *dialogue,
+                                           const lipz_cursor *cursor,
+                                           uint32_t index,
+                                           lipz_character *character);
 
-// The babble profile with this name.
-lipz_status lipz_babble_by_name(const struct lipz_bank *bank,
-                                const char *name,
-                                size_t name_length_bytes,
-                                struct lipz_babble *babble);
+// The babble profile with this name. If `name` is null, that of the project, `[babble]` in its settings, or the viewer's own if it
+// has none.
+lipz_status lipz_dialogue_babble(const lipz_dialogue *dialogue, const char *name, size_t name_length_bytes, lipz_babble *babble);
 
-// The profile of the project, `[babble]` in its settings; the viewer's own if it has none.
-lipz_status lipz_babble_default(const struct lipz_bank *bank, struct lipz_babble *babble);
+// How lips and jaw are moved at a time since the character has begun to speak, at a `power` of the voice from 0 to 1. All zeros
+// before 0. `LIPZ_NONE` for a profile of another version.
+lipz_status lipz_babble_at(const lipz_dialogue *dialogue,
+                           const lipz_babble *babble,
+                           lipz_time time,
+                           float power,
+                           lipz_weights *weights);
 
-// How lips and jaw are moved `elapsed_us` microseconds after somebody has begun to speak, at a `power` of the voice from
-// 0 to 1. Nobody speaks before 0. `LIPZ_NONE` for a profile of another bank.
-lipz_status lipz_babble_at_us(const struct lipz_bank *bank,
-                              const struct lipz_babble *babble,
-                              int64_t elapsed_us,
-                              float power,
-                              struct lipz_weights *weights);
-
-// `lipz_babble_at_us` without floating point: `level` is the power in 65,536ths, at most 65,535, or `LIPZ_UNMEASURED`.
-lipz_status lipz_babble_at_us_level(const struct lipz_bank *bank,
-                                    const struct lipz_babble *babble,
-                                    int64_t elapsed_us,
-                                    uint32_t level,
-                                    struct lipz_weights *weights);
-
-// How lips and jaw are moved after `position` samples at `rate_hz`.
-lipz_status lipz_babble_at_samples(const struct lipz_bank *bank,
-                                   const struct lipz_babble *babble,
-                                   int64_t position,
-                                   uint32_t rate_hz,
-                                   float power,
-                                   struct lipz_weights *weights);
-
-// How lips and jaw are moved after `seconds`, with the rule of `lipz_frame_at_seconds`.
-lipz_status lipz_babble_at_seconds(const struct lipz_bank *bank,
-                                   const struct lipz_babble *babble,
-                                   double seconds,
-                                   float power,
-                                   struct lipz_weights *weights);
-
-// `lipz_babble_at_seconds` for clocks that have no `double`.
-lipz_status lipz_babble_at_seconds_f32(const struct lipz_bank *bank,
-                                       const struct lipz_babble *babble,
-                                       float seconds,
-                                       float power,
-                                       struct lipz_weights *weights);
-
-// How far the mouth of a shape is open, in ten-thousandths; `LIPZ_NONE` if `viseme_type` is not one of the three.
-lipz_status lipz_viseme_openness(lipz_viseme viseme,
-                                 uint32_t viseme_type,
-                                 uint32_t *ten_thousandths);
-
-// One frame of the clip as `lead_us` of a cursor. `LIPZ_NONE` without a frame rate, here and below.
-lipz_status lipz_lead_one_frame(const struct lipz_clip *clip, uint32_t *lead_us);
-
-// Two frames of the clip as `lead_us` of a cursor.
-lipz_status lipz_lead_two_frames(const struct lipz_clip *clip, uint32_t *lead_us);
-
-// `hold_frames` of a cursor that lets consonants be read: two frames at 24 fps.
-lipz_status lipz_hold_readable(const struct lipz_clip *clip, uint32_t *hold_frames);
-
-// `hold_frames` of a cursor as long as a display shows one picture: every consonant that has the room is on at least one.
-lipz_status lipz_hold_for_display(const struct lipz_clip *clip,
-                                  uint32_t picture_us,
-                                  uint32_t *hold_frames);
+// `lipz_babble_at` without floating point: `level` is the power in 65,536ths, at most 65,535, or `LIPZ_UNMEASURED`.
+lipz_status lipz_babble_at_level(const lipz_dialogue *dialogue,
+                                 const lipz_babble *babble,
+                                 lipz_time time,
+                                 uint32_t level,
+                                 lipz_weights *weights);
 
 // The curve of a clip with this name. `LIPZ_NONE` if it has none.
-lipz_status lipz_clip_curve(const struct lipz_bank *bank,
-                            const struct lipz_clip *clip,
+lipz_status lipz_clip_curve(const lipz_dialogue *dialogue,
+                            const lipz_clip *clip,
                             const char *name,
                             size_t name_length_bytes,
-                            struct lipz_curve *curve);
+                            lipz_curve *curve);
 
 // The curve of a clip with this index, in the order of their names: ask from 0 on until `LIPZ_NONE`.
-lipz_status lipz_clip_curve_at(const struct lipz_bank *bank,
-                               const struct lipz_clip *clip,
-                               uint32_t index,
-                               struct lipz_curve *curve);
+lipz_status lipz_clip_curve_by_index(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t index, lipz_curve *curve);
 
 // The key of a curve with this index, a number below its `key_count`.
-lipz_status lipz_clip_curve_key(const struct lipz_bank *bank,
-                                const struct lipz_clip *clip,
-                                const struct lipz_curve *curve,
-                                uint32_t index,
-                                struct lipz_curve_key *key);
+lipz_status lipz_curve_key(const lipz_dialogue *dialogue, const lipz_curve *curve, uint32_t index, lipz_curve_key_t *key);
 
-// The value of a curve at the start of a frame, in thousandths. `cursor` may be null.
-lipz_status lipz_clip_curve_value(const struct lipz_bank *bank,
-                                  const struct lipz_clip *clip,
-                                  const struct lipz_curve *curve,
-                                  struct lipz_curve_cursor *cursor,
-                                  uint32_t frame,
-                                  int32_t *thousandths);
+// The value of a curve at the start of a frame, in thousandths.
+lipz_status lipz_curve_value(const lipz_dialogue *dialogue, const lipz_curve *curve, uint32_t frame, int32_t *thousandths);
 
-// The value of a curve `time_us` microseconds after the audio began, in thousandths. `LIPZ_NONE` without a frame rate.
-// `cursor` may be null; with one, a picture needs no search among the keys.
-lipz_status lipz_clip_curve_value_at_us(const struct lipz_bank *bank,
-                                        const struct lipz_clip *clip,
-                                        const struct lipz_curve *curve,
-                                        struct lipz_curve_cursor *cursor,
-                                        int64_t time_us,
-                                        int32_t *thousandths);
+// The value of a curve at a time, in thousandths. `LIPZ_NONE` without a frame rate. `cursor` may be null; with one, a rendered
+// frame needs no search among the keys.
+lipz_status lipz_curve_value_at(const lipz_dialogue *dialogue,
+                                const lipz_curve *curve,
+                                lipz_time time,
+                                lipz_curve_cursor *cursor,
+                                int32_t *thousandths);
 
-// The value of a curve after `position` samples at `rate_hz`, in thousandths. `LIPZ_NONE` without a frame rate.
-lipz_status lipz_clip_curve_value_at_samples(const struct lipz_bank *bank,
-                                             const struct lipz_clip *clip,
-                                             const struct lipz_curve *curve,
-                                             struct lipz_curve_cursor *cursor,
-                                             int64_t position,
-                                             uint32_t rate_hz,
-                                             int32_t *thousandths);
+// What a character of a clip feels at a time; the speaker if `who` is null. A neutral face without curves, and without a frame
+// rate.
+lipz_status lipz_clip_emotions_at(const lipz_dialogue *dialogue,
+                                  const lipz_clip *clip,
+                                  lipz_time time,
+                                  const lipz_who *who,
+                                  lipz_emotions *emotions);
 
-// The value of a curve after `seconds`, in thousandths. `LIPZ_NONE` without a frame rate.
-lipz_status lipz_clip_curve_value_at_seconds(const struct lipz_bank *bank,
-                                             const struct lipz_clip *clip,
-                                             const struct lipz_curve *curve,
-                                             struct lipz_curve_cursor *cursor,
-                                             double seconds,
-                                             int32_t *thousandths);
+// The face profile with this name. If `name` is null, that of the project, `[face]` in its settings, or the usual one if it has
+// none.
+lipz_status lipz_dialogue_face_profile(const lipz_dialogue *dialogue,
+                                       const char *name,
+                                       size_t name_length_bytes,
+                                       lipz_face_profile *profile);
 
-// `lipz_clip_curve_value_at_seconds` for clocks that have no `double`.
-lipz_status lipz_clip_curve_value_at_seconds_f32(const struct lipz_bank *bank,
-                                                 const struct lipz_clip *clip,
-                                                 const struct lipz_curve *curve,
-                                                 struct lipz_curve_cursor *cursor,
-                                                 float seconds,
-                                                 int32_t *thousandths);
+// The face of a character of a clip at a time, generated as `profile` says; the speaker's if `who` is null. Curves of the clip win
+// over what is generated. `profile` may be null for that of the project, `look_at` for a person straight ahead. `LIPZ_NONE` for a
+// profile of another version.
+lipz_status lipz_clip_face_at(const lipz_dialogue *dialogue,
+                              const lipz_clip *clip,
+                              lipz_time time,
+                              const lipz_who *who,
+                              const lipz_face_profile *profile,
+                              const lipz_look_at *look_at,
+                              lipz_face *face);
 
-// What the speaker feels `time_us` microseconds after the audio began. A neutral face without a frame rate.
-lipz_status lipz_clip_emotions_at_us(const struct lipz_bank *bank,
-                                     const struct lipz_clip *clip,
-                                     int64_t time_us,
-                                     struct lipz_emotions *emotions);
-
-// What the speaker feels after `position` samples at `rate_hz`.
-lipz_status lipz_clip_emotions_at_samples(const struct lipz_bank *bank,
-                                          const struct lipz_clip *clip,
-                                          int64_t position,
-                                          uint32_t rate_hz,
-                                          struct lipz_emotions *emotions);
-
-// What the speaker feels after `seconds`.
-lipz_status lipz_clip_emotions_at_seconds(const struct lipz_bank *bank,
-                                          const struct lipz_clip *clip,
-                                          double seconds,
-                                          struct lipz_emotions *emotions);
-
-// `lipz_clip_emotions_at_seconds` for clocks that have no `double`.
-lipz_status lipz_clip_emotions_at_seconds_f32(const struct lipz_bank *bank,
-                                              const struct lipz_clip *clip,
-                                              float seconds,
-                                              struct lipz_emotions *emotions);
-
-// What a character of the clip feels `time_us` microseconds after the audio began: `mara feels fear 4` in its events is
-// in the curve `mara.fear`. A neutral face without such curves. `who` may be null for the speaker.
-lipz_status lipz_clip_emotions_of_us(const struct lipz_bank *bank,
-                                     const struct lipz_clip *clip,
-                                     const struct lipz_who *who,
-                                     int64_t time_us,
-                                     struct lipz_emotions *emotions);
-
-// What a character of the clip feels after `position` samples at `rate_hz`.
-lipz_status lipz_clip_emotions_of_samples(const struct lipz_bank *bank,
-                                          const struct lipz_clip *clip,
-                                          const struct lipz_who *who,
-                                          int64_t position,
-                                          uint32_t rate_hz,
-                                          struct lipz_emotions *emotions);
-
-// What a character of the clip feels after `seconds`.
-lipz_status lipz_clip_emotions_of_seconds(const struct lipz_bank *bank,
-                                          const struct lipz_clip *clip,
-                                          const struct lipz_who *who,
-                                          double seconds,
-                                          struct lipz_emotions *emotions);
-
-// `lipz_clip_emotions_of_seconds` for clocks that have no `double`.
-lipz_status lipz_clip_emotions_of_seconds_f32(const struct lipz_bank *bank,
-                                              const struct lipz_clip *clip,
-                                              const struct lipz_who *who,
-                                              float seconds,
-                                              struct lipz_emotions *emotions);
-
-// The face profile with this name.
-lipz_status lipz_face_profile_by_name(const struct lipz_bank *bank,
-                                      const char *name,
-                                      size_t name_length_bytes,
-                                      struct lipz_face_profile *profile);
-
-// The profile of the project, `[face]` in its settings; the usual one if it has none.
-lipz_status lipz_face_profile_default(const struct lipz_bank *bank,
-                                      struct lipz_face_profile *profile);
-
-// The speaker's face `time_us` microseconds after the audio began, generated as `profile` says. Curves of the clip win over
-// what is generated. `profile` may be null for that of the project, `look_at` for somebody straight ahead. `LIPZ_NONE` for a
-// profile of another bank.
-lipz_status lipz_clip_face_at_us(const struct lipz_bank *bank,
-                                 const struct lipz_clip *clip,
-                                 const struct lipz_face_profile *profile,
-                                 const struct lipz_look_at *look_at,
-                                 int64_t time_us,
-                                 struct lipz_face *face);
-
-// The speaker's face after `position` samples at `rate_hz`.
-lipz_status lipz_clip_face_at_samples(const struct lipz_bank *bank,
-                                      const struct lipz_clip *clip,
-                                      const struct lipz_face_profile *profile,
-                                      const struct lipz_look_at *look_at,
-                                      int64_t position,
-                                      uint32_t rate_hz,
-                                      struct lipz_face *face);
-
-// The speaker's face after `seconds`.
-lipz_status lipz_clip_face_at_seconds(const struct lipz_bank *bank,
-                                      const struct lipz_clip *clip,
-                                      const struct lipz_face_profile *profile,
-                                      const struct lipz_look_at *look_at,
-                                      double seconds,
-                                      struct lipz_face *face);
-
-// `lipz_clip_face_at_seconds` for clocks that have no `double`.
-lipz_status lipz_clip_face_at_seconds_f32(const struct lipz_bank *bank,
-                                          const struct lipz_clip *clip,
-                                          const struct lipz_face_profile *profile,
-                                          const struct lipz_look_at *look_at,
-                                          float seconds,
-                                          struct lipz_face *face);
-
-// The face of a character of the clip `time_us` microseconds after the audio began: with the curves that have the name in
-// front, and blinks by their own emotions. The head of somebody who listens moves for these curves and for what is looked at only. `who`
-// may be null for the speaker, the others as for `lipz_clip_face_at_us`.
-lipz_status lipz_clip_face_of_us(const struct lipz_bank *bank,
-                                 const struct lipz_clip *clip,
-                                 const struct lipz_who *who,
-                                 const struct lipz_face_profile *profile,
-                                 const struct lipz_look_at *look_at,
-                                 int64_t time_us,
-                                 struct lipz_face *face);
-
-// The face of a character of the clip after `position` samples at `rate_hz`.
-lipz_status lipz_clip_face_of_samples(const struct lipz_bank *bank,
-                                      const struct lipz_clip *clip,
-                                      const struct lipz_who *who,
-                                      const struct lipz_face_profile *profile,
-                                      const struct lipz_look_at *look_at,
-                                      int64_t position,
-                                      uint32_t rate_hz,
-                                      struct lipz_face *face);
-
-// The face of a character of the clip after `seconds`.
-lipz_status lipz_clip_face_of_seconds(const struct lipz_bank *bank,
-                                      const struct lipz_clip *clip,
-                                      const struct lipz_who *who,
-                                      const struct lipz_face_profile *profile,
-                                      const struct lipz_look_at *look_at,
-                                      double seconds,
-                                      struct lipz_face *face);
-
-// `lipz_clip_face_of_seconds` for clocks that have no `double`.
-lipz_status lipz_clip_face_of_seconds_f32(const struct lipz_bank *bank,
-                                          const struct lipz_clip *clip,
-                                          const struct lipz_who *who,
-                                          const struct lipz_face_profile *profile,
-                                          const struct lipz_look_at *look_at,
-                                          float seconds,
-                                          struct lipz_face *face);
-
-// The face of somebody who says nothing, `time_us` microseconds from anywhere: they blink and look. `seed` tells them apart
-// from others, so that not everybody blinks at once.
-lipz_status lipz_face_idle_at_us(const struct lipz_bank *bank,
-                                 const struct lipz_face_profile *profile,
-                                 const struct lipz_look_at *look_at,
-                                 uint64_t seed,
-                                 int64_t time_us,
-                                 struct lipz_face *face);
-
-// The face of somebody who says nothing, after `position` samples at `rate_hz`.
-lipz_status lipz_face_idle_at_samples(const struct lipz_bank *bank,
-                                      const struct lipz_face_profile *profile,
-                                      const struct lipz_look_at *look_at,
-                                      uint64_t seed,
-                                      int64_t position,
-                                      uint32_t rate_hz,
-                                      struct lipz_face *face);
-
-// The face of somebody who says nothing, after `seconds`.
-lipz_status lipz_face_idle_at_seconds(const struct lipz_bank *bank,
-                                      const struct lipz_face_profile *profile,
-                                      const struct lipz_look_at *look_at,
-                                      uint64_t seed,
-                                      double seconds,
-                                      struct lipz_face *face);
-
-// `lipz_face_idle_at_seconds` for clocks that have no `double`.
-lipz_status lipz_face_idle_at_seconds_f32(const struct lipz_bank *bank,
-                                          const struct lipz_face_profile *profile,
-                                          const struct lipz_look_at *look_at,
-                                          uint64_t seed,
-                                          float seconds,
-                                          struct lipz_face *face);
-
-// The clip as it is played in the voice with this tag (`de-de`), spelled as in the bank. `clip` may be the original or any
-// of its dubs. `LIPZ_NONE` if the bank has no such voice: play the clip as it is.
-lipz_status lipz_clip_in_voice(const struct lipz_bank *bank,
-                               const struct lipz_clip *clip,
-                               const char *tag,
-                               size_t tag_length_bytes,
-                               struct lipz_voiced_clip *voiced);
-
-// The tag of the voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` in a bank without dubs.
-lipz_status lipz_clip_voice(const struct lipz_bank *bank,
-                            const struct lipz_clip *clip,
-                            struct lipz_string *tag);
-
-// The tag of the voice with this index: that of the originals is 0, those of the dubs follow in the order of their tags.
-// `LIPZ_NONE` behind the last; a bank without dubs has none.
-lipz_status lipz_voice_at(const struct lipz_bank *bank,
-                          uint32_t index,
-                          struct lipz_string *tag);
-
-// Checks that `count` opened banks make a stack, the base first: that each layer was made over banks below it. Call it once,
-// after opening them, and verify each bank by itself.
-//
-// The status is that of a bank: error 37 for a layer of other banks. `misfit` may be null; otherwise it gets the index of the bank
-// that does not fit, and 0 if all do.
-lipz_status lipz_layers_check(const struct lipz_bank *banks,
-                              uint32_t count,
-                              uint32_t *misfit);
-
-// The clip with this id, of the topmost bank that has it; `LIPZ_NONE` if none does, or one above removes it.
-lipz_status lipz_layers_clip_by_id(const struct lipz_bank *banks,
-                                   uint32_t count,
-                                   uint64_t id,
-                                   struct lipz_layered_clip *clip);
-
-// The clip with this key, compared whole.
-lipz_status lipz_layers_clip_by_key(const struct lipz_bank *banks,
-                                    uint32_t count,
-                                    const char *key,
-                                    size_t key_length_bytes,
-                                    struct lipz_layered_clip *clip);
-
-// The locale with this tag as the bank with the index `layer` has it, or what stands in for it there. Look it up once for each
-// bank. `LIPZ_NONE` if clips of this bank have no texts in it.
-lipz_status lipz_layers_locale(const struct lipz_bank *banks,
-                               uint32_t count,
-                               uint32_t layer,
-                               const char *tag,
-                               size_t tag_length_bytes,
-                               struct lipz_layered_locale *locale);
-
-// The text of the segment with this index of a clip, in a locale that was looked up for its `texts_layer`. `LIPZ_NONE` if the
-// clip has none, also by fallback.
-lipz_status lipz_layers_text(const struct lipz_bank *banks,
-                             uint32_t count,
-                             const struct lipz_layered_clip *clip,
-                             uint32_t segment,
-                             const struct lipz_layered_locale *locale,
-                             struct lipz_text *text);
-
-// Which banks say what is said once for the whole stack.
-lipz_status lipz_layers_info(const struct lipz_bank *banks,
-                             uint32_t count,
-                             struct lipz_layers_info_t *info);
-
-// The face of a clip of a stack `time_us` microseconds after the audio began, as `lipz_clip_face_at_us`. `profile` is of
-// `banks[faces_layer]` of `lipz_layers_info`, or null for that of the project. `LIPZ_NONE` for a profile of another bank.
-lipz_status lipz_layers_face_at_us(const struct lipz_bank *banks,
-                                   uint32_t count,
-                                   const struct lipz_layered_clip *clip,
-                                   const struct lipz_face_profile *profile,
-                                   const struct lipz_look_at *look_at,
-                                   int64_t time_us,
-                                   struct lipz_face *face);
-
-// The face of a clip of a stack after `position` samples at `rate_hz`.
-lipz_status lipz_layers_face_at_samples(const struct lipz_bank *banks,
-                                        uint32_t count,
-                                        const struct lipz_layered_clip *clip,
-                                        const struct lipz_face_profile *profile,
-                                        const struct lipz_look_at *look_at,
-                                        int64_t position,
-                                        uint32_t rate_hz,
-                                        struct lipz_face *face);
-
-// The face of a clip of a stack after `seconds`.
-lipz_status lipz_layers_face_at_seconds(const struct lipz_bank *banks,
-                                        uint32_t count,
-                                        const struct lipz_layered_clip *clip,
-                                        const struct lipz_face_profile *profile,
-                                        const struct lipz_look_at *look_at,
-                                        double seconds,
-                                        struct lipz_face *face);
-
-// `lipz_layers_face_at_seconds` for clocks that have no `double`.
-lipz_status lipz_layers_face_at_seconds_f32(const struct lipz_bank *banks,
-                                            uint32_t count,
-                                            const struct lipz_layered_clip *clip,
-                                            const struct lipz_face_profile *profile,
-                                            const struct lipz_look_at *look_at,
-                                            float seconds,
-                                            struct lipz_face *face);
-
-// The face of a character of a clip of a stack `time_us` microseconds after the audio began, as `lipz_clip_face_of_us`, with a
-// profile as for `lipz_layers_face_at_us`.
-lipz_status lipz_layers_face_of_us(const struct lipz_bank *banks,
-                                   uint32_t count,
-                                   const struct lipz_layered_clip *clip,
-                                   const struct lipz_who *who,
-                                   const struct lipz_face_profile *profile,
-                                   const struct lipz_look_at *look_at,
-                                   int64_t time_us,
-                                   struct lipz_face *face);
-
-// The face of a character of a clip of a stack after `position` samples at `rate_hz`.
-lipz_status lipz_layers_face_of_samples(const struct lipz_bank *banks,
-                                        uint32_t count,
-                                        const struct lipz_layered_clip *clip,
-                                        const struct lipz_who *who,
-                                        const struct lipz_face_profile *profile,
-                                        const struct lipz_look_at *look_at,
-                                        int64_t position,
-                                        uint32_t rate_hz,
-                                        struct lipz_face *face);
-
-// The face of a character of a clip of a stack after `seconds`.
-lipz_status lipz_layers_face_of_seconds(const struct lipz_bank *banks,
-                                        uint32_t count,
-                                        const struct lipz_layered_clip *clip,
-                                        const struct lipz_who *who,
-                                        const struct lipz_face_profile *profile,
-                                        const struct lipz_look_at *look_at,
-                                        double seconds,
-                                        struct lipz_face *face);
-
-// `lipz_layers_face_of_seconds` for clocks that have no `double`.
-lipz_status lipz_layers_face_of_seconds_f32(const struct lipz_bank *banks,
-                                            uint32_t count,
-                                            const struct lipz_layered_clip *clip,
-                                            const struct lipz_who *who,
-                                            const struct lipz_face_profile *profile,
-                                            const struct lipz_look_at *look_at,
-                                            float seconds,
-                                            struct lipz_face *face);
-
-// The clip with this id as it is played in the voice with this tag (`de-de`), spelled as in the banks. The id may be that of
-// the original or of any of its dubs. `LIPZ_NONE` if the stack has no such clip, or no such voice: play the clip as it is.
-lipz_status lipz_layers_clip_in_voice(const struct lipz_bank *banks,
-                                      uint32_t count,
-                                      uint64_t id,
-                                      const char *tag,
-                                      size_t tag_length_bytes,
-                                      struct lipz_layered_voiced_clip *voiced);
-
-// The tag of the voice whose recording the mouth of the clip with this id belongs to. `LIPZ_NONE` in a stack without dubs.
-lipz_status lipz_layers_clip_voice(const struct lipz_bank *banks,
-                                   uint32_t count,
-                                   uint64_t id,
-                                   struct lipz_string *tag);
-
-// The tag of the voice of a stack with this index: that of the originals is 0, those of the dubs follow in the order of their
-// tags. `LIPZ_NONE` behind the last; a stack without dubs has none.
-lipz_status lipz_layers_voice_at(const struct lipz_bank *banks,
-                                 uint32_t count,
-                                 uint32_t index,
-                                 struct lipz_string *tag);
-
-// Opens the index of a set (`.lipzset`) and checks every byte of it: it is short. The banks that it names are opened and verified
-// on their own.
-//
-// `damage_offset_bytes` may be null; otherwise it gets the place of what is wrong, and 0 if nothing is.
-lipz_status lipz_set_open(const uint8_t *data,
-                          size_t length_bytes,
-                          struct lipz_set *set,
-                          uint32_t *damage_offset_bytes);
-
-// What the set has.
-lipz_status lipz_set_info(const struct lipz_set *set, struct lipz_set_info_t *info);
-
-// What the set says about the bank with this number, from 0. `LIPZ_NONE` behind the last.
-lipz_status lipz_set_bank_at(const struct lipz_set *set,
-                             uint32_t number,
-                             struct lipz_set_bank *bank);
-
-// The number of the bank that has the clip with this id, if any bank has it: ask that one. `lipz_clip_id_of_key` gives the id of a
-// key.
-lipz_status lipz_set_bank_of(const struct lipz_set *set,
-                             uint64_t id,
-                             uint32_t *number);
-
-// Checks that an opened bank is the one with this number in the set; otherwise the status is bank error 44. Call it once for
-// each bank, after opening it.
-lipz_status lipz_set_check_bank(const struct lipz_set *set,
-                                uint32_t number,
-                                const struct lipz_bank *bank);
+// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; `seed` tells characters apart,
+// so that they do not blink at the same time. The rest as for `lipz_clip_face_at`.
+lipz_status lipz_face_idle_at(const lipz_dialogue *dialogue,
+                              lipz_time time,
+                              uint64_t seed,
+                              const lipz_face_profile *profile,
+                              const lipz_look_at *look_at,
+                              lipz_face *face);
 
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
 
-#endif  /* LIPZ_H */
+
+// A time in microseconds.
+static inline lipz_time lipz_time_us(int64_t us) {
+  lipz_time time = {us, 0.0, 0, 0};
+  return time;
+}
+
+// A time in samples per channel, at a rate.
+static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
+  // Without a rate there is no time: as before the start.
+  int is_rate = rate_hz > 0 && rate_hz < LIPZ_SECONDS_F32;
+  lipz_time time = {is_rate ? position : -1, 0.0, is_rate ? rate_hz : 0, 0};
+  return time;
+}
+
+// A time in seconds.
+static inline lipz_time lipz_time_seconds(double seconds) {
+  lipz_time time = {0, seconds, LIPZ_SECONDS, 0};
+  return time;
+}
+
+// A time in seconds of a clock that has no more than a float.
+static inline lipz_time lipz_time_seconds_f32(float seconds) {
+  lipz_time time = {0, (double)seconds, LIPZ_SECONDS_F32, 0};
+  return time;
+}
+
+#endif  // LIPZ_H

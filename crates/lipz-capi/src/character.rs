@@ -1,59 +1,59 @@
 //! What outlasts an event: what characters feel, stare and point at.
 
-use crate::bank::Bank;
 use crate::cursor::{Cursor, of_cursor};
-use crate::event::{EventName, LIPZ_NO_NAME, name_of};
+use crate::dialogue::Dialogue;
+use crate::handle::{LIPZ_NO_NAME, Name};
 use crate::status::{LIPZ_NONE, Status};
 use core::mem::MaybeUninit;
-use lipz_bank::{CharacterState, EventName as Name};
+use lipz_bank::EventName;
+use lipz_bank::playback::CharacterState;
 
 /// What a character feels, stares and points at. No name where no event has said anything: it is as it was before the
 /// clip.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Character {
-    /// Who; no name for a speaker that the cursor does not know.
-    pub name: EventName,
+    /// Who; no name for a speaker that the cursor does not have.
+    pub name: Name,
     /// The emotion, until changed.
-    pub feels: EventName,
+    pub feels: Name,
     /// The target, until `stops staring`.
-    pub stares_at: EventName,
+    pub stares_at: Name,
     /// The target, until `stops pointing`.
-    pub points_at: EventName,
+    pub points_at: Name,
 }
 
 impl Character {
-    fn from_reader(bank: &lipz_bank::Bank<'_>, name: Option<Name<'_>>, state: CharacterState<'_>) -> Character {
-        let name_of = |name| EventName::from_reader(bank, name);
+    fn from_reader(name: Option<EventName<'_>>, state: CharacterState<'_>) -> Character {
         Character {
-            name: name_of(name),
-            feels: name_of(state.emotion),
-            stares_at: name_of(state.stares_at),
-            points_at: name_of(state.points_at),
+            name: Name::from_reader(name),
+            feels: Name::from_reader(state.emotion),
+            stares_at: Name::from_reader(state.stares_at),
+            points_at: Name::from_reader(state.points_at),
         }
     }
 }
 
 /// What `name` feels, stares and points at after the events that were due or were jumped over; the speaker if it is null
-/// or no name. `LIPZ_NONE` for a name of another bank.
+/// or no name. `LIPZ_NONE` for a name of another version.
 ///
-/// Read from the events anew with each call, in a time that grows with their number.
+/// Each call reads the events again, in a time that grows with their number.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_character(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     cursor: Option<&Cursor>,
-    name: Option<&EventName>,
+    name: Option<&Name>,
     character: Option<&mut MaybeUninit<Character>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_cursor(bank, cursor, character, |bank, clip, inner| {
-            let name = match name.filter(|name| name.id != LIPZ_NO_NAME) {
-                Some(name) => Some(name_of(bank, name.id, name.bank).ok_or(LIPZ_NONE)?),
+        of_cursor(dialogue, cursor, character, |dialogue, clip, inner| {
+            let name = match name.filter(|name| name.bank != LIPZ_NO_NAME) {
+                Some(name) => Some(dialogue.event_name_of_words([name.bank, name.id]).ok_or(LIPZ_NONE)?),
                 None => None,
             };
-            let speaker = cursor.and_then(|cursor| name_of(bank, cursor.speaker_id, cursor.speaker_bank));
-            Ok(Character::from_reader(bank, name.or(speaker), inner.state(clip, name)))
+            let speaker = cursor.and_then(|cursor| cursor.speaker(dialogue));
+            Ok(Character::from_reader(name.or(speaker), inner.state(clip, name)))
         })
     }
 }
@@ -61,17 +61,17 @@ pub unsafe extern "C" fn lipz_cursor_character(
 /// A character that an event of the clip is about, also one to come, with its state: ask from 0 on until `LIPZ_NONE`
 /// after a jump, to set the scene. They are in the order of their names.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_cursor_character_at(
-    bank: Option<&Bank>,
+pub unsafe extern "C" fn lipz_cursor_character_by_index(
+    dialogue: Option<&Dialogue>,
     cursor: Option<&Cursor>,
     index: u32,
     character: Option<&mut MaybeUninit<Character>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_cursor(bank, cursor, character, |bank, clip, inner| {
+        of_cursor(dialogue, cursor, character, |_, clip, inner| {
             let (name, state) = inner.characters(clip).nth(index as usize).ok_or(LIPZ_NONE)?;
-            Ok(Character::from_reader(bank, name, state))
+            Ok(Character::from_reader(name, state))
         })
     }
 }

@@ -1,12 +1,15 @@
 //! Clips: finding them, their keys and frames.
 
-use crate::bank::{Bank, opened};
+use crate::dialogue::{Dialogue, absent_file, reader};
+use crate::handle::Voice;
 use crate::pointer::{answer, text};
-use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
-use crate::string::String;
-use crate::string::c_char;
+use crate::segment::Segment;
+use crate::status::{LIPZ_ABSENT, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_OK, Status};
+use crate::string::{String, c_char};
+use crate::time::Time;
 use core::mem::MaybeUninit;
-use lipz_bank::{ClipId, Fps};
+use lipz_bank::playback::ConsonantHold;
+use lipz_bank::{ClipId, Fps, Spoken, VisemeType};
 
 /// Viseme type: Preston Blair's chart, `-AMOSWEFLU`.
 pub const LIPZ_BLAIR: u32 = 1;
@@ -15,16 +18,25 @@ pub const LIPZ_TOONBOOM: u32 = 2;
 /// Viseme type: loudness, `-0123456789`.
 pub const LIPZ_RMS: u32 = 3;
 
-/// One spoken line.
-///
-/// Queries go by `id`, and take the frame rate from here only where the bank has none. The other
-/// fields are there to be read.
+/// The clip is the original: the line is not dubbed, or the original was asked for.
+pub const LIPZ_ORIGINAL: u32 = 0;
+/// The clip is the dub in the voice that was asked for.
+pub const LIPZ_DUB: u32 = 1;
+/// The clip is the dub in a voice that the one that was asked for falls back to.
+pub const LIPZ_OTHER_DUB: u32 = 2;
+
+/// One spoken line, in the version of the dialogue that it was found in. The fields are there to be read, and two pairs to be set
+/// where they are 0.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Clip {
-    /// Hash of the key: names the clip within its bank.
+    /// Hash of the key: names the clip in every version.
     pub id: u64,
-    /// Place of the clip in the bank, for `lipz_clip_at`.
+    /// The version of the dialogue: in another one, queries of the clip give `LIPZ_NONE`.
+    pub version: u32,
+    /// The number of the file that it is in.
+    pub file: u32,
+    /// Its number in that file.
     pub slot: u32,
     /// Number of frames.
     pub frame_count: u32,
@@ -35,7 +47,7 @@ pub struct Clip {
     pub fps_numerator: u32,
     /// Seconds in which `fps_numerator` frames pass; 0 if unspecified.
     pub fps_denominator: u32,
-    /// `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified.
+    /// `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified. Set it to supply it.
     pub viseme_type: u32,
     /// 1 if the Lipz file has visemes. Without them there are no frames, and segments have no times.
     pub has_visemes: u32,
@@ -44,10 +56,11 @@ pub struct Clip {
 }
 
 impl Clip {
-    pub(crate) fn from_found(clip: Option<lipz_bank::Clip<'_, '_>>) -> Result<Clip, Status> {
-        let clip = clip.ok_or(LIPZ_NONE)?;
-        Ok(Clip {
+    pub(crate) fn from_reader(version: u32, clip: &lipz_bank::Clip<'_>) -> Clip {
+        Clip {
             id: clip.id().get(),
+            version,
+            file: clip.file(),
             slot: clip.slot(),
             frame_count: clip.frame_count(),
             segment_count: clip.segment_count(),
@@ -56,7 +69,25 @@ impl Clip {
             viseme_type: clip.viseme_type().map_or(0, |kind| kind as u32),
             has_visemes: clip.has_visemes().into(),
             has_events: clip.has_events().into(),
-        })
+        }
+    }
+
+    /// The reader's clip, with the frame rate and the viseme type of the struct where it has none.
+    pub(crate) fn find<'a>(&self, dialogue: &'a lipz_bank::Dialogue<'a>) -> Result<lipz_bank::Clip<'a>, Status> {
+        let found = if self.version == dialogue.version() { dialogue.clip_at(self.file, self.slot) } else { None };
+        let found = found.filter(|clip| clip.id().get() == self.id).ok_or(LIPZ_NONE)?;
+        Ok(given(found, self.fps_numerator, self.fps_denominator, self.viseme_type))
+    }
+}
+
+/// The clip with this frame rate and viseme type where it has none.
+pub(crate) fn given(clip: lipz_bank::Clip<'_>, numerator: u32, denominator: u32, kind: u32) -> lipz_bank::Clip<'_> {
+    let kind = u8::try_from(kind).ok().and_then(VisemeType::from_number);
+    let clip = kind.map_or(clip, |kind| clip.or_viseme_type(kind));
+    // Whether it has a rate of its own: `Clip::fps` would check it, which takes longer than most queries.
+    match lipz_bank::Cursor::new(&clip) {
+        Some(_) => clip,
+        None => Fps::new(numerator, denominator).map_or(clip, |fps| clip.or_fps(fps)),
     }
 }
 
@@ -77,6 +108,28 @@ impl Default for Viseme {
     }
 }
 
+/// The recording that a clip was made for. Compare it with the audio that is about to be played.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Recording {
+    /// Length in microseconds, rounded to the nearest.
+    pub length_us: u64,
+    /// XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
+    pub content_hash: u64,
+}
+
+/// A clip as it is played in a voice.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct VoicedClip {
+    /// The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
+    pub clip: Clip,
+    /// `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
+    pub spoken: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
 /// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
 /// clips as constants.
 #[no_mangle]
@@ -91,150 +144,274 @@ pub unsafe extern "C" fn lipz_clip_id_of_key(
     })
 }
 
-/// The clip with this id.
+/// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
+/// `file` of the clip is the number of the file to supply.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_clip_by_id(bank: Option<&Bank>, id: u64, clip: Option<&mut MaybeUninit<Clip>>) -> Status {
-    answer(clip, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        Clip::from_found(unsafe { opened(bank) }?.clip(ClipId::from_u64(id)))
-    })
+pub unsafe extern "C" fn lipz_dialogue_clip(
+    dialogue: Option<&Dialogue>,
+    id: u64,
+    clip: Option<&mut MaybeUninit<Clip>>,
+) -> Status {
+    let id = ClipId::from_u64(id);
+    // SAFETY: the contract of the crate, which the caller keeps.
+    found(unsafe { reader(dialogue) }, Ok(id), |dialogue| dialogue.clip(id), clip)
 }
 
-/// The clip with this key, compared whole.
+/// The clip with this key, compared whole; as `lipz_dialogue_clip`.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_clip_by_key(
-    bank: Option<&Bank>,
+pub unsafe extern "C" fn lipz_dialogue_clip_by_key(
+    dialogue: Option<&Dialogue>,
     key: *const c_char,
     key_length_bytes: usize,
     clip: Option<&mut MaybeUninit<Clip>>,
 ) -> Status {
-    answer(clip, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        let (bank, key) = unsafe { (opened(bank)?, text(key, key_length_bytes)?) };
-        Clip::from_found(bank.clip_by_key(key))
-    })
+    // SAFETY: the contract of the crate, which the caller keeps.
+    let (dialogue, key) = unsafe { (reader(dialogue), text(key, key_length_bytes)) };
+    found(dialogue, key.map(ClipId::from_key), |dialogue| dialogue.clip_by_key(key.ok()?), clip)
 }
 
-/// The clip in this slot, a number below `clip_count` of the bank. Slots are in no order that means
-/// anything.
+/// Writes the clip that was found, or which file would have it.
+fn found<'a>(
+    dialogue: Result<&'a lipz_bank::Dialogue<'a>, Status>,
+    id: Result<ClipId, Status>,
+    find: impl FnOnce(&'a lipz_bank::Dialogue<'a>) -> Option<lipz_bank::Clip<'a>>,
+    out: Option<&mut MaybeUninit<Clip>>,
+) -> Status {
+    let out = match out {
+        Some(out) => out.write(Clip::default()),
+        None => return LIPZ_NULL_POINTER,
+    };
+    let (dialogue, id) = match (dialogue, id) {
+        (Ok(dialogue), Ok(id)) => (dialogue, id),
+        (Err(status), _) | (_, Err(status)) => return status,
+    };
+    if let Some(clip) = find(dialogue) {
+        *out = Clip::from_reader(dialogue.version(), &clip);
+        return LIPZ_OK;
+    }
+    match absent_file(dialogue, id) {
+        Ok(file) => {
+            out.file = file;
+            LIPZ_ABSENT
+        }
+        Err(status) => status,
+    }
+}
+
+/// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
+/// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_clip_at(bank: Option<&Bank>, slot: u32, clip: Option<&mut MaybeUninit<Clip>>) -> Status {
+pub unsafe extern "C" fn lipz_dialogue_next_clip(
+    dialogue: Option<&Dialogue>,
+    prefix: *const c_char,
+    prefix_length_bytes: usize,
+    position: Option<&mut u64>,
+    clip: Option<&mut MaybeUninit<Clip>>,
+) -> Status {
     answer(clip, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        Clip::from_found(unsafe { opened(bank) }?.clip_at(slot))
+        let dialogue = unsafe { reader(dialogue) }?;
+        // SAFETY: the same contract.
+        let prefix = if prefix_length_bytes == 0 { "" } else { unsafe { text(prefix, prefix_length_bytes) }? };
+        let position = position.ok_or(LIPZ_NULL_POINTER)?;
+        let (clip, behind) = dialogue.clip_behind(*position, prefix).ok_or(LIPZ_NONE)?;
+        *position = behind;
+        Ok(Clip::from_reader(dialogue.version(), &clip))
     })
 }
 
 /// The key of a clip: the path of its Lipz file below the source root, without extension.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_key(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     key: Option<&mut MaybeUninit<String>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, key, |clip| Ok(String::from_text(clip.key()))) }
+    unsafe { of_clip(dialogue, clip, key, |_, clip| Ok(String::from_text(clip.key()))) }
 }
 
 /// The frame codes of a clip, one byte per frame.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_frames(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     frames: Option<&mut MaybeUninit<String>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, frames, |clip| Ok(String::from_bytes(clip.frames()))) }
+    unsafe { of_clip(dialogue, clip, frames, |_, clip| Ok(String::from_bytes(clip.frames()))) }
+}
+
+/// The frame that shows at a time.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_frame_at(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    time: Time,
+    frame: Option<&mut MaybeUninit<u32>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_clip(dialogue, clip, frame, |_, clip| at!(time, |time| clip.frame_at(time)).ok_or(LIPZ_NONE)) }
 }
 
 /// The viseme of a frame; rest outside the clip.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_viseme(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     frame: u32,
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, viseme, |clip| Ok(Viseme::from_reader(clip.viseme(frame)))) }
+    unsafe { of_clip(dialogue, clip, viseme, |_, clip| Ok(Viseme::from_reader(clip.viseme(frame)))) }
 }
 
-/// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the
-/// clip. `LIPZ_NONE` without a frame rate.
+/// The viseme that shows at a time; rest while the character does not speak.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_viseme_at(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    time: Time,
+    viseme: Option<&mut MaybeUninit<Viseme>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, viseme, |_, clip| Ok(Viseme::from_reader(at!(time, |time| clip.viseme_at(time)))))
+    }
+}
+
+/// The segment of a clip with this index.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_segment(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    index: u32,
+    segment: Option<&mut MaybeUninit<Segment>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, segment, |dialogue, clip| Segment::from_found(dialogue.version(), clip.segment(index)))
+    }
+}
+
+/// The segment at a time.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_segment_at(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    time: Time,
+    segment: Option<&mut MaybeUninit<Segment>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, segment, |dialogue, clip| {
+            Segment::from_found(dialogue.version(), at!(time, |time| clip.segment_at(time)))
+        })
+    }
+}
+
+/// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the clip, that of frame 1 the
+/// `lead_us` of a cursor that leads by one frame. `LIPZ_NONE` without a frame rate.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_start_of_frame_us(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     frame: u32,
     time_us: Option<&mut MaybeUninit<u64>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, time_us, |clip| Ok(clip.fps().ok_or(LIPZ_NONE)?.start_of_frame_us(frame))) }
+    unsafe { of_clip(dialogue, clip, time_us, |_, clip| Ok(clip.fps().ok_or(LIPZ_NONE)?.start_of_frame_us(frame))) }
 }
 
-/// The recording that a clip was made for: how long it is, and what is in its file. Compare it with the sound
-/// that is about to be played.
-#[repr(C)]
-#[derive(Clone, Copy, Default, Debug)]
-pub struct Recording {
-    /// Length in microseconds, rounded to the nearest.
-    pub length_us: u64,
-    /// XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
-    pub content_hash: u64,
+/// The `hold_frames` of a cursor for a display that shows each rendered frame for so many microseconds: every consonant that has
+/// the room is in at least one. For 0, two frames at 24 fps, which is the least that can be read. `LIPZ_NONE` without a frame rate.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_hold_frames(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    rendered_frame_us: u32,
+    hold_frames: Option<&mut MaybeUninit<u32>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, hold_frames, |_, clip| {
+            let fps = clip.fps().ok_or(LIPZ_NONE)?;
+            let hold = match rendered_frame_us {
+                0 => ConsonantHold::readable(fps),
+                us => ConsonantHold::for_display(us, fps),
+            };
+            Ok(hold.frame_count().into())
+        })
+    }
 }
 
-/// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without
-/// recordings, or the clip had none.
+/// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the clip had none.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_recording(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     recording: Option<&mut MaybeUninit<Recording>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_clip(bank, clip, recording, |clip| {
+        of_clip(dialogue, clip, recording, |_, clip| {
             let found = clip.recording().ok_or(LIPZ_NONE)?;
             Ok(Recording { length_us: found.length_us(), content_hash: found.content_hash() })
         })
     }
 }
 
-/// Answers a query about a clip: the one of `bank` that has the id of `clip`, with the frame rate of
-/// `clip` if it has none of its own.
-///
-/// # Safety
-/// The contract of the crate.
-pub(crate) unsafe fn of_clip<T: Default>(
-    bank: Option<&Bank>,
+/// The clip as it is played in `voice`: the dub in it; if there is none, that in a voice that this one falls back to; otherwise
+/// the original. The clip may be the original or any of its dubs. With a voice of another version, the clip itself.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_in_voice(
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
-    out: Option<&mut MaybeUninit<T>>,
-    query: impl FnOnce(lipz_bank::Clip<'_, '_>) -> Result<T, Status>,
+    voice: Option<&Voice>,
+    voiced: Option<&mut MaybeUninit<VoicedClip>>,
 ) -> Status {
-    // SAFETY: the same contract.
-    unsafe { of_clip_in(bank, clip, out, |_, clip| query(clip)) }
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, voiced, |dialogue, clip| {
+            let found = clip.in_voice(voice.ok_or(LIPZ_NULL_POINTER)?.to_reader());
+            let spoken = match found.spoken {
+                Spoken::Dub => LIPZ_DUB,
+                Spoken::OtherDub => LIPZ_OTHER_DUB,
+                _ => LIPZ_ORIGINAL,
+            };
+            Ok(VoicedClip { clip: Clip::from_reader(dialogue.version(), &found.clip), spoken, reserved: 0 })
+        })
+    }
 }
 
-/// The same for queries that ask the bank, too.
+/// The voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` without dubs.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_clip_voice(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    voice: Option<&mut MaybeUninit<Voice>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, voice, |dialogue, clip| {
+            Ok(Voice::from_reader(dialogue, clip.voice().ok_or(LIPZ_NONE)?))
+        })
+    }
+}
+
+/// Answers a query about a clip.
 ///
 /// # Safety
 /// The contract of the crate.
-pub(crate) unsafe fn of_clip_in<T: Default>(
-    bank: Option<&Bank>,
+pub(crate) unsafe fn of_clip<'a, T: Default>(
+    dialogue: Option<&'a Dialogue>,
     clip: Option<&Clip>,
     out: Option<&mut MaybeUninit<T>>,
-    query: impl FnOnce(&lipz_bank::Bank<'_>, lipz_bank::Clip<'_, '_>) -> Result<T, Status>,
+    query: impl FnOnce(&'a lipz_bank::Dialogue<'a>, lipz_bank::Clip<'a>) -> Result<T, Status>,
 ) -> Status {
     answer(out, || {
         // SAFETY: the same contract.
-        let bank = unsafe { opened(bank) }?;
-        let asked = clip.ok_or(LIPZ_NULL_POINTER)?;
-        let clip = bank.clip(ClipId::from_u64(asked.id)).ok_or(LIPZ_NONE)?;
-        // Whether it has a rate of its own: `Clip::fps` would check it, which takes longer than the query.
-        let clip = match lipz_bank::Cursor::new(&clip) {
-            Some(_) => clip,
-            None => Fps::new(asked.fps_numerator, asked.fps_denominator).map_or(clip, |fps| clip.or_fps(fps)),
-        };
-        query(&bank, clip)
+        let dialogue = unsafe { reader(dialogue) }?;
+        query(dialogue, clip.ok_or(LIPZ_NULL_POINTER)?.find(dialogue)?)
     })
 }

@@ -2,27 +2,38 @@
 //!
 //! Values are in thousandths. Between two keys they change evenly; outside of the keys they are those of the first and last.
 
-use crate::bank::{Bank, origin};
-use crate::clip::{Clip, of_clip_in};
-use crate::pointer::text;
+use crate::clip::{Clip, given, of_clip};
+use crate::dialogue::{Dialogue, reader};
+use crate::pointer::{answer, text};
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
 use crate::string::{String, c_char};
+use crate::time::Time;
 use core::mem::MaybeUninit;
-use lipz_bank::{CurveValue, Micros, Samples, Seconds, Time};
+use lipz_bank::Fps;
+use lipz_bank::curve::CurveValue;
 
-/// A curve of a clip. Queries go by `place` and `bank`; the other fields are there to be read.
+/// A curve of a clip, in the version of the dialogue that it was found in. The fields are there to be read.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Curve {
     /// Its name: `jawOpen`, `anger`.
     pub name: String,
-    /// Its place among all curves of the bank.
-    pub place: u32,
     /// Number of keys, at least 1 in a verified bank.
     pub key_count: u32,
-    /// Tells the bank that the curve is of apart from others: asked of another one, also of a newer version, a curve gives
-    /// `LIPZ_NONE`.
-    pub bank: u32,
+    /// The version of the dialogue: in another one, queries of the curve give `LIPZ_NONE`.
+    pub version: u32,
+    /// The number of the file that it is in.
+    pub file: u32,
+    /// The number of its clip in that file.
+    pub slot: u32,
+    /// Its place among all curves of that file.
+    pub place: u32,
+    /// Frames in `fps_denominator` seconds, of its clip.
+    pub fps_numerator: u32,
+    /// Seconds in which `fps_numerator` frames pass.
+    pub fps_denominator: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// A key of a curve: its value at the start of a frame.
@@ -37,7 +48,7 @@ pub struct CurveKey {
 
 /// Which key of a curve was needed last. Start with zeros: `lipz_curve_cursor cursor = {0}`.
 ///
-/// With it, no key is searched for as long as time moves on by a few keys per picture. The answers are the same, also
+/// With it, no key is searched for as long as time moves on by a few keys per rendered frame. The answers are the same, also
 /// after a jump, and with a cursor of another curve.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
@@ -46,19 +57,24 @@ pub struct CurveCursor {
     pub key: u32,
 }
 
-fn from_found(bank: &lipz_bank::Bank<'_>, curve: &lipz_bank::Curve<'_>) -> Curve {
+fn from_reader(version: u32, clip: &lipz_bank::Clip<'_>, curve: &lipz_bank::curve::Curve<'_>) -> Curve {
     Curve {
         name: String::from_text(curve.name().as_str()),
-        place: curve.place(),
         key_count: curve.key_count(),
-        bank: origin(bank),
+        version,
+        file: clip.file(),
+        slot: clip.slot(),
+        place: curve.place(),
+        fps_numerator: clip.fps().map_or(0, Fps::numerator),
+        fps_denominator: clip.fps().map_or(0, Fps::denominator),
+        reserved: 0,
     }
 }
 
 /// The curve of a clip with this name. `LIPZ_NONE` if it has none.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_curve(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     name: *const c_char,
     name_length_bytes: usize,
@@ -66,169 +82,98 @@ pub unsafe extern "C" fn lipz_clip_curve(
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_clip_in(bank, clip, curve, |bank, clip| {
+        of_clip(dialogue, clip, curve, |dialogue, clip| {
             let found = clip.curve(text(name, name_length_bytes)?).ok_or(LIPZ_NONE)?;
-            Ok(from_found(bank, &found))
+            Ok(from_reader(dialogue.version(), &clip, &found))
         })
     }
 }
 
 /// The curve of a clip with this index, in the order of their names: ask from 0 on until `LIPZ_NONE`.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_at(
-    bank: Option<&Bank>,
+pub unsafe extern "C" fn lipz_clip_curve_by_index(
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
     index: u32,
     curve: Option<&mut MaybeUninit<Curve>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_clip_in(bank, clip, curve, |bank, clip| {
+        of_clip(dialogue, clip, curve, |dialogue, clip| {
             let found = clip.curves().nth(index as usize).ok_or(LIPZ_NONE)?;
-            Ok(from_found(bank, &found))
+            Ok(from_reader(dialogue.version(), &clip, &found))
         })
     }
 }
 
 /// The key of a curve with this index, a number below its `key_count`.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_key(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
+pub unsafe extern "C" fn lipz_curve_key(
+    dialogue: Option<&Dialogue>,
     curve: Option<&Curve>,
     index: u32,
     key: Option<&mut MaybeUninit<CurveKey>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_curve(bank, clip, curve, key, |curve| {
+        of_curve(dialogue, curve, key, |curve| {
             let key = curve.key(index).ok_or(LIPZ_NONE)?;
             Ok(CurveKey { frame: key.frame, thousandths: key.value.thousandths() })
         })
     }
 }
 
-/// The value of a curve at the start of a frame, in thousandths. `cursor` may be null.
+/// The value of a curve at the start of a frame, in thousandths.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_value(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
+pub unsafe extern "C" fn lipz_curve_value(
+    dialogue: Option<&Dialogue>,
     curve: Option<&Curve>,
-    cursor: Option<&mut CurveCursor>,
     frame: u32,
     thousandths: Option<&mut MaybeUninit<i32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_curve(dialogue, curve, thousandths, |curve| Ok(curve.value(frame).thousandths())) }
+}
+
+/// The value of a curve at a time, in thousandths. `LIPZ_NONE` without a frame rate. `cursor` may be null; with one, a rendered
+/// frame needs no search among the keys.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_curve_value_at(
+    dialogue: Option<&Dialogue>,
+    curve: Option<&Curve>,
+    time: Time,
+    cursor: Option<&mut CurveCursor>,
+    thousandths: Option<&mut MaybeUninit<i32>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
-        of_curve(bank, clip, curve, thousandths, |curve| {
-            Ok(with_cursor(cursor, |cursor| cursor.value(&curve, frame)).thousandths())
+        of_curve(dialogue, curve, thousandths, |curve| {
+            let mut inner = lipz_bank::curve::CurveCursor::from_word(cursor.as_ref().map_or(0, |cursor| cursor.key));
+            let value = at!(time, |time| inner.value_at(&curve, time));
+            if let Some(cursor) = cursor {
+                cursor.key = inner.to_word();
+            }
+            value.map(CurveValue::thousandths).ok_or(LIPZ_NONE)
         })
     }
 }
 
-/// The value of a curve `time_us` microseconds after the audio began, in thousandths. `LIPZ_NONE` without a frame rate.
-/// `cursor` may be null; with one, a picture needs no search among the keys.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_value_at_us(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    curve: Option<&Curve>,
-    cursor: Option<&mut CurveCursor>,
-    time_us: i64,
-    thousandths: Option<&mut MaybeUninit<i32>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, cursor, Micros(time_us), thousandths) }
-}
-
-/// The value of a curve after `position` samples at `rate_hz`, in thousandths. `LIPZ_NONE` without a frame rate.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_value_at_samples(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    curve: Option<&Curve>,
-    cursor: Option<&mut CurveCursor>,
-    position: i64,
-    rate_hz: u32,
-    thousandths: Option<&mut MaybeUninit<i32>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, cursor, Samples { position, rate_hz }, thousandths) }
-}
-
-/// The value of a curve after `seconds`, in thousandths. `LIPZ_NONE` without a frame rate.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_value_at_seconds(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    curve: Option<&Curve>,
-    cursor: Option<&mut CurveCursor>,
-    seconds: f64,
-    thousandths: Option<&mut MaybeUninit<i32>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, cursor, Seconds(seconds), thousandths) }
-}
-
-/// `lipz_clip_curve_value_at_seconds` for clocks that have no `double`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_curve_value_at_seconds_f32(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    curve: Option<&Curve>,
-    cursor: Option<&mut CurveCursor>,
-    seconds: f32,
-    thousandths: Option<&mut MaybeUninit<i32>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { value_at(bank, clip, curve, cursor, Seconds(seconds), thousandths) }
-}
-
-/// # Safety
-/// The contract of the crate.
-unsafe fn value_at(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    curve: Option<&Curve>,
-    cursor: Option<&mut CurveCursor>,
-    time: impl Time,
-    thousandths: Option<&mut MaybeUninit<i32>>,
-) -> Status {
-    // SAFETY: the same contract.
-    unsafe {
-        of_curve(bank, clip, curve, thousandths, |curve| {
-            with_cursor(cursor, |cursor| cursor.value_at(&curve, time)).map(CurveValue::thousandths).ok_or(LIPZ_NONE)
-        })
-    }
-}
-
-/// Asks with the cursor of the caller, and writes back where it is; with a new one without it.
-fn with_cursor<T>(cursor: Option<&mut CurveCursor>, ask: impl FnOnce(&mut lipz_bank::CurveCursor) -> T) -> T {
-    let mut moved = lipz_bank::CurveCursor::from_word(cursor.as_ref().map_or(0, |cursor| cursor.key));
-    let answer = ask(&mut moved);
-    if let Some(cursor) = cursor {
-        cursor.key = moved.to_word();
-    }
-    answer
-}
-
-/// Answers a query about a curve: the one in the place of `curve`, if that is of this bank.
+/// Answers a query about a curve.
 ///
 /// # Safety
 /// The contract of the crate.
-unsafe fn of_curve<T: Default>(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
+unsafe fn of_curve<'a, T: Default>(
+    dialogue: Option<&'a Dialogue>,
     curve: Option<&Curve>,
     out: Option<&mut MaybeUninit<T>>,
-    query: impl FnOnce(lipz_bank::Curve<'_>) -> Result<T, Status>,
+    query: impl FnOnce(lipz_bank::curve::Curve<'a>) -> Result<T, Status>,
 ) -> Status {
-    // SAFETY: the same contract.
-    unsafe {
-        of_clip_in(bank, clip, out, |bank, clip| {
-            let asked = curve.ok_or(LIPZ_NULL_POINTER)?;
-            let found = if asked.bank == origin(bank) { clip.curve_in_place(asked.place) } else { None };
-            query(found.ok_or(LIPZ_NONE)?)
-        })
-    }
+    answer(out, || {
+        // SAFETY: the same contract.
+        let dialogue = unsafe { reader(dialogue) }?;
+        let asked = curve.ok_or(LIPZ_NULL_POINTER)?;
+        let clip = if asked.version == dialogue.version() { dialogue.clip_at(asked.file, asked.slot) } else { None };
+        let clip = given(clip.ok_or(LIPZ_NONE)?, asked.fps_numerator, asked.fps_denominator, 0);
+        query(clip.curve_in_place(asked.place).ok_or(LIPZ_NONE)?)
+    })
 }

@@ -1,17 +1,65 @@
-//! Faces that move by themselves: lids, head and eyes at a time. Angles are in thousandths of a degree: pitch is positive
-//! upwards, yaw to the left of the character, roll towards the left shoulder.
+//! What a face shows: emotions, and lids, head and eyes that move by themselves. Angles are in thousandths of a degree: pitch is
+//! positive upwards, yaw to the left of the character, roll towards the left shoulder.
 
 use crate::babble::LIPZ_BUILT_IN;
-use crate::bank::{Bank, opened, origin};
 use crate::clip::{Clip, of_clip};
+use crate::dialogue::{Dialogue, of_project, reader};
 use crate::pointer::{answer, text};
 use crate::status::{LIPZ_NONE, Status};
 use crate::string::{String, c_char};
+use crate::time::Time;
 use crate::who::{self, Who};
 use core::mem::MaybeUninit;
-use lipz_bank::{CurveValue, Micros, Samples, Seconds, Time};
+use lipz_bank::curve::CurveValue;
 
-/// A face profile of a bank. Look it up once; queries go by `index` and `bank`.
+/// Attribute of emotion: `sadness`, place in `thousandths`.
+pub const LIPZ_SADNESS: u32 = 0;
+/// Attribute of emotion: `anger`.
+pub const LIPZ_ANGER: u32 = 1;
+/// Attribute of emotion: `joy`.
+pub const LIPZ_JOY: u32 = 2;
+/// Attribute of emotion: `fear`.
+pub const LIPZ_FEAR: u32 = 3;
+/// Attribute of emotion: `disgust`.
+pub const LIPZ_DISGUST: u32 = 4;
+/// Attribute of emotion: `surprise`.
+pub const LIPZ_SURPRISE: u32 = 5;
+/// Attribute of emotion: `shock`.
+pub const LIPZ_SHOCK: u32 = 6;
+/// Attribute of emotion: `perplexed`.
+pub const LIPZ_PERPLEXED: u32 = 7;
+/// Attribute of emotion: `asleep`.
+pub const LIPZ_ASLEEP: u32 = 8;
+/// Attribute of emotion: `pain`.
+pub const LIPZ_PAIN: u32 = 9;
+/// Attribute of emotion: `exertion`.
+pub const LIPZ_EXERTION: u32 = 10;
+/// Attribute of emotion: `shout`.
+pub const LIPZ_SHOUT: u32 = 11;
+/// How many attributes of emotion there are.
+pub const LIPZ_EMOTION_COUNT: usize = 12;
+/// `strongest` of a neutral face.
+pub const LIPZ_NEUTRAL: u32 = 0xFFFF_FFFF;
+
+/// What a character feels: all zeros for a neutral face.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Emotions {
+    /// Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
+    pub thousandths: [i32; LIPZ_EMOTION_COUNT],
+    /// The attribute with the highest value, `LIPZ_NEUTRAL` if none is above 0.
+    pub strongest: u32,
+    /// The sum of all values, in thousandths.
+    pub sum: i32,
+}
+
+impl Default for Emotions {
+    fn default() -> Emotions {
+        Emotions { thousandths: [0; LIPZ_EMOTION_COUNT], strongest: LIPZ_NEUTRAL, sum: 0 }
+    }
+}
+
+/// A face profile of a dialogue. Look it up once; queries go by `index` and `version`.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct FaceProfile {
@@ -19,11 +67,11 @@ pub struct FaceProfile {
     pub name: String,
     /// Its place among the profiles, or `LIPZ_BUILT_IN`.
     pub index: u32,
-    /// Tells the bank that the profile is of apart from others.
-    pub bank: u32,
+    /// The version of the dialogue.
+    pub version: u32,
 }
 
-/// What somebody looks at: a direction, as seen from the head at rest.
+/// What a character looks at: a direction, as seen from the head at rest.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct LookAt {
@@ -55,299 +103,136 @@ pub struct Face {
     pub brows: i32,
     /// A shrug of the face, 0 to 1,000. Only curves make one.
     pub shrug: i32,
-    /// How hard somebody breathes: 0 to 10,000. Only curves say so.
+    /// How hard the character breathes: 0 to 10,000. Only curves say so.
     pub breath: i32,
 }
 
-/// The face profile with this name.
+/// What a character of a clip feels at a time; the speaker if `who` is null. A neutral face without curves, and without a frame
+/// rate.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_face_profile_by_name(
-    bank: Option<&Bank>,
+pub unsafe extern "C" fn lipz_clip_emotions_at(
+    dialogue: Option<&Dialogue>,
+    clip: Option<&Clip>,
+    time: Time,
+    who: Option<&Who>,
+    emotions: Option<&mut MaybeUninit<Emotions>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_clip(dialogue, clip, emotions, |_, clip| {
+            let who = who::to_reader(who)?;
+            let found = at!(time, |time| clip.emotions_at(time, who));
+            let mut emotions = Emotions { sum: found.sum().thousandths(), ..Emotions::default() };
+            for (place, (_, value)) in emotions.thousandths.iter_mut().zip(found.iter()) {
+                *place = value.thousandths();
+            }
+            if let Some((strongest, _)) = found.strongest() {
+                emotions.strongest = strongest as u32;
+            }
+            Ok(emotions)
+        })
+    }
+}
+
+/// The face profile with this name. If `name` is null, that of the project, `[face]` in its settings, or the usual one if it has
+/// none.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_face_profile(
+    dialogue: Option<&Dialogue>,
     name: *const c_char,
     name_length_bytes: usize,
     profile: Option<&mut MaybeUninit<FaceProfile>>,
 ) -> Status {
     answer(profile, || {
         // SAFETY: the contract of the crate, which the caller keeps.
-        let (bank, name) = unsafe { (opened(bank)?, text(name, name_length_bytes)?) };
-        named(&bank, name).ok_or(LIPZ_NONE)
+        let dialogue = unsafe { reader(dialogue) }?;
+        // SAFETY: the same contract.
+        let asked = if name.is_null() { "default" } else { unsafe { text(name, name_length_bytes) }? };
+        let version = dialogue.version();
+        if let Some((index, found)) = (0..).zip(dialogue.face_profiles()).find(|(_, profile)| profile.name() == asked) {
+            return Ok(FaceProfile { name: String::from_text(found.name()), index, version });
+        }
+        let built_in = Some(lipz_bank::face::FaceProfile::DEFAULT).filter(|_| name.is_null());
+        let built_in = of_project(dialogue, built_in)?;
+        Ok(FaceProfile { name: String::from_text(built_in.name()), index: LIPZ_BUILT_IN, version })
     })
 }
 
-/// The profile of the project, `[face]` in its settings; the usual one if it has none.
+/// The face of a character of a clip at a time, generated as `profile` says; the speaker's if `who` is null. Curves of the clip win
+/// over what is generated. `profile` may be null for that of the project, `look_at` for a person straight ahead. `LIPZ_NONE` for a
+/// profile of another version.
 #[no_mangle]
-pub unsafe extern "C" fn lipz_face_profile_default(
-    bank: Option<&Bank>,
-    profile: Option<&mut MaybeUninit<FaceProfile>>,
-) -> Status {
-    answer(profile, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        let bank = unsafe { opened(bank) }?;
-        let built_in = || FaceProfile {
-            name: String::from_text(lipz_bank::FaceProfile::DEFAULT.name()),
-            index: LIPZ_BUILT_IN,
-            bank: origin(&bank),
-        };
-        Ok(named(&bank, "default").unwrap_or_else(built_in))
-    })
-}
-
-fn named(bank: &lipz_bank::Bank<'_>, name: &str) -> Option<FaceProfile> {
-    let (index, found) = (0..).zip(bank.face_profiles()).find(|(_, profile)| profile.name() == name)?;
-    Some(FaceProfile { name: String::from_text(found.name()), index, bank: origin(bank) })
-}
-
-/// The speaker's face `time_us` microseconds after the audio began, generated as `profile` says. Curves of the clip win over
-/// what is generated. `profile` may be null for that of the project, `look_at` for somebody straight ahead. `LIPZ_NONE` for a
-/// profile of another bank.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_at_us(
-    bank: Option<&Bank>,
+pub unsafe extern "C" fn lipz_clip_face_at(
+    dialogue: Option<&Dialogue>,
     clip: Option<&Clip>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    time_us: i64,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, None, profile, look_at, Micros(time_us), face) }
-}
-
-/// The speaker's face after `position` samples at `rate_hz`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_at_samples(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    position: i64,
-    rate_hz: u32,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, None, profile, look_at, Samples { position, rate_hz }, face) }
-}
-
-/// The speaker's face after `seconds`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_at_seconds(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seconds: f64,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, None, profile, look_at, Seconds(seconds), face) }
-}
-
-/// `lipz_clip_face_at_seconds` for clocks that have no `double`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_at_seconds_f32(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seconds: f32,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, None, profile, look_at, Seconds(seconds), face) }
-}
-
-/// The face of a character of the clip `time_us` microseconds after the audio began: with the curves that have the name in
-/// front, and blinks by their own emotions. The head of somebody who listens moves for these curves and for what is looked at only. `who`
-/// may be null for the speaker, the others as for `lipz_clip_face_at_us`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_of_us(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
+    time: Time,
     who: Option<&Who>,
     profile: Option<&FaceProfile>,
     look_at: Option<&LookAt>,
-    time_us: i64,
     face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, who, profile, look_at, Micros(time_us), face) }
-}
-
-/// The face of a character of the clip after `position` samples at `rate_hz`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_of_samples(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    who: Option<&Who>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    position: i64,
-    rate_hz: u32,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, who, profile, look_at, Samples { position, rate_hz }, face) }
-}
-
-/// The face of a character of the clip after `seconds`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_of_seconds(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    who: Option<&Who>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seconds: f64,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, who, profile, look_at, Seconds(seconds), face) }
-}
-
-/// `lipz_clip_face_of_seconds` for clocks that have no `double`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_face_of_seconds_f32(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    who: Option<&Who>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seconds: f32,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { face_of(bank, clip, who, profile, look_at, Seconds(seconds), face) }
-}
-
-/// The face of somebody who says nothing, `time_us` microseconds from anywhere: they blink and look. `seed` tells them apart
-/// from others, so that not everybody blinks at once.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_face_idle_at_us(
-    bank: Option<&Bank>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seed: u64,
-    time_us: i64,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { idle_at(bank, profile, look_at, seed, Micros(time_us), face) }
-}
-
-/// The face of somebody who says nothing, after `position` samples at `rate_hz`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_face_idle_at_samples(
-    bank: Option<&Bank>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seed: u64,
-    position: i64,
-    rate_hz: u32,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { idle_at(bank, profile, look_at, seed, Samples { position, rate_hz }, face) }
-}
-
-/// The face of somebody who says nothing, after `seconds`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_face_idle_at_seconds(
-    bank: Option<&Bank>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seed: u64,
-    seconds: f64,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { idle_at(bank, profile, look_at, seed, Seconds(seconds), face) }
-}
-
-/// `lipz_face_idle_at_seconds` for clocks that have no `double`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_face_idle_at_seconds_f32(
-    bank: Option<&Bank>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    seed: u64,
-    seconds: f32,
-    face: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { idle_at(bank, profile, look_at, seed, Seconds(seconds), face) }
-}
-
-/// # Safety
-/// The contract of the crate.
-unsafe fn face_of(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    who: Option<&Who>,
-    profile: Option<&FaceProfile>,
-    look_at: Option<&LookAt>,
-    time: impl Time,
-    out: Option<&mut MaybeUninit<Face>>,
-) -> Status {
-    // SAFETY: the same contract.
     unsafe {
-        of_clip(bank, clip, out, |clip| {
-            let opened = opened(bank)?;
-            Ok(from_found(&clip.face_of(who::of_reader(who)?, time, &of_reader(&opened, profile)?, direction(look_at))))
+        of_clip(dialogue, clip, face, |dialogue, clip| {
+            let (who, profile) = (who::to_reader(who)?, profile_of(dialogue, profile)?);
+            Ok(Face::from_reader(at!(time, |time| clip.face_at(time, who, &profile, looked_at(look_at)))))
         })
     }
 }
 
-/// # Safety
-/// The contract of the crate.
-unsafe fn idle_at(
-    bank: Option<&Bank>,
+/// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; `seed` tells characters apart,
+/// so that they do not blink at the same time. The rest as for `lipz_clip_face_at`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_face_idle_at(
+    dialogue: Option<&Dialogue>,
+    time: Time,
+    seed: u64,
     profile: Option<&FaceProfile>,
     look_at: Option<&LookAt>,
-    seed: u64,
-    time: impl Time,
-    out: Option<&mut MaybeUninit<Face>>,
+    face: Option<&mut MaybeUninit<Face>>,
 ) -> Status {
-    answer(out, || {
-        // SAFETY: the same contract.
-        let bank = unsafe { opened(bank) }?;
-        Ok(from_found(&of_reader(&bank, profile)?.idle_at(time, seed, direction(look_at))))
+    answer(face, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let profile = profile_of(unsafe { reader(dialogue) }?, profile)?;
+        Ok(Face::from_reader(at!(time, |time| profile.idle_at(time, seed, looked_at(look_at)))))
     })
 }
 
-/// The profile that the caller means.
-pub(crate) fn of_reader<'data>(
-    bank: &lipz_bank::Bank<'data>,
-    profile: Option<&FaceProfile>,
-) -> Result<lipz_bank::FaceProfile<'data>, Status> {
-    match profile {
-        None => Ok(bank.default_face_profile()),
-        Some(FaceProfile { index: LIPZ_BUILT_IN, .. }) => Ok(lipz_bank::FaceProfile::DEFAULT),
-        Some(asked) => {
-            let found = bank.face_profiles().nth(asked.index as usize);
-            found.filter(|_| asked.bank == origin(bank)).ok_or(LIPZ_NONE)
+impl Face {
+    fn from_reader(face: lipz_bank::face::Face) -> Face {
+        Face {
+            blink: face.blink.thousandths(),
+            head_pitch: face.head_pitch.thousandths(),
+            head_yaw: face.head_yaw.thousandths(),
+            head_roll: face.head_roll.thousandths(),
+            eye_pitch: face.eye_pitch.thousandths(),
+            eye_yaw: face.eye_yaw.thousandths(),
+            brows: face.brows.thousandths(),
+            shrug: face.shrug.thousandths(),
+            breath: face.breath.thousandths(),
         }
     }
 }
 
-pub(crate) fn direction(look_at: Option<&LookAt>) -> lipz_bank::LookAt {
-    let value = CurveValue::from_thousandths;
-    match look_at {
-        None => lipz_bank::LookAt::AHEAD,
-        Some(LookAt { pitch, yaw, is_person: 0 }) => lipz_bank::LookAt::point(value(*pitch), value(*yaw)),
-        Some(LookAt { pitch, yaw, .. }) => lipz_bank::LookAt::person(value(*pitch), value(*yaw)),
+/// The profile that the caller means.
+fn profile_of<'a>(
+    dialogue: &lipz_bank::Dialogue<'a>,
+    profile: Option<&FaceProfile>,
+) -> Result<lipz_bank::face::FaceProfile<'a>, Status> {
+    match profile {
+        None => of_project(dialogue, Some(dialogue.default_face_profile())),
+        Some(profile) if profile.index == LIPZ_BUILT_IN => Ok(lipz_bank::face::FaceProfile::DEFAULT),
+        Some(profile) if profile.version != dialogue.version() => Err(LIPZ_NONE),
+        Some(profile) => dialogue.face_profiles().nth(profile.index as usize).ok_or(LIPZ_NONE),
     }
 }
 
-pub(crate) fn from_found(face: &lipz_bank::Face) -> Face {
-    Face {
-        blink: face.blink.thousandths(),
-        head_pitch: face.head_pitch.thousandths(),
-        head_yaw: face.head_yaw.thousandths(),
-        head_roll: face.head_roll.thousandths(),
-        eye_pitch: face.eye_pitch.thousandths(),
-        eye_yaw: face.eye_yaw.thousandths(),
-        brows: face.brows.thousandths(),
-        shrug: face.shrug.thousandths(),
-        breath: face.breath.thousandths(),
+/// What the caller has the character look at.
+fn looked_at(look_at: Option<&LookAt>) -> lipz_bank::face::LookAt {
+    let value = CurveValue::from_thousandths;
+    match look_at {
+        None => lipz_bank::face::LookAt::AHEAD,
+        Some(look) if look.is_person == 0 => lipz_bank::face::LookAt::point(value(look.pitch), value(look.yaw)),
+        Some(look) => lipz_bank::face::LookAt::person(value(look.pitch), value(look.yaw)),
     }
 }

@@ -1,45 +1,35 @@
-//! Segments of a clip, and what is said in them.
+//! Segments of a clip: where they are, their texts and events.
 
-use crate::bank::{Bank, opened, opened_with_texts};
-use crate::clip::{Clip, of_clip};
-use crate::locale::Locale;
+use crate::dialogue::{Dialogue, reader};
+use crate::event::Event;
+use crate::handle::Locale;
 use crate::pointer::answer;
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
-use crate::string::c_char;
+use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 use core::ptr;
-use lipz_bank::ClipId;
 
-/// A stretch of a clip, between two `|` of its Lipz file. Queries go by `clip_id` and `index`.
+/// A stretch of a clip, between two `|` of its Lipz file, in the version of the dialogue that it was found in.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Segment {
-    /// The clip that this is a segment of.
+    /// The clip.
     pub clip_id: u64,
+    /// The version of the dialogue: in another one, queries of the segment give `LIPZ_NONE`.
+    pub version: u32,
+    /// The number of the file that the clip is in.
+    pub file: u32,
+    /// The number of the clip in that file.
+    pub slot: u32,
     /// Place of the segment in its clip, from 0.
     pub index: u32,
     /// Its first frame.
     pub start_frame: u32,
     /// The frame behind its last one.
     pub end_frame: u32,
-    /// Zero; keeps the size the same on all machines.
-    pub reserved: u32,
 }
 
-impl Segment {
-    pub(crate) fn from_found(segment: Option<lipz_bank::Segment<'_, '_>>) -> Result<Segment, Status> {
-        let segment = segment.ok_or(LIPZ_NONE)?;
-        Ok(Segment {
-            clip_id: segment.clip().id().get(),
-            index: segment.index(),
-            start_frame: segment.start_frame(),
-            end_frame: segment.end_frame(),
-            reserved: 0,
-        })
-    }
-}
-
-/// A display text, as a player sees it: UTF-8 without terminator, in the bytes of the bank.
+/// A display text, as a player sees it: UTF-8 without terminator, in the bytes of a file.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Text {
@@ -47,7 +37,7 @@ pub struct Text {
     pub data: *const c_char,
     /// Length in bytes.
     pub length_bytes: usize,
-    /// 1 if the clip has no text of its own in the locale, and this is that of another one.
+    /// 1 if the clip has no text of its own in the locale, and this is that of the locale that it falls back to.
     pub is_fallback: u32,
 }
 
@@ -57,70 +47,86 @@ impl Default for Text {
     }
 }
 
-/// The segment of a clip with this index, a number below its `segment_count`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_segment_at(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    index: u32,
-    segment: Option<&mut MaybeUninit<Segment>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment(index))) }
+impl Segment {
+    pub(crate) fn from_found(version: u32, segment: Option<lipz_bank::Segment<'_>>) -> Result<Segment, Status> {
+        let segment = segment.ok_or(LIPZ_NONE)?;
+        let clip = segment.clip();
+        Ok(Segment {
+            clip_id: clip.id().get(),
+            version,
+            file: clip.file(),
+            slot: clip.slot(),
+            index: segment.index(),
+            start_frame: segment.start_frame(),
+            end_frame: segment.end_frame(),
+        })
+    }
 }
 
-/// The segment that a frame belongs to. Segments of no frames are never found by frame.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_segment_of_frame(
-    bank: Option<&Bank>,
-    clip: Option<&Clip>,
-    frame: u32,
-    segment: Option<&mut MaybeUninit<Segment>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(bank, clip, segment, |clip| Segment::from_found(clip.segment_of_frame(frame))) }
-}
-
-/// The text of a segment in a locale of the same bank. `LIPZ_NONE` if the clip has none, also by
-/// fallback, and if the locale is one of another bank.
+/// The display text of a segment in a locale, or in the locale that it falls back to. `LIPZ_NONE` if neither has a text for this
+/// clip, and for a locale of another version. A segment of an existing text may be empty.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_segment_text(
-    bank: Option<&Bank>,
+    dialogue: Option<&Dialogue>,
     segment: Option<&Segment>,
     locale: Option<&Locale>,
     text: Option<&mut MaybeUninit<Text>>,
 ) -> Status {
-    answer(text, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        let opened = unsafe { opened_with_texts(bank) }?;
-        let locale = locale.ok_or(LIPZ_NULL_POINTER)?.find(&opened).ok_or(LIPZ_NONE)?;
-        let text = found(&opened.bank, segment)?.text(locale).ok_or(LIPZ_NONE)?;
-        let string = text.as_str();
-        Ok(Text { data: string.as_ptr().cast(), length_bytes: string.len(), is_fallback: text.is_fallback().into() })
-    })
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_segment(dialogue, segment, text, |segment| {
+            let found = segment.text(locale.ok_or(LIPZ_NULL_POINTER)?.to_reader()).ok_or(LIPZ_NONE)?;
+            let String { data, length_bytes } = String::from_text(found.as_str());
+            Ok(Text { data, length_bytes, is_fallback: found.is_fallback().into() })
+        })
+    }
 }
 
-/// Answers a query about a segment: the one of `bank` with the clip and the index of `segment`.
+/// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
+/// `LIPZ_NONE` if the file has no events.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_segment_event_string(
+    dialogue: Option<&Dialogue>,
+    segment: Option<&Segment>,
+    string: Option<&mut MaybeUninit<String>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe { of_segment(dialogue, segment, string, |segment| Ok(String::from_text(segment.event().ok_or(LIPZ_NONE)?))) }
+}
+
+/// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
+/// event string is some other syntax, such as a script.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_segment_event(
+    dialogue: Option<&Dialogue>,
+    segment: Option<&Segment>,
+    index: u32,
+    event: Option<&mut MaybeUninit<Event>>,
+) -> Status {
+    // SAFETY: the contract of the crate, which the caller keeps.
+    unsafe {
+        of_segment(dialogue, segment, event, |segment| {
+            Ok(Event::from_reader(segment.events().nth(index as usize).ok_or(LIPZ_NONE)?))
+        })
+    }
+}
+
+/// Answers a query about a segment.
 ///
 /// # Safety
 /// The contract of the crate.
-pub(crate) unsafe fn of_segment<T: Default>(
-    bank: Option<&Bank>,
+unsafe fn of_segment<'a, T: Default>(
+    dialogue: Option<&'a Dialogue>,
     segment: Option<&Segment>,
     out: Option<&mut MaybeUninit<T>>,
-    query: impl FnOnce(&lipz_bank::Bank<'_>, lipz_bank::Segment<'_, '_>) -> Result<T, Status>,
+    query: impl FnOnce(lipz_bank::Segment<'a>) -> Result<T, Status>,
 ) -> Status {
     answer(out, || {
         // SAFETY: the same contract.
-        let bank = unsafe { opened(bank) }?;
-        query(&bank, found(&bank, segment)?)
+        let dialogue = unsafe { reader(dialogue) }?;
+        let asked = segment.ok_or(LIPZ_NULL_POINTER)?;
+        let clip = if asked.version == dialogue.version() { dialogue.clip_at(asked.file, asked.slot) } else { None };
+        let clip = clip.filter(|clip| clip.id().get() == asked.clip_id).ok_or(LIPZ_NONE)?;
+        query(clip.segment(asked.index).ok_or(LIPZ_NONE)?)
     })
-}
-
-fn found<'data, 'bank>(
-    bank: &'bank lipz_bank::Bank<'data>,
-    segment: Option<&Segment>,
-) -> Result<lipz_bank::Segment<'data, 'bank>, Status> {
-    let segment = segment.ok_or(LIPZ_NULL_POINTER)?;
-    bank.clip(ClipId::from_u64(segment.clip_id)).and_then(|clip| clip.segment(segment.index)).ok_or(LIPZ_NONE)
 }

@@ -5,8 +5,8 @@ use crate::string::String;
 use core::mem::MaybeUninit;
 use lipz_bank::{Error, ErrorKind};
 
-/// What became of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
-/// that was found in a bank, from 1 to 255. Numbers are never given a new meaning.
+/// The result of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
+/// that was found in a file, from 1 to 255. Numbers are never given a new meaning.
 pub type Status = u32;
 
 /// The answer was written.
@@ -18,12 +18,13 @@ pub const LIPZ_NONE: Status = 256;
 pub const LIPZ_NULL_POINTER: Status = 257;
 /// A key, tag or name that was asked for is not UTF-8.
 pub const LIPZ_NOT_UTF8: Status = 258;
-/// The bytes of a bank are not those that it was opened with: another length, or another checksum in their header. Open
-/// it again.
+/// The dialogue was not opened.
 pub const LIPZ_NOT_OPENED: Status = 259;
-/// A struct has another size than in this library: the program was compiled with the header of another version, or
+/// A struct has a different size in this library: the program was compiled with the header of another version, or
 /// never started the struct.
 pub const LIPZ_OTHER_VERSION: Status = 260;
+/// A bank of the set is not there that would have it. Of a clip, `file` is the number of the bank to supply.
+pub const LIPZ_ABSENT: Status = 261;
 
 /// The number of the kind of damage.
 pub(crate) fn of_damage(error: Error) -> Status {
@@ -39,8 +40,9 @@ pub extern "C" fn lipz_status_message(status: Status, message: Option<&mut Maybe
             LIPZ_NONE => "there is no such thing",
             LIPZ_NULL_POINTER => "a pointer is null",
             LIPZ_NOT_UTF8 => "the string is not UTF-8",
-            LIPZ_NOT_OPENED => "the bytes are not those that were opened",
+            LIPZ_NOT_OPENED => "the dialogue was not opened",
             LIPZ_OTHER_VERSION => "the struct is not of this version of the library",
+            LIPZ_ABSENT => "a bank of the set that may have it is not there",
             damage => {
                 let kind = ErrorKind::ALL.iter().find(|kind| Status::from(kind.number()) == damage);
                 kind.ok_or(LIPZ_NONE)?.message()

@@ -11,7 +11,7 @@ pub struct Who {
     /// The name as events have it: data and length.
     pub name: String,
     /// 1 for the speaker: then curves without a name are about them, too. Of two for the same, that one counts which is farther
-    /// from neutral. 0 for somebody else.
+    /// from neutral. 0 for other characters.
     pub is_speaker: u32,
 }
 
@@ -19,12 +19,12 @@ pub struct Who {
 ///
 /// # Safety
 /// The contract of the crate: the name is null or leads to so many bytes.
-pub(crate) unsafe fn of_reader<'name>(who: Option<&Who>) -> Result<lipz_bank::Who<'name>, Status> {
+pub(crate) unsafe fn to_reader<'name>(who: Option<&Who>) -> Result<lipz_bank::face::Who<'name>, Status> {
     let who = match who {
         Some(who) => who,
-        None => return Ok(lipz_bank::Who::Speaker),
+        None => return Ok(lipz_bank::face::Who::Speaker),
     };
     // SAFETY: the same contract.
     let name = unsafe { text(who.name.data, who.name.length_bytes) }?;
-    Ok(if who.is_speaker == 0 { lipz_bank::Who::Other(name) } else { lipz_bank::Who::SpeakerNamed(name) })
+    Ok(if who.is_speaker == 0 { lipz_bank::face::Who::Other(name) } else { lipz_bank::face::Who::SpeakerNamed(name) })
 }

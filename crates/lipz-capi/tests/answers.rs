@@ -1,192 +1,348 @@
-//! The functions give the answers of the reader, on every query to every golden bank.
+//! The functions give the answers of the reader, to every query of every golden file, alone and with others.
 #![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 mod common;
 
-use common::{Answer, DRAMA, SMALL, SPLIT, bank, ptr, text_of};
-use lipz_bank::{Micros, Samples, Seconds};
+use common::{DIALOGUES, Opened, ask, dialogue, micros, name_of, ptr, samples, seconds, seconds_f32, text_of, written};
+use lipz_bank::{Micros, Samples, Seconds, Spoken};
 use lipz_capi::*;
 
+/// The sample rate of the times in samples.
+const RATE_HZ: u32 = 44_100;
+
 #[test]
-fn clips_are_found_by_id_key_and_slot() {
-    for bytes in [DRAMA, SMALL] {
-        let (expected, bank) = bank(bytes);
-        let info = Answer::<BankInfo>::from_call(|out| unsafe { lipz_bank_info(Some(&bank), out) }).ok();
-        assert_eq!(info.clip_count as usize, expected.clip_count());
-        assert_eq!(info.locale_count as usize, expected.locales().count());
-        assert_eq!(info.fingerprint, expected.fingerprint());
-        for clip in expected.clips() {
+fn clips_are_found_by_id_key_and_prefix() {
+    for files in DIALOGUES {
+        let Opened { of_c, reader } = &dialogue(files);
+        let of_c = Some(of_c);
+        let info: DialogueInfo = ask(|out| unsafe { lipz_dialogue_info(of_c, out) }).unwrap();
+        assert_eq!(info.clip_count as usize, reader.clip_count());
+        assert_eq!(info.locale_count as usize, reader.locales().count());
+        assert_eq!((info.voice_count as usize, info.file_count as usize), (reader.voices().count(), files.len()));
+        for prefix in ["", "act1/", "de/", "nowhere/"] {
+            let (text, length) = ptr(prefix);
+            let mut position = 0;
+            let mut next =
+                || ask(|out| unsafe { lipz_dialogue_next_clip(of_c, text, length, Some(&mut position), out) }).ok();
+            let found: Vec<u64> = std::iter::from_fn(|| next().map(|clip: Clip| clip.id)).collect();
+            assert_eq!(found, reader.clips_under(prefix).map(|clip| clip.id().get()).collect::<Vec<_>>(), "{prefix}");
+        }
+        for clip in reader.clips() {
             let (key, length) = ptr(clip.key());
-            let id = Answer::from_call(|out| unsafe { lipz_clip_id_of_key(key, length, out) }).ok();
+            let id = ask(|out| unsafe { lipz_clip_id_of_key(key, length, out) }).unwrap();
             assert_eq!(id, clip.id().get());
-            let by_id = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(Some(&bank), id, out) }).ok();
-            let by_key =
-                Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(Some(&bank), key, length, out) }).ok();
-            let by_slot = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_at(Some(&bank), clip.slot(), out) }).ok();
-            for found in [by_id, by_key, by_slot] {
-                assert_eq!((found.id, found.slot), (id, clip.slot()));
+            let by_id = ask(|out| unsafe { lipz_dialogue_clip(of_c, id, out) });
+            let by_key = ask(|out| unsafe { lipz_dialogue_clip_by_key(of_c, key, length, out) });
+            for found in [by_id, by_key].map(Result::<Clip, Status>::unwrap) {
+                assert_eq!((found.id, found.file, found.slot), (id, clip.file(), clip.slot()));
                 assert_eq!((found.frame_count, found.segment_count), (clip.frame_count(), clip.segment_count()));
                 let fps = clip.fps().map_or((0, 0), |fps| (fps.numerator(), fps.denominator()));
                 assert_eq!((found.fps_numerator, found.fps_denominator), fps);
                 assert_eq!(found.viseme_type, clip.viseme_type().map_or(0, |kind| kind as u32));
                 assert_eq!((found.has_visemes == 1, found.has_events == 1), (clip.has_visemes(), clip.has_events()));
             }
-            let found = Answer::from_call(|out| unsafe { lipz_clip_key(Some(&bank), Some(&by_id), out) }).ok();
-            assert_eq!(text_of(found), clip.key());
-            let frames = Answer::from_call(|out| unsafe { lipz_clip_frames(Some(&bank), Some(&by_id), out) }).ok();
+            let by_id = by_id.as_ref().ok();
+            assert_eq!(text_of(ask(|out| unsafe { lipz_clip_key(of_c, by_id, out) }).unwrap()), clip.key());
+            let frames = ask(|out| unsafe { lipz_clip_frames(of_c, by_id, out) }).unwrap();
             assert_eq!(text_of(frames).as_bytes(), clip.frames());
+            let recording: Option<Recording> = ask(|out| unsafe { lipz_clip_recording(of_c, by_id, out) }).ok();
+            let recording = recording.map(|recording| (recording.length_us, recording.content_hash));
+            assert_eq!(recording, clip.recording().map(|found| (found.length_us(), found.content_hash())));
         }
     }
 }
 
-/// The sample rate of the times in samples, in Hz.
-const RATE_HZ: u32 = 44_100;
-
-/// One time in all units.
-#[derive(Clone, Copy, Debug)]
-struct Asked {
-    us: i64,
-    seconds: f64,
-    short: f32,
-    position: i64,
-}
-
-/// Calls `ask` with each clip of a bank, as C and the reader know it, and times before, in and behind it.
-fn at_all_times(ask: impl Fn(Option<&Bank>, Option<&Clip>, &lipz_bank::Clip<'_, '_>, Asked)) {
-    let (expected, bank) = bank(SMALL);
-    let bank = Some(&bank);
-    for clip in expected.clips() {
-        let found = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
-        for us in (-50_000..3_000_000).step_by(33_333) {
-            let (seconds, position) = (us as f64 / 1e6, us * 441 / 10_000);
-            ask(bank, Some(&found), &clip, Asked { us, seconds, short: seconds as f32, position });
+/// Calls `check` with each clip of all dialogues, as C and the reader know it.
+fn of_all_clips(check: impl Fn(&Opened, &Dialogue, &Clip, &lipz_bank::Clip<'_>)) {
+    for files in DIALOGUES {
+        let opened = dialogue(files);
+        for clip in opened.reader.clips() {
+            check(&opened, &opened.of_c, &opened.clip(clip.key()), &clip);
         }
     }
+}
+
+/// Checks an expression of the reader against a function of C, for a time before, in and behind a clip, in all units.
+macro_rules! at_all_times {
+    ($us:expr, |$of_c:ident, $time:ident| $found:expr, $expected:expr) => {{
+        let us: i64 = $us;
+        let (position, at) = (us * 441 / 10_000, us as f64 / 1e6);
+        let $of_c = micros(us);
+        let $time = Micros(us);
+        assert_eq!($found, $expected, "{us} µs");
+        let $of_c = samples(position, RATE_HZ);
+        let $time = Samples { position, rate_hz: RATE_HZ };
+        assert_eq!($found, $expected, "{position} samples");
+        let $of_c = seconds(at);
+        let $time = Seconds(at);
+        assert_eq!($found, $expected, "{at} s");
+        let $of_c = seconds_f32(at as f32);
+        let $time = Seconds(at as f32);
+        assert_eq!($found, $expected, "{at} s in 32 bits");
+    }};
 }
 
 #[test]
 fn all_units_of_time_lead_to_the_frame_of_the_reader() {
-    at_all_times(|bank, found, clip, asked| {
-        let answers = [
-            (
-                Answer::from_call(|out| unsafe { lipz_frame_at_us(bank, found, asked.us, out) }),
-                clip.frame_at(Micros(asked.us)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_frame_at_seconds(bank, found, asked.seconds, out) }),
-                clip.frame_at(Seconds(asked.seconds)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_frame_at_seconds_f32(bank, found, asked.short, out) }),
-                clip.frame_at(Seconds(asked.short)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_frame_at_samples(bank, found, asked.position, RATE_HZ, out) }),
-                clip.frame_at(Samples { position: asked.position, rate_hz: RATE_HZ }),
-            ),
-        ];
-        for (found, expected) in answers {
-            assert_eq!(found.some(), expected, "{asked:?}");
+    of_all_clips(|_, of_c, found, clip| {
+        let (of_c, found) = (Some(of_c), Some(found));
+        for us in (-50_000..2_000_000).step_by(33_333) {
+            at_all_times!(
+                us,
+                |asked, time| ask(|out| unsafe { lipz_clip_frame_at(of_c, found, asked, out) }).ok(),
+                clip.frame_at(time)
+            );
+            at_all_times!(
+                us,
+                |asked, time| ask(|out| unsafe { lipz_clip_viseme_at(of_c, found, asked, out) }),
+                Ok(Viseme(clip.viseme_at(time).code()))
+            );
+            at_all_times!(
+                us,
+                |asked, time| ask(|out| unsafe { lipz_clip_segment_at(of_c, found, asked, out) })
+                    .ok()
+                    .map(|segment: Segment| segment.index),
+                clip.segment_at(time).map(|segment| segment.index())
+            );
         }
-    });
-}
-
-#[test]
-fn all_units_of_time_lead_to_the_viseme_of_the_reader() {
-    at_all_times(|bank, found, clip, asked| {
-        let answers = [
-            (
-                Answer::from_call(|out| unsafe { lipz_viseme_at_us(bank, found, asked.us, out) }),
-                clip.viseme_at(Micros(asked.us)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_viseme_at_seconds(bank, found, asked.seconds, out) }),
-                clip.viseme_at(Seconds(asked.seconds)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_viseme_at_seconds_f32(bank, found, asked.short, out) }),
-                clip.viseme_at(Seconds(asked.short)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_viseme_at_samples(bank, found, asked.position, RATE_HZ, out) }),
-                clip.viseme_at(Samples { position: asked.position, rate_hz: RATE_HZ }),
-            ),
-        ];
-        for (found, expected) in answers {
-            assert_eq!(found.ok(), Viseme(expected.code()), "{asked:?}");
+        for frame in 0..clip.frame_count() + 2 {
+            let viseme = ask(|out| unsafe { lipz_clip_viseme(of_c, found, frame, out) });
+            assert_eq!(viseme, Ok(Viseme(clip.viseme(frame).code())));
+            let start = ask(|out| unsafe { lipz_clip_start_of_frame_us(of_c, found, frame, out) }).ok();
+            assert_eq!(start, clip.fps().map(|fps| fps.start_of_frame_us(frame)));
         }
-    });
-}
-
-#[test]
-fn all_units_of_time_lead_to_the_segment_of_the_reader() {
-    at_all_times(|bank, found, clip, asked| {
-        let answers = [
-            (
-                Answer::from_call(|out| unsafe { lipz_segment_at_us(bank, found, asked.us, out) }),
-                clip.segment_at(Micros(asked.us)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_segment_at_seconds(bank, found, asked.seconds, out) }),
-                clip.segment_at(Seconds(asked.seconds)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_segment_at_seconds_f32(bank, found, asked.short, out) }),
-                clip.segment_at(Seconds(asked.short)),
-            ),
-            (
-                Answer::from_call(|out| unsafe { lipz_segment_at_samples(bank, found, asked.position, RATE_HZ, out) }),
-                clip.segment_at(Samples { position: asked.position, rate_hz: RATE_HZ }),
-            ),
-        ];
-        for (found, expected) in answers {
-            let found: Option<Segment> = found.some();
-            assert_eq!(found.map(|segment| segment.index), expected.map(|segment| segment.index()), "{asked:?}");
+        for us in [0, 1, 16_667, 33_333, 100_000] {
+            let hold = ask(|out| unsafe { lipz_clip_hold_frames(of_c, found, us, out) }).ok();
+            let of_reader = |fps| match us {
+                0 => lipz_bank::playback::ConsonantHold::readable(fps),
+                _ => lipz_bank::playback::ConsonantHold::for_display(us, fps),
+            };
+            assert_eq!(hold, clip.fps().map(|fps| of_reader(fps).frame_count().into()));
         }
     });
 }
 
 #[test]
 fn segments_have_the_texts_and_events_of_the_reader() {
-    for bytes in [DRAMA, SMALL] {
-        let (expected, bank) = bank(bytes);
-        let bank = Some(&bank);
-        for clip in expected.clips() {
-            let found = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_id(bank, clip.id().get(), out) }).ok();
-            for segment in clip.segments() {
-                let found = Answer::<Segment>::from_call(|out| unsafe {
-                    lipz_segment_at(bank, Some(&found), segment.index(), out)
-                })
-                .ok();
-                assert_eq!((found.start_frame, found.end_frame), (segment.start_frame(), segment.end_frame()));
-                let string = Answer::from_call(|out| unsafe { lipz_segment_event_string(bank, Some(&found), out) });
-                assert_eq!(string.some().map(text_of), segment.event());
-                let written: Vec<_> = (0..)
-                    .map_while(|index| {
-                        Answer::<Event>::from_call(|out| unsafe { lipz_segment_event(bank, Some(&found), index, out) })
-                            .some()
-                    })
-                    .map(|event| common::written(&event))
-                    .collect();
-                assert_eq!(written, segment.events().map(|event| event.to_string()).collect::<Vec<_>>());
-                for (index, locale) in (0..).zip(expected.locales()) {
-                    let (tag, length) = ptr(locale.tag());
-                    let by_tag =
-                        Answer::<Locale>::from_call(|out| unsafe { lipz_locale_by_tag(bank, tag, length, out) }).ok();
-                    let by_index = Answer::<Locale>::from_call(|out| unsafe { lipz_locale_at(bank, index, out) }).ok();
-                    assert_eq!((by_tag.index, text_of(by_index.tag)), (index, locale.tag()));
-                    assert_eq!(by_tag.is_default == 1, locale.is_default());
-                    let text = Answer::<Text>::from_call(|out| unsafe {
-                        lipz_segment_text(bank, Some(&found), Some(&by_tag), out)
-                    })
-                    .some();
-                    let text = text.map(|text| {
-                        let string = String { data: text.data, length_bytes: text.length_bytes };
-                        (text_of(string), text.is_fallback == 1)
-                    });
-                    assert_eq!(text, segment.text(locale).map(|text| (text.as_str(), text.is_fallback())));
+    let texts = std::cell::Cell::new(0);
+    of_all_clips(|opened, of_c, clip_of_c, clip| {
+        let of_c = Some(of_c);
+        for segment in clip.segments() {
+            let found: Segment =
+                ask(|out| unsafe { lipz_clip_segment(of_c, Some(clip_of_c), segment.index(), out) }).unwrap();
+            assert_eq!((found.start_frame, found.end_frame), (segment.start_frame(), segment.end_frame()));
+            let string = ask(|out| unsafe { lipz_segment_event_string(of_c, Some(&found), out) });
+            assert_eq!(string.map(text_of).ok(), segment.event());
+            let event = |index| ask(|out| unsafe { lipz_segment_event(of_c, Some(&found), index, out) }).ok();
+            let events: Vec<_> = (0..).map_while(event).map(|event: Event| written(&event)).collect();
+            assert_eq!(events, segment.events().map(|event| event.to_string()).collect::<Vec<_>>());
+            for (index, locale) in (0..).zip(opened.reader.locales()) {
+                let tag = opened.reader.locale_tag(locale);
+                let by_tag = opened.locale(tag).unwrap();
+                let by_index: Locale = ask(|out| unsafe { lipz_dialogue_locale_by_index(of_c, index, out) }).unwrap();
+                assert_eq!((by_tag.place, text_of(by_index.tag)), (by_index.place, tag));
+                assert_eq!(by_tag.is_default == 1, opened.reader.default_locale() == Some(locale));
+                let text = ask(|out| unsafe { lipz_segment_text(of_c, Some(&found), Some(&by_tag), out) }).ok();
+                let text = text.map(|text: Text| {
+                    let string = String { data: text.data, length_bytes: text.length_bytes };
+                    (text_of(string), text.is_fallback == 1)
+                });
+                assert_eq!(text, segment.text(locale).map(|text| (text.as_str(), text.is_fallback())));
+                texts.set(texts.get() + i32::from(text.is_some()));
+            }
+        }
+    });
+    assert!(texts.get() > 100, "{texts:?}");
+}
+
+#[test]
+fn voices_are_those_of_the_reader() {
+    let dubs = std::cell::Cell::new(0);
+    of_all_clips(|opened, of_c, clip_of_c, clip| {
+        let of_c = Some(of_c);
+        for (index, voice) in (0..).zip(opened.reader.voices()) {
+            let tag = opened.reader.voice_tag(voice);
+            let (text, length) = ptr(tag);
+            let by_tag: Voice = ask(|out| unsafe { lipz_dialogue_voice(of_c, text, length, out) }).unwrap();
+            let by_index: Voice = ask(|out| unsafe { lipz_dialogue_voice_by_index(of_c, index, out) }).unwrap();
+            assert_eq!((by_tag.place, text_of(by_index.tag)), (by_index.place, tag));
+            assert_eq!(by_tag.is_original == 1, voice.is_original());
+            let found: VoicedClip =
+                ask(|out| unsafe { lipz_clip_in_voice(of_c, Some(clip_of_c), Some(&by_tag), out) }).unwrap();
+            let expected = clip.in_voice(voice);
+            assert_eq!((found.clip.file, found.clip.slot), (expected.clip.file(), expected.clip.slot()));
+            let spoken = match expected.spoken {
+                Spoken::Dub => LIPZ_DUB,
+                Spoken::OtherDub => LIPZ_OTHER_DUB,
+                _ => LIPZ_ORIGINAL,
+            };
+            assert_eq!(found.spoken, spoken);
+            dubs.set(dubs.get() + spoken);
+            let of_clip: Option<Voice> = ask(|out| unsafe { lipz_clip_voice(of_c, Some(&found.clip), out) }).ok();
+            let expected = expected.clip.voice().map(|voice| opened.reader.voice_tag(voice));
+            assert_eq!(of_clip.map(|voice| text_of(voice.tag)), expected);
+        }
+    });
+    assert!(dubs.get() > 0);
+}
+
+#[test]
+fn curves_and_emotions_are_those_of_the_reader() {
+    let curves = std::cell::Cell::new(0);
+    of_all_clips(|_, of_c, clip_of_c, clip| {
+        let (of_c, clip_of_c) = (Some(of_c), Some(clip_of_c));
+        for (index, curve) in (0..).zip(clip.curves()) {
+            let (name, length) = ptr(curve.name().as_str());
+            let named: Curve = ask(|out| unsafe { lipz_clip_curve(of_c, clip_of_c, name, length, out) }).unwrap();
+            let found: Curve = ask(|out| unsafe { lipz_clip_curve_by_index(of_c, clip_of_c, index, out) }).unwrap();
+            assert_eq!((named.place, named.key_count), (found.place, curve.key_count()));
+            let found = Some(&found);
+            for (index, key) in (0..).zip(curve.keys()) {
+                let found: CurveKey = ask(|out| unsafe { lipz_curve_key(of_c, found, index, out) }).unwrap();
+                assert_eq!((found.frame, found.thousandths), (key.frame, key.value.thousandths()));
+            }
+            // Jumps, and a cursor that begins anywhere, change no answer.
+            let mut cursor = CurveCursor { key: u32::MAX };
+            for us in (-50_000..1_500_000).step_by(66_667) {
+                for is_with in [false, true] {
+                    let mut kept = |asked| {
+                        let cursor = Some(&mut cursor).filter(|_| is_with);
+                        ask(|out| unsafe { lipz_curve_value_at(of_c, found, asked, cursor, out) }).ok()
+                    };
+                    at_all_times!(
+                        us,
+                        |asked, time| kept(asked),
+                        curve.value_at(time).map(lipz_bank::curve::CurveValue::thousandths)
+                    );
                 }
             }
+            let value = ask(|out| unsafe { lipz_curve_value(of_c, found, 3, out) });
+            assert_eq!(value, Ok(curve.value(3).thousandths()));
+            curves.set(curves.get() + 1);
+        }
+        let behind = clip.curves().count() as u32;
+        let none: Result<Curve, _> = ask(|out| unsafe { lipz_clip_curve_by_index(of_c, clip_of_c, behind, out) });
+        assert_eq!(none.err(), Some(LIPZ_NONE));
+        for (who, of_reader) in [(None, lipz_bank::face::Who::Speaker)].into_iter().chain(characters()) {
+            let sums = |emotions: Emotions| (emotions.thousandths.to_vec(), emotions.strongest, emotions.sum);
+            for us in [-1, 0, 500_000, 1_200_000] {
+                at_all_times!(
+                    us,
+                    |asked, time| ask(|out| unsafe {
+                        lipz_clip_emotions_at(of_c, clip_of_c, asked, who.as_ref(), out)
+                    })
+                    .map(sums),
+                    Ok(of_reader_sums(&clip.emotions_at(time, of_reader)))
+                );
+            }
+        }
+    });
+    assert!(curves.get() > 20, "{curves:?}");
+}
+
+fn of_reader_sums(emotions: &lipz_bank::face::Emotions) -> (Vec<i32>, u32, i32) {
+    let values = emotions.iter().map(|(_, value)| value.thousandths()).collect();
+    (values, emotions.strongest().map_or(LIPZ_NEUTRAL, |(emotion, _)| emotion as u32), emotions.sum().thousandths())
+}
+
+/// Mara as a listener and as the speaker.
+fn characters() -> [(Option<Who>, lipz_bank::face::Who<'static>); 2] {
+    let (data, length_bytes) = ptr("mara");
+    [(0, lipz_bank::face::Who::Other("mara")), (1, lipz_bank::face::Who::SpeakerNamed("mara"))]
+        .map(|(is_speaker, who)| (Some(Who { name: String { data, length_bytes }, is_speaker }), who))
+}
+
+#[test]
+fn faces_are_those_of_the_reader() {
+    of_all_clips(|opened, of_c, clip_of_c, clip| {
+        let (of_c, clip_of_c) = (Some(of_c), Some(clip_of_c));
+        let own = (None, opened.reader.default_face_profile());
+        let named = opened.reader.face_profiles().map(|profile| {
+            let (name, length) = ptr(profile.name());
+            (Some(ask(|out| unsafe { lipz_dialogue_face_profile(of_c, name, length, out) }).unwrap()), profile)
+        });
+        for (of_c_profile, profile) in std::iter::once(own).chain(named) {
+            let of_c_profile: Option<&FaceProfile> = of_c_profile.as_ref();
+            for (who, of_reader) in [(None, lipz_bank::face::Who::Speaker)].into_iter().chain(characters()) {
+                for us in [-1, 0, 700_000, 3_000_000] {
+                    let look = LookAt { pitch: 3000, yaw: -9000, is_person: 0 };
+                    let value = lipz_bank::curve::CurveValue::from_thousandths;
+                    let to = lipz_bank::face::LookAt::point(value(3000), value(-9000));
+                    at_all_times!(
+                        us,
+                        |asked, time| ask(|out| unsafe {
+                            lipz_clip_face_at(of_c, clip_of_c, asked, who.as_ref(), of_c_profile, Some(&look), out)
+                        })
+                        .map(fields_of_c),
+                        Ok(fields(clip.face_at(time, of_reader, &profile, to)))
+                    );
+                    at_all_times!(
+                        us,
+                        |asked, time| ask(|out| unsafe { lipz_face_idle_at(of_c, asked, 7, of_c_profile, None, out) })
+                            .map(fields_of_c),
+                        Ok(fields(profile.idle_at(time, 7, lipz_bank::face::LookAt::AHEAD)))
+                    );
+                }
+            }
+        }
+    });
+}
+
+fn fields_of_c(face: Face) -> [i32; 9] {
+    let Face { blink, head_pitch, head_yaw, head_roll, eye_pitch, eye_yaw, brows, shrug, breath } = face;
+    [blink, head_pitch, head_yaw, head_roll, eye_pitch, eye_yaw, brows, shrug, breath]
+}
+
+fn fields(face: lipz_bank::face::Face) -> [i32; 9] {
+    let head = [face.head_pitch, face.head_yaw, face.head_roll].map(lipz_bank::curve::CurveValue::thousandths);
+    let eyes = [face.eye_pitch, face.eye_yaw].map(lipz_bank::curve::CurveValue::thousandths);
+    let rest = [face.brows, face.shrug, face.breath].map(lipz_bank::curve::CurveValue::thousandths);
+    [&[face.blink.thousandths()][..], &head, &eyes, &rest].concat().try_into().unwrap()
+}
+
+#[test]
+fn babble_is_that_of_the_reader() {
+    for files in DIALOGUES {
+        let Opened { of_c, reader } = &dialogue(files);
+        let of_c = Some(of_c);
+        let own: Babble = ask(|out| unsafe { lipz_dialogue_babble(of_c, std::ptr::null(), 0, out) }).unwrap();
+        let named = reader.babbles().map(|profile| {
+            let (name, length) = ptr(profile.name());
+            (ask(|out| unsafe { lipz_dialogue_babble(of_c, name, length, out) }).unwrap(), profile)
+        });
+        for (of_c_profile, profile) in std::iter::once((own, reader.default_babble())).chain(named) {
+            let of_c_profile = Some(&of_c_profile);
+            for us in (-50_000..900_000).step_by(33_333) {
+                let told = |weights: Weights| (weights.ooh, weights.aah);
+                let of_reader = |weights: lipz_bank::babble::Weights| {
+                    (u32::from(weights.ooh.ten_thousandths()), u32::from(weights.aah.ten_thousandths()))
+                };
+                at_all_times!(
+                    us,
+                    |asked, time| ask(|out| unsafe { lipz_babble_at(of_c, of_c_profile, asked, 0.7, out) }).map(told),
+                    Ok(of_reader(profile.at(time, 0.7)))
+                );
+                at_all_times!(
+                    us,
+                    |asked, time| ask(|out| unsafe { lipz_babble_at_level(of_c, of_c_profile, asked, 30_000, out) })
+                        .map(told),
+                    Ok(of_reader(profile.at(time, lipz_bank::babble::VoiceLevel(30_000))))
+                );
+            }
+        }
+        let none: Result<Babble, _> = ask(|out| unsafe { lipz_dialogue_babble(of_c, ptr("nobody").0, 6, out) });
+        assert_eq!(none.err(), Some(LIPZ_NONE));
+    }
+}
+
+#[test]
+fn names_are_those_of_the_reader() {
+    for files in DIALOGUES {
+        let opened = dialogue(files);
+        for name in ["otto", "amy", "nobody"] {
+            let (text, length) = ptr(name);
+            let found = ask(|out| unsafe { lipz_dialogue_event_name(Some(&opened.of_c), text, length, out) }).ok();
+            assert_eq!(found.and_then(name_of), opened.reader.event_name(name).map(lipz_bank::EventName::as_str));
         }
     }
 }
@@ -194,97 +350,17 @@ fn segments_have_the_texts_and_events_of_the_reader() {
 /// A clip whose file has no frame rate plays with that of the struct; one that has it keeps it.
 #[test]
 fn the_caller_supplies_a_frame_rate() {
-    let (_, bank) = bank(SMALL);
-    let bank = Some(&bank);
-    let clip_of = |key| {
-        let (key, length) = ptr(key);
-        Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(bank, key, length, out) }).ok()
-    };
-    let at = |clip: &Clip| Answer::<u32>::from_call(|out| unsafe { lipz_frame_at_us(bank, Some(clip), 500_000, out) });
-    let mut clip = clip_of("act2/unspecified");
-    assert_eq!((clip.fps_denominator, at(&clip).status), (0, LIPZ_NONE));
+    let opened = dialogue(&[common::SMALL]);
+    let at =
+        |clip: &Clip| ask(|out| unsafe { lipz_clip_frame_at(Some(&opened.of_c), Some(clip), micros(500_000), out) });
+    let mut clip = opened.clip("act2/unspecified");
+    assert_eq!((clip.fps_denominator, at(&clip)), (0, Err(LIPZ_NONE)));
     (clip.fps_numerator, clip.fps_denominator) = (4, 1);
-    assert_eq!(at(&clip).ok(), 2);
+    assert_eq!(at(&clip), Ok(2));
     (clip.fps_numerator, clip.fps_denominator) = (0, 7);
-    assert_eq!(at(&clip).status, LIPZ_NONE, "no frame rate");
-    let mut clip = clip_of("act1/blair");
-    let own = at(&clip).ok();
+    assert_eq!(at(&clip), Err(LIPZ_NONE), "no frame rate");
+    let mut clip = opened.clip("act1/blair");
+    let own = at(&clip);
     (clip.fps_numerator, clip.fps_denominator) = (1, 1);
-    assert_eq!(at(&clip).ok(), own);
-}
-
-/// Locales and names are numbers: in another version of their bank these may be another locale's and name's.
-#[test]
-fn a_locale_of_another_version_leads_to_no_text() {
-    let newer = {
-        let mut bytes = DRAMA.to_vec();
-        bytes[8] ^= 1; // the checksum, which `verify` looks at
-        Vec::leak(bytes)
-    };
-    let open = |bytes: &'static [u8]| {
-        Answer::<Bank>::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok()
-    };
-    let banks = [open(DRAMA), open(newer)];
-    let (tag, tag_length) = ptr("de-de");
-    let (name, name_length) = ptr("otto");
-    let id = lipz_bank::ClipId::from_key("act1/mara-good-evening").get();
-    let segment = Segment { clip_id: id, index: 1, ..Segment::default() };
-    for (own, other) in [(banks[0], banks[1]), (banks[1], banks[0])] {
-        let german = |bank: Bank| {
-            Answer::<Locale>::from_call(|out| unsafe { lipz_locale_by_tag(Some(&bank), tag, tag_length, out) }).ok()
-        };
-        let text = |locale: Locale| {
-            Answer::<Text>::from_call(|out| unsafe {
-                lipz_segment_text(Some(&own), Some(&segment), Some(&locale), out)
-            })
-        };
-        let text_of_own = text(german(own)).ok();
-        let string = String { data: text_of_own.data, length_bytes: text_of_own.length_bytes };
-        assert_eq!(text_of(string), "Du bist spät dran,");
-        assert_eq!(text(german(other)).status, LIPZ_NONE);
-
-        let otto = |bank: Bank| {
-            Answer::<EventName>::from_call(|out| unsafe { lipz_event_name(Some(&bank), name, name_length, out) }).ok()
-        };
-        let event =
-            Answer::<Event>::from_call(|out| unsafe { lipz_segment_event(Some(&own), Some(&segment), 0, out) }).ok();
-        assert_eq!((event.object.id, event.object.bank), (otto(own).id, otto(own).bank));
-        assert_ne!(event.object.bank, otto(other).bank);
-        assert_eq!((event.character.id, event.character.bank), (LIPZ_NO_NAME, 0));
-    }
-}
-
-/// The first locale of one text bank is not the first one of another.
-#[test]
-fn a_locale_of_another_text_bank_leads_to_no_text() {
-    let (expected, base) = bank(SPLIT);
-    let with = |texts: &'static [u8]| {
-        let mut bank = base;
-        let status = unsafe { lipz_bank_use_texts(Some(&mut bank), texts.as_ptr(), texts.len(), None) };
-        assert_eq!(status, LIPZ_OK);
-        bank
-    };
-    let (german, english) = (with(common::GERMAN), with(common::ENGLISH));
-    let first = |bank| Answer::<Locale>::from_call(|out| unsafe { lipz_locale_at(Some(bank), 0, out) }).ok();
-    assert_eq!([text_of(first(&german).tag), text_of(first(&english).tag)], ["de-de", "en-us"]);
-    let texts = |bank: &Bank, locale: &Locale| {
-        let segments = expected.clips().map(|clip| Segment { clip_id: clip.id().get(), ..Segment::default() });
-        let answers = segments.map(|segment| {
-            Answer::<Text>::from_call(|out| unsafe { lipz_segment_text(Some(bank), Some(&segment), Some(locale), out) })
-        });
-        answers.filter(|answer| answer.status == LIPZ_OK).count()
-    };
-    assert!(texts(&german, &first(&german)) > 0 && texts(&english, &first(&english)) > 0);
-    assert_eq!([texts(&german, &first(&english)), texts(&english, &first(&german))], [0; 2]);
-    assert_eq!(texts(&base, &first(&german)), 0);
-}
-
-#[test]
-fn names_and_the_default_locale() {
-    let (expected, bank) = bank(DRAMA);
-    let (name, length) = ptr("otto");
-    let found = Answer::<EventName>::from_call(|out| unsafe { lipz_event_name(Some(&bank), name, length, out) }).ok();
-    assert_eq!((found.id, text_of(found.name)), (expected.event_name("otto").unwrap().id(), "otto"));
-    let locale = Answer::<Locale>::from_call(|out| unsafe { lipz_locale_default(Some(&bank), out) }).ok();
-    assert_eq!(text_of(locale.tag), "en-us");
+    assert_eq!(at(&clip), own);
 }

@@ -1,15 +1,17 @@
-// The cases of fixtures/playback/cases.txt in C++17: cases <folder of the banks> < cases.txt. Writes the file anew, with
-// the answers of the library.
+// The cases of fixtures/playback/cases.txt in C++17: cases <folder of the banks> [what it lacks]... < cases.txt. Writes the
+// file anew, with the answers of the library, and tells how many commands it has played and skipped.
 #include <lipz.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <deque>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -33,25 +35,29 @@ template <typename T> T found(const std::optional<T> &answer, const std::string 
     return *answer;
 }
 
-/// Calls `use` with the time at `words[at]` in its unit, and gives the place behind it.
-template <typename Use> std::size_t with_time(const Words &words, std::size_t at, Use use) {
-    const auto &unit = words.at(at);
+/// The time at `words[at]`, in its unit; `at` is behind it then.
+lipz::Time time_at(const Words &words, std::size_t &at) {
+    const auto unit = words.at(at++);
+    const auto value = words.at(at++);
     if (unit == "us") {
-        use(lipz::Micros{std::stoll(words.at(at + 1))});
-    } else if (unit == "samples") {
-        use(lipz::Samples{std::stoll(words.at(at + 1)), number(words.at(at + 2))});
-        return at + 3;
-    } else if (unit == "seconds") {
-        use(std::strtod(words.at(at + 1).c_str(), nullptr));
-    } else if (unit == "f32") {
-        use(std::strtof(words.at(at + 1).c_str(), nullptr));
-    } else {
-        throw std::runtime_error("no unit: " + unit);
+        return lipz::Micros{std::stoll(value)};
     }
-    return at + 2;
+    if (unit == "samples") {
+        return lipz::Samples{std::stoll(value), number(words.at(at++))};
+    }
+    if (unit == "seconds") {
+        return std::strtod(value.c_str(), nullptr);
+    }
+    if (unit == "f32") {
+        return std::strtof(value.c_str(), nullptr);
+    }
+    throw std::runtime_error("no unit: " + unit);
 }
 
 std::string_view or_none(const lipz::Name &name) { return name ? name.str() : "-"; }
+
+constexpr std::array<std::string_view, LIPZ_EMOTION_COUNT> EMOTIONS = {
+    "sadness", "anger", "joy", "fear", "disgust", "surprise", "shock", "perplexed", "asleep", "pain", "exertion", "shout"};
 
 class Stage {
   public:
@@ -60,50 +66,47 @@ class Stage {
     void command(const Words &words) {
         const auto &verb = words.at(0);
         if (verb == "bank") {
-            const auto &bytes = contents(words.at(1) + ".lipzbank");
-            bank_ = lipz::Bank::must_open(bytes.data(), bytes.size());
-            locale_.reset();
+            open_bank(words.at(1));
         } else if (verb == "texts") {
-            const auto &bytes = contents(words.at(1) + ".lipztexts");
-            bank_->must_use_texts(bytes.data(), bytes.size());
-            locale_.reset();
+            paths_.push_back(folder_ / (words.at(1) + ".lipztexts"));
+            open_dialogue();
         } else if (verb == "locale") {
-            locale_ = bank_->locale(words.at(1));
+            locale_ = dialogue_->locale(words.at(1));
             std::cout << (locale_ ? "" : "  no locale\n");
         } else if (verb == "clip") {
             start(words);
         } else if (verb == "speaker") {
-            cursor_->set_speaker(bank_->name(words.at(1)));
+            cursor_->set_speaker(dialogue_->name(words.at(1)));
         } else if (verb == "lead") {
             const auto &lead = words.at(1);
-            cursor_->lead_us = lead == "one"   ? clip_->lead_one_frame()
-                               : lead == "two" ? clip_->lead_two_frames()
+            cursor_->lead_us = lead == "one"   ? lead_us(1)
+                               : lead == "two" ? lead_us(2)
                                                : number(lead);
         } else if (verb == "hold") {
             const auto &hold = words.at(1);
-            cursor_->hold_frames = hold == "readable"  ? clip_->hold_readable()
-                                   : hold == "display" ? clip_->hold_for_display(number(words.at(2)))
+            cursor_->hold_frames = hold == "readable"  ? found(clip_->hold_frames(), "hold")
+                                   : hold == "display" ? found(clip_->hold_frames(number(words.at(2))), "hold")
                                                        : number(hold);
         } else if (verb == "state") {
-            const auto name = words.at(1) == "-" ? lipz::Name() : bank_->name(words.at(1));
-            print(found(cursor_->character(*bank_, name), "character"), words.at(1));
+            const auto name = words.at(1) == "-" ? lipz::Name() : dialogue_->name(words.at(1));
+            print(found(cursor_->character(*dialogue_, name), "character"), words.at(1));
         } else if (verb == "characters") {
-            for (const auto &character : cursor_->characters(*bank_)) {
+            for (const auto &character : cursor_->characters(*dialogue_)) {
                 print(character, or_none(character.name));
             }
         } else if (verb == "babble") {
             babble(words);
         } else if (verb == "curves" || verb == "curve") {
             curves(words);
-        } else if (const auto who = who_of(words); verb == "emotions" && who) {
-            with_time(words, 3, [&](auto time) { print(clip_->emotions_of(*bank_, *who, time)); });
         } else if (verb == "emotions") {
-            with_time(words, 1, [&](auto time) { print(clip_->emotions_at(*bank_, time)); });
+            const auto who = who_of(words);
+            std::size_t at = who ? 3 : 1;
+            print(clip_->emotions_at(time_at(words, at), who ? &*who : nullptr));
         } else if (verb == "face" || verb == "idle") {
             face(words);
         } else if (verb == "voices") {
-            for (const auto &tag : bank_->voices()) {
-                std::cout << "  " << tag << '\n';
+            for (const auto &voice : dialogue_->voices()) {
+                std::cout << "  " << lipz::view(voice.tag) << '\n';
             }
         } else if (verb == "voice") {
             voice(words.at(1));
@@ -113,15 +116,34 @@ class Stage {
     }
 
   private:
-    /// A file of the banks, which stays.
-    const std::vector<char> &contents(const std::string &name) {
-        std::ifstream file(folder_ + "/" + name, std::ios::binary);
-        files_.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-        return files_.back();
+    /// Opens the files that `NAME.list` names, or `NAME.lipzbank` alone.
+    void open_bank(const std::string &name) {
+        paths_.clear();
+        std::ifstream list(folder_ / (name + ".list"));
+        for (std::string line; std::getline(list, line);) {
+            paths_.push_back(folder_ / line);
+        }
+        if (paths_.empty()) {
+            paths_.push_back(folder_ / (name + ".lipzbank"));
+        }
+        open_dialogue();
+    }
+
+    /// The clip is found again in the new dialogue, and the cursor goes on.
+    void open_dialogue() {
+        const auto id = clip_ ? clip_->id : 0;
+        clip_.reset();
+        locale_.reset();
+        dialogue_ = lipz::Dialogue::open(paths_);
+        clip_ = dialogue_->clip(id);
+    }
+
+    std::uint32_t lead_us(std::uint32_t frame) const {
+        return static_cast<std::uint32_t>(found(clip_->start_of_frame_us(frame), "lead"));
     }
 
     void start(const Words &words) {
-        clip_ = found(bank_->clip(words.at(1)), words.at(1));
+        clip_ = found(dialogue_->clip(words.at(1)), words.at(1));
         for (std::size_t at = 2; at + 1 < words.size(); at += 2) {
             const auto &given = words.at(at + 1);
             if (words.at(at) == "rate") {
@@ -133,84 +155,82 @@ class Stage {
                 }
             }
         }
-        cursor_ = bank_->cursor(*clip_);
+        cursor_ = dialogue_->cursor(*clip_);
         std::cout << (cursor_ ? "" : "  no frame rate\n");
     }
 
     void go(const Words &words) {
         const auto &verb = words.at(0);
+        std::size_t at = 1;
+        lipz_status status = LIPZ_NONE;
         if (verb == "advance") {
-            with_time(words, 1, [&](auto time) { cursor_->advance_to(*bank_, time); });
+            status = cursor_->advance_to(*dialogue_, time_at(words, at));
         } else if (verb == "loop") {
-            with_time(words, 1, [&](auto time) { cursor_->loop_to(*bank_, time); });
+            status = cursor_->loop_to(*dialogue_, time_at(words, at));
         } else if (verb == "seek") {
-            with_time(words, 1, [&](auto time) { cursor_->seek(*bank_, time); });
+            status = cursor_->seek(*dialogue_, time_at(words, at));
         } else if (verb == "finish") {
-            cursor_->finish(*bank_);
-        } else {
-            throw std::runtime_error("no command: " + verb);
+            status = cursor_->finish(*dialogue_);
         }
-        if (cursor_->status() != LIPZ_OK) {
-            throw lipz::Error(cursor_->status());
+        if (status != LIPZ_OK) {
+            throw lipz::Error(status, verb);
         }
         print_shown();
         lipz::Cursor segments = *cursor_;
-        for (const auto &segment : segments.segments(*bank_)) {
-            const auto event = segment.event(*bank_);
+        for (const auto &segment : segments.segments(*dialogue_)) {
+            const auto event = segment.event_string();
             std::cout << "  due " << segment.index << (!event ? "" : event->empty() ? ":" : ": ") << event.value_or("")
                       << '\n';
         }
-        for (const auto &event : cursor_->events(*bank_)) {
-            std::cout << "  event " << event.character.str() << (event.character ? " " : "")
-                      << VERBS.at(static_cast<std::size_t>(event.verb)) << (event.object ? " " : "")
-                      << event.object.str() << '\n';
+        for (const auto &event : cursor_->events(*dialogue_)) {
+            std::cout << "  event " << event.who().str() << (event.who() ? " " : "") << VERBS.at(event.verb)
+                      << (event.whom() ? " " : "") << event.whom().str() << '\n';
         }
     }
 
     void print_shown() const {
         std::cout << "  frame "
                   << (cursor_->is_over()      ? "over"
-                      : cursor_->is_waiting() ? "waiting"
+                      : cursor_->frame == LIPZ_WAITING ? "waiting"
                                               : std::to_string(cursor_->frame))
-                  << ", viseme " << cursor_->viseme(*bank_);
-        if (const auto open = cursor_->openness(*bank_)) {
+                  << ", viseme " << cursor_->viseme(*dialogue_);
+        if (const auto open = cursor_->openness(*dialogue_)) {
             std::cout << ", open " << *open;
         }
-        if (const auto segment = cursor_->segment(*bank_)) {
+        if (const auto segment = cursor_->segment(*dialogue_)) {
             std::cout << ", segment " << segment->index;
-            if (const auto text = locale_ ? segment->text(*bank_, *locale_) : std::nullopt) {
-                std::cout << ": " << text->text << (text->is_fallback ? " (fallback)" : "");
+            if (const auto text = locale_ ? segment->text(*locale_) : std::nullopt) {
+                std::cout << ": " << text->str() << (text->is_fallback ? " (fallback)" : "");
             }
         }
         std::cout << '\n';
     }
 
-    static void print(const lipz::Character &character, std::string_view name) {
+    static void print(const lipz_character &character, std::string_view name) {
         std::cout << "  " << name << ": feels " << or_none(character.feels) << ", stares "
                   << or_none(character.stares_at) << ", points " << or_none(character.points_at) << '\n';
     }
 
     void curves(const Words &words) {
         if (words.at(0) == "curves") {
-            for (const auto &curve : clip_->curves(*bank_)) {
-                std::cout << "  " << curve.name_view() << ':';
-                for (const auto &key : curve.keys(*bank_)) {
+            for (const auto &curve : clip_->curves()) {
+                std::cout << "  " << lipz::view(curve.name) << ':';
+                for (const auto &key : curve.keys()) {
                     std::cout << ' ' << key.frame << ':' << key.thousandths;
                 }
                 std::cout << '\n';
             }
             return;
         }
-        const auto curve = clip_->curve(*bank_, words.at(1));
+        const auto curve = clip_->curve(words.at(1));
         std::optional<std::int32_t> value, with_cursor;
         if (curve && words.at(2) == "frame") {
-            value = curve->value(*bank_, number(words.at(3)));
-            with_cursor = curve->value(*bank_, number(words.at(3)), &curve_cursor_);
+            value = with_cursor = curve->value(number(words.at(3)));
         } else if (curve) {
-            with_time(words, 2, [&](auto time) {
-                value = curve->value_at(*bank_, time);
-                with_cursor = curve->value_at(*bank_, time, &curve_cursor_);
-            });
+            std::size_t at = 2;
+            const auto time = time_at(words, at);
+            value = curve->value_at(time);
+            with_cursor = curve->value_at(time, &curve_cursor_);
         }
         if (value != with_cursor) {
             throw std::runtime_error("a cursor says something else");
@@ -218,29 +238,27 @@ class Stage {
         std::cout << "  " << (!curve ? "no curve" : value ? std::to_string(*value) : "no frame rate") << '\n';
     }
 
-    static void print(const lipz::Emotions &emotions) {
+    static void print(const lipz_emotions &emotions) {
         std::cout << ' ';
-        for (std::uint32_t place = LIPZ_SADNESS; place <= LIPZ_SHOUT; ++place) {
-            const auto emotion = static_cast<lipz::Emotion>(place);
-            if (emotions[emotion] != 0) {
-                std::cout << ' ' << lipz::name_of(emotion) << ' ' << emotions[emotion] << ',';
+        for (std::size_t place = 0; place < EMOTIONS.size(); ++place) {
+            if (emotions.thousandths[place] != 0) {
+                std::cout << ' ' << EMOTIONS.at(place) << ' ' << emotions.thousandths[place] << ',';
             }
         }
-        const auto strongest = emotions.strongest_emotion();
-        std::cout << " strongest " << (strongest ? lipz::name_of(*strongest) : "neutral") << ", sum " << emotions.sum
-                  << '\n';
+        std::cout << " strongest " << (emotions.strongest == LIPZ_NEUTRAL ? "neutral" : EMOTIONS.at(emotions.strongest))
+                  << ", sum " << emotions.sum << '\n';
     }
 
     void voice(std::string_view tag) const {
         static const std::array<std::string_view, 3> WHOSE = {"original", "dub", "other dub"};
-        const auto voiced = clip_->in_voice(*bank_, tag);
-        if (!voiced) {
+        const auto voice = dialogue_->voice(tag);
+        if (!voice) {
             std::cout << "  no voice\n";
             return;
         }
-        const lipz::Clip clip = voiced->clip;
-        std::cout << "  " << WHOSE.at(voiced->spoken) << ": " << clip.key(*bank_) << ", spoken in "
-                  << clip.voice(*bank_).value_or("-") << '\n';
+        const auto voiced = clip_->in_voice(*voice);
+        std::cout << "  " << WHOSE.at(voiced.spoken) << ": " << voiced.clip.key() << ", spoken in "
+                  << lipz::view(found(voiced.clip.voice(), "voice").tag) << '\n';
     }
 
     /// `of NAME` or `speaker NAME`.
@@ -255,11 +273,12 @@ class Stage {
         const auto who = who_of(words);
         std::size_t at = who ? 3 : 1;
         const auto &name = words.at(at);
-        const auto profile = name == "default" ? bank_->default_face_profile() : bank_->face_profile(name);
-        if (!profile) {
+        std::optional<lipz_face_profile> profile;
+        if (name != "default" && !(profile = dialogue_->face_profile(name))) {
             std::cout << "  no profile\n";
             return;
         }
+        const auto *with = profile ? &*profile : nullptr;
         lipz::LookAt look;
         const auto &where = words.at(at + 1);
         at += 2;
@@ -269,13 +288,11 @@ class Stage {
             at += 2;
         }
         std::optional<lipz_face> shown;
-        if (who) {
-            with_time(words, at, [&](auto time) { shown = clip_->face_of(*bank_, *who, time, *profile, look); });
-        } else if (words.at(0) == "face") {
-            with_time(words, at, [&](auto time) { shown = clip_->face_at(*bank_, time, *profile, look); });
+        if (words.at(0) == "face") {
+            shown = clip_->face_at(time_at(words, at), who ? &*who : nullptr, with, look);
         } else {
-            const auto seed = std::stoull(words.at(at));
-            with_time(words, at + 1, [&](auto time) { shown = profile->idle_at(*bank_, time, seed, look); });
+            const auto seed = std::stoull(words.at(at++));
+            shown = dialogue_->idle_at(time_at(words, at), seed, with, look);
         }
         const auto face = found(shown, "face");
         std::cout << "  blink " << face.blink << ", head " << face.head_pitch << ' ' << face.head_yaw << ' '
@@ -284,51 +301,73 @@ class Stage {
     }
 
     void babble(const Words &words) const {
-        const auto profile = words.at(1) == "default" ? bank_->default_babble() : bank_->babble(words.at(1));
+        const auto profile = words.at(1) == "default" ? dialogue_->babble() : dialogue_->babble(words.at(1));
         if (!profile) {
             std::cout << "  no profile\n";
             return;
         }
-        std::optional<lipz_weights> weights;
+        std::size_t at = 2;
+        const auto time = time_at(words, at);
         const auto &power = words.back();
-        if (words.at(words.size() - 2) == "level") {
-            weights = profile->at_level(*bank_, lipz::Micros{std::stoll(words.at(3))}, number(power));
-        } else {
-            with_time(words, 2,
-                      [&](auto time) { weights = profile->at(*bank_, time, std::strtof(power.c_str(), nullptr)); });
-        }
+        const auto weights = words.at(at) == "level"
+                                 ? dialogue_->babble_at_level(*profile, time, number(power))
+                                 : dialogue_->babble_at(*profile, time, std::strtof(power.c_str(), nullptr));
         const auto told = found(weights, "weights");
         std::cout << "  ooh " << told.ooh << ", aah " << told.aah << '\n';
     }
 
-    std::string folder_;
-    std::deque<std::vector<char>> files_;
-    std::optional<lipz::Bank> bank_;
+    std::filesystem::path folder_;
+    std::vector<std::filesystem::path> paths_;
+    std::optional<lipz::Dialogue> dialogue_;
     std::optional<lipz_locale> locale_;
     std::optional<lipz::Clip> clip_;
     std::optional<lipz::Cursor> cursor_;
     /// One for all curves: it says what a search says, wherever it was used before.
-    lipz::CurveCursor curve_cursor_;
+    lipz_curve_cursor curve_cursor_ = {0};
 };
+
+/// What this reader has of what sections need, but for what the arguments take away.
+std::set<std::string> capabilities(int count, char **arguments) {
+    std::set<std::string> have = {"babble", "curves", "emotions", "faces",      "hold",
+                                  "lead",   "refresh", "states",  "text-banks", "voices"};
+    for (int index = 2; index < count; ++index) {
+        have.erase(arguments[index]);
+    }
+    return have;
+}
 
 } // namespace
 
 int main(int count, char **arguments) try {
-    if (count != 2) {
-        std::cerr << "usage: cases <folder of the banks> < cases.txt\n";
+    if (count < 2) {
+        std::cerr << "usage: cases <folder of the banks> [what it lacks]... < cases.txt\n";
         return 2;
     }
+    const auto have = capabilities(count, arguments);
     Stage stage(arguments[1]);
+    bool is_skipping = false;
+    unsigned played = 0, skipped = 0;
     for (std::string line; std::getline(std::cin, line);) {
-        if (line.rfind("  ", 0) == 0) {
+        const bool is_answer = line.rfind("  ", 0) == 0;
+        if (!is_answer || is_skipping) {
+            std::cout << line << '\n';
+        }
+        is_skipping = is_skipping && line.rfind("## ", 0) != 0;
+        if (is_answer || line.empty() || line[0] == '#') {
             continue;
         }
-        std::cout << line << '\n';
-        if (!line.empty() && line[0] != '#') {
-            std::istringstream words(line);
-            stage.command(Words(std::istream_iterator<std::string>(words), {}));
+        std::istringstream text(line);
+        const Words words(std::istream_iterator<std::string>(text), {});
+        if (words.at(0) == "needs") {
+            is_skipping = !std::all_of(words.begin() + 1, words.end(), [&](const auto &need) { return have.count(need) > 0; });
+        } else if (is_skipping) {
+            ++skipped;
+        } else {
+            stage.command(words);
+            ++played;
         }
     }
+    std::cerr << "cases: " << played << " commands played, " << skipped << " skipped\n";
     return 0;
 } catch (const std::exception &error) {
     std::cerr << "cases: " << error.what() << '\n';

@@ -24,6 +24,22 @@ static void print(const char *data, size_t length_bytes) {
     }
 }
 
+/* The time at `words`, in its unit; `rest` is behind it. */
+static lipz_time time_at(char *words[], char ***rest) {
+    *rest = words + (is(words[0], "samples") ? 3 : 2);
+    if (is(words[0], "us")) {
+        return lipz_time_us(strtoll(words[1], NULL, 10));
+    }
+    if (is(words[0], "samples")) {
+        return lipz_time_samples(strtoll(words[1], NULL, 10), (uint32_t)strtoul(words[2], NULL, 10));
+    }
+    if (is(words[0], "seconds")) {
+        return lipz_time_seconds(strtod(words[1], NULL));
+    }
+    must(is(words[0], "f32") ? LIPZ_OK : LIPZ_NONE, words[0]);
+    return lipz_time_seconds_f32(strtof(words[1], NULL));
+}
+
 /* `of NAME` or `speaker NAME` at `words`: null if neither stands there. */
 static const lipz_who *who_at(char *words[], lipz_who *who) {
     if (!is(words[0], "of") && !is(words[0], "speaker")) {

@@ -10,80 +10,112 @@ use std::path::Path;
 /// The names of the structs in C: those of functions and constants are the same in Rust.
 const NAMES: [(&str, &str); 32] = [
     ("Babble", "lipz_babble"),
-    ("Bank", "lipz_bank"),
-    ("BankInfo", "lipz_bank_info_t"),
+    ("Bytes", "lipz_bytes"),
     ("Character", "lipz_character"),
     ("Clip", "lipz_clip"),
     ("Cursor", "lipz_cursor"),
     ("Curve", "lipz_curve"),
     ("CurveCursor", "lipz_curve_cursor"),
-    ("CurveKey", "lipz_curve_key"),
+    ("CurveKey", "lipz_curve_key_t"),
+    ("Dialogue", "lipz_dialogue"),
+    ("DialogueInfo", "lipz_dialogue_info_t"),
     ("Emotions", "lipz_emotions"),
     ("Event", "lipz_event"),
-    ("EventName", "lipz_name"),
     ("Face", "lipz_face"),
     ("FaceProfile", "lipz_face_profile"),
-    ("LayeredClip", "lipz_layered_clip"),
-    ("LayeredVoicedClip", "lipz_layered_voiced_clip"),
-    ("LayeredLocale", "lipz_layered_locale"),
-    ("LayersInfo", "lipz_layers_info_t"),
+    ("FileInfo", "lipz_file_info"),
+    ("FilePlace", "lipz_file"),
     ("Locale", "lipz_locale"),
     ("LookAt", "lipz_look_at"),
+    ("Name", "lipz_name"),
+    ("Problem", "lipz_problem"),
     ("Recording", "lipz_recording"),
     ("Segment", "lipz_segment"),
-    ("Set", "lipz_set"),
     ("SetBank", "lipz_set_bank"),
-    ("SetInfo", "lipz_set_info_t"),
     ("Status", "lipz_status"),
     ("String", "lipz_string"),
     ("Text", "lipz_text"),
+    ("Time", "lipz_time"),
     ("Viseme", "lipz_viseme"),
+    ("Voice", "lipz_voice"),
     ("VoicedClip", "lipz_voiced_clip"),
     ("Weights", "lipz_weights"),
     ("Who", "lipz_who"),
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 22] = [
+const FILES: [&str; 15] = [
     "version.rs",
     "status.rs",
     "string.rs",
-    "bank.rs",
-    "clip.rs",
+    "dialogue.rs",
     "time.rs",
+    "clip.rs",
     "segment.rs",
-    "locale.rs",
+    "handle.rs",
     "event.rs",
     "cursor.rs",
-    "cursor_time.rs",
     "character.rs",
     "babble.rs",
     "curve.rs",
     "who.rs",
-    "emotion.rs",
     "face.rs",
-    "voice.rs",
-    "layers.rs",
-    "layered_face.rs",
-    "layered_voice.rs",
-    "set.rs",
 ];
 
 const INTRODUCTION: &str = "/*
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
  *
  * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
- * docs/C.md shows how to use it.
+ * docs/C.md has a first program, and a page of what each struct has.
+ *
+ * Arguments come in one order: the dialogue, the value that is asked, the time, who, the profile, options,
+ * and the answer last.
  *
  * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
- * beside it says; that holds for the pointers in a lipz_bank and a lipz_who, too, for as long as the bank and
- * strings from it are used. Nobody writes to those bytes meanwhile, and answers do not overlap arguments.
+ * beside it says; that holds for the pointers in a lipz_bytes and a lipz_who, too. The words of a
+ * lipz_dialogue and of its files are those that lipz_dialogue_open has written; the files, where they are,
+ * and their contents stay for as long as the dialogue and strings from it are used. Nobody writes to
+ * any of them meanwhile, and answers do not overlap arguments.
  *
  * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
- * bytes of the bank and the numbers in the structs are. Each returns a status, and writes an
- * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All may be called from several
- * threads at once.
- */";
+ * bytes of the files and the numbers in the other structs are. Each returns a status, and writes an
+ * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All but lipz_dialogue_supply
+ * may be called from several threads at once.
+ */
+
+#ifndef LIPZ_H
+#define LIPZ_H";
+
+/// Times by value: a line of C each, which needs no function of the library.
+const TIMES: &str = "
+// A time in microseconds.
+static inline lipz_time lipz_time_us(int64_t us) {
+  lipz_time time = {us, 0.0, 0, 0};
+  return time;
+}
+
+// A time in samples per channel, at a rate.
+static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
+  // Without a rate there is no time: as before the start.
+  int is_rate = rate_hz > 0 && rate_hz < LIPZ_SECONDS_F32;
+  lipz_time time = {is_rate ? position : -1, 0.0, is_rate ? rate_hz : 0, 0};
+  return time;
+}
+
+// A time in seconds.
+static inline lipz_time lipz_time_seconds(double seconds) {
+  lipz_time time = {0, seconds, LIPZ_SECONDS, 0};
+  return time;
+}
+
+// A time in seconds of a clock that has no more than a float.
+static inline lipz_time lipz_time_seconds_f32(float seconds) {
+  lipz_time time = {0, (double)seconds, LIPZ_SECONDS_F32, 0};
+  return time;
+}
+
+#endif  // LIPZ_H
+";
 
 #[test]
 fn the_header_has_every_function() {
@@ -106,25 +138,48 @@ fn the_header_is_current() {
     }
     let found = fs::read_to_string(&path).unwrap();
     assert!(!header.contains("LIPZ_ID_"), "these names are for the ids of clips (`lipz ids --lang c`)");
-    let is_of_rust = |line: &&str| line.starts_with("typedef struct ") && !line.starts_with("typedef struct lipz_");
+    let is_of_rust = |line: &&str| line.starts_with("} ") && line.ends_with(";") && !line.starts_with("} lipz_");
     assert_eq!(header.lines().find(is_of_rust), None, "NAMES has the names of C");
     assert!(found == header, "include/lipz.h is not what the code says: LIPZ_BLESS=1 writes it");
+}
+
+/// Structs that programs pass on without looking into them.
+const OPAQUE: [&str; 3] = ["lipz_dialogue", "lipz_file", "lipz_time"];
+
+#[test]
+fn the_page_names_every_field() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/C.md")).unwrap();
+    let header = header();
+    let (mut fields, mut count) = (Vec::new(), 0);
+    for line in header.lines() {
+        if let Some(name) = line.strip_prefix("} ").and_then(|rest| rest.strip_suffix(';')) {
+            let row = format!("| `{name}` | {} |", fields.join(", "));
+            assert!(OPAQUE.contains(&name) || page.contains(&row), "docs/C.md has no {row}");
+            count += 1;
+        } else if line.starts_with("typedef struct {") {
+            fields.clear();
+        } else if let Some(field) = line.strip_prefix("  ").and_then(|field| field.strip_suffix(';')) {
+            let name = field.rsplit([' ', '*']).next().unwrap();
+            fields.extend(Some(format!("`{name}`")).filter(|_| name != "reserved"));
+        }
+    }
+    assert!(count > OPAQUE.len() && count + 2 == NAMES.len(), "{count}");
 }
 
 /// The header as it should be.
 fn header() -> String {
     let mut config = Config {
         language: Language::C,
-        style: Style::Both,
+        style: Style::Type,
         cpp_compat: true,
         header: Some(INTRODUCTION.into()),
-        include_guard: Some("LIPZ_H".into()),
         after_includes: Some(damage()),
+        trailer: Some(TIMES.into()),
         no_includes: true,
         sys_includes: vec!["stddef.h".into(), "stdint.h".into()],
         usize_is_size_t: true,
         documentation_style: DocumentationStyle::C99,
-        line_length: 100,
+        line_length: 132,
         ..Config::default()
     };
     config.export.rename = NAMES.iter().map(|(rust, c)| ((*rust).into(), (*c).into())).collect();

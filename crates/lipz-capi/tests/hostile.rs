@@ -1,272 +1,387 @@
-//! Null pointers, foreign structs and damaged banks: a status, and an empty answer.
-#![allow(unsafe_code, clippy::unwrap_used, reason = "tests")]
+//! Null pointers, foreign structs and damaged files: a status, and an empty answer.
+#![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_wrap, reason = "tests")]
 
 mod common;
 
-use common::{Answer, DRAMA, GERMAN, SMALL, SPLIT, bank, ptr, text_of};
+use common::{
+    DIALOGUES, DRAMA, DUBBED, FIRST_OF_SET, GERMAN, PATCH, SECOND_OF_SET, SET, SMALL, ask, bytes, dialogue, micros,
+    opened, places, samples, seconds, seconds_f32, text_of,
+};
 use lipz_bank::ErrorKind;
 use lipz_capi::*;
+use std::mem::MaybeUninit;
 
 #[test]
 fn null_pointers_are_a_status() {
-    let (_, bank) = bank(SMALL);
-    let (bank, null) = (Some(&bank), std::ptr::null());
-    let clip = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_at(bank, 0, out) }).ok();
-    let segment = Answer::<Segment>::from_call(|out| unsafe { lipz_segment_at(bank, Some(&clip), 0, out) }).ok();
-    let locale = Answer::<Locale>::from_call(|out| unsafe { lipz_locale_at(bank, 0, out) }).ok();
+    let of_c = &dialogue(&[SMALL]).of_c;
+    let (of_c, null, time) = (Some(of_c), std::ptr::null(), micros(0));
+    let clip: Clip = ask(|out| unsafe { lipz_dialogue_next_clip(of_c, null, 0, Some(&mut 0), out) }).unwrap();
+    let segment: Segment = ask(|out| unsafe { lipz_clip_segment(of_c, Some(&clip), 0, out) }).unwrap();
+    let locale: Locale = ask(|out| unsafe { lipz_dialogue_locale(of_c, null, 0, out) }).unwrap();
+    let mut place = [FilePlace { words: [0; LIPZ_FILE_WORDS] }];
+    let small = bytes(SMALL);
+    let no_bytes = Bytes { data: null.cast(), length_bytes: 64 };
+    let mut unopened = MaybeUninit::uninit();
     unsafe {
         let statuses = [
-            Answer::<Bank>::from_call(|out| lipz_bank_open(std::ptr::null(), 64, out, None)).status,
-            lipz_bank_open(SMALL.as_ptr(), SMALL.len(), None, None),
-            lipz_bank_verify(None, None),
-            lipz_bank_use_texts(None, GERMAN.as_ptr(), GERMAN.len(), None),
-            Answer::<BankInfo>::from_call(|out| lipz_bank_info(None, out)).status,
-            lipz_bank_info(bank, None),
-            Answer::<Clip>::from_call(|out| lipz_clip_by_id(None, clip.id, out)).status,
-            lipz_clip_by_id(bank, clip.id, None),
-            Answer::<Clip>::from_call(|out| lipz_clip_by_key(bank, null, 1, out)).status,
-            Answer::<u64>::from_call(|out| lipz_clip_id_of_key(null, 1, out)).status,
-            Answer::<u32>::from_call(|out| lipz_frame_at_us(bank, None, 0, out)).status,
-            lipz_frame_at_us(bank, Some(&clip), 0, None),
-            Answer::<Text>::from_call(|out| lipz_segment_text(bank, None, Some(&locale), out)).status,
-            Answer::<Text>::from_call(|out| lipz_segment_text(bank, Some(&segment), None, out)).status,
-            Answer::<Locale>::from_call(|out| lipz_locale_by_tag(bank, null, 5, out)).status,
-            Answer::<EventName>::from_call(|out| lipz_event_name(bank, null, 5, out)).status,
+            lipz_dialogue_open(None, place.as_mut_ptr(), &small, 1, 0, None),
+            lipz_dialogue_open(Some(&mut unopened), std::ptr::null_mut(), &small, 1, 0, None),
+            lipz_dialogue_open(Some(&mut unopened), place.as_mut_ptr(), null.cast(), 1, 0, None),
+            lipz_dialogue_open(Some(&mut unopened), place.as_mut_ptr(), &small, usize::MAX, 0, None),
+            lipz_dialogue_open(Some(&mut unopened), place.as_mut_ptr(), &no_bytes, 1, 0, None),
+            lipz_dialogue_supply(None, place.as_mut_ptr(), 1, Some(&small), 0, None),
+            ask::<SetBank>(|out| lipz_set_bank_by_index(None, 0, out)).unwrap_err(),
+            ask::<DialogueInfo>(|out| lipz_dialogue_info(None, out)).unwrap_err(),
+            lipz_dialogue_info(of_c, None),
+            ask::<Clip>(|out| lipz_dialogue_clip(None, clip.id, out)).unwrap_err(),
+            lipz_dialogue_clip(of_c, clip.id, None),
+            ask::<Clip>(|out| lipz_dialogue_clip_by_key(of_c, null, 1, out)).unwrap_err(),
+            ask::<Clip>(|out| lipz_dialogue_next_clip(of_c, null, 0, None, out)).unwrap_err(),
+            ask::<u64>(|out| lipz_clip_id_of_key(null, 1, out)).unwrap_err(),
+            ask::<u32>(|out| lipz_clip_frame_at(of_c, None, time, out)).unwrap_err(),
+            lipz_clip_frame_at(of_c, Some(&clip), time, None),
+            ask::<Text>(|out| lipz_segment_text(of_c, None, Some(&locale), out)).unwrap_err(),
+            ask::<Text>(|out| lipz_segment_text(of_c, Some(&segment), None, out)).unwrap_err(),
+            ask::<Name>(|out| lipz_dialogue_event_name(of_c, null, 5, out)).unwrap_err(),
+            ask::<VoicedClip>(|out| lipz_clip_in_voice(of_c, Some(&clip), None, out)).unwrap_err(),
+            ask::<Face>(|out| lipz_clip_face_at(of_c, Some(&clip), time, Some(&Who::default()), None, None, out))
+                .unwrap_err(),
             lipz_status_message(LIPZ_OK, None),
-            lipz_cursor_new(bank, Some(&clip), size_of::<Cursor>(), None),
-            lipz_cursor_advance_us(bank, None, 0),
-            Answer::<Event>::from_call(|out| lipz_cursor_take_event(bank, None, out)).status,
-            Answer::<Viseme>::from_call(|out| lipz_cursor_viseme(bank, None, out)).status,
-            Answer::<Weights>::from_call(|out| lipz_babble_at_us(bank, None, 0, 1.0, out)).status,
-            Answer::<u32>::from_call(|out| lipz_lead_one_frame(None, out)).status,
+            lipz_cursor_new(of_c, Some(&clip), size_of::<Cursor>(), None),
+            lipz_cursor_advance(of_c, None, time),
+            ask::<Event>(|out| lipz_cursor_take_event(of_c, None, out)).unwrap_err(),
+            ask::<Viseme>(|out| lipz_cursor_viseme(of_c, None, out)).unwrap_err(),
+            ask::<Weights>(|out| lipz_babble_at(of_c, None, time, 1.0, out)).unwrap_err(),
         ];
         assert!(statuses.iter().all(|status| *status == LIPZ_NULL_POINTER), "{statuses:?}");
-        let mouth = Answer::<Viseme>::from_call(|out| lipz_viseme_at_us(None, None, 0, out));
-        assert_eq!((mouth.status, mouth.written()), (LIPZ_NULL_POINTER, Viseme(b'-')));
+        let mut mouth = MaybeUninit::uninit();
+        assert_eq!(lipz_clip_viseme_at(None, None, time, Some(&mut mouth)), LIPZ_NULL_POINTER);
+        assert_eq!(mouth.assume_init(), Viseme(b'-'), "the mouth rests");
     }
 }
 
 #[test]
 fn damage_has_the_number_and_the_place_of_the_reader() {
-    for length in (0..SMALL.len()).step_by(7) {
+    for length in (1..SMALL.len()).step_by(7) {
         let cut = SMALL.get(..length).unwrap();
         let expected = lipz_bank::Bank::open(cut).unwrap_err();
-        let mut place = std::mem::MaybeUninit::uninit();
-        let opened =
-            Answer::<Bank>::from_call(|out| unsafe { lipz_bank_open(cut.as_ptr(), length, out, Some(&mut place)) });
-        assert_eq!(opened.status, u32::from(expected.kind().number()));
-        assert_eq!(unsafe { place.assume_init() }, expected.offset_bytes());
-        assert!(opened.written().data.is_null());
+        let (status, problem) = opened(&[cut], places(1), 0).unwrap_err();
+        assert_eq!(status, u32::from(expected.kind().number()));
+        assert_eq!((problem.file, problem.offset_bytes), (0, expected.offset_bytes()));
     }
+    let mut damaged = PATCH.to_vec();
+    *damaged.last_mut().unwrap() ^= 1;
+    let (status, problem) = opened(&[SMALL, &damaged], places(2), 0).unwrap_err();
+    assert_eq!((status, problem.file), (u32::from(ErrorKind::Checksum.number()), 1));
+    assert!(opened(&[SMALL, &damaged], places(2), LIPZ_UNVERIFIED).is_ok());
+}
+
+#[test]
+fn what_does_not_fit_is_named() {
+    let fails = |files: &[&[u8]], kind: ErrorKind, file| {
+        let (status, problem) = opened(files, places(files.len()), 0).unwrap_err();
+        assert_eq!((status, problem.file), (u32::from(kind.number()), file), "{kind:?}");
+    };
+    fails(&[], ErrorKind::LayerCount, 0);
+    fails(&[GERMAN], ErrorKind::TextsOnly, 0);
+    fails(&[PATCH], ErrorKind::OtherBase, 0);
+    fails(&[DRAMA, &[]], ErrorKind::TooShort, 1);
+    fails(&[DRAMA, GERMAN], ErrorKind::OtherClips, 1);
+    fails(&[DRAMA, PATCH], ErrorKind::OtherBase, 1);
+    fails(&[SMALL, PATCH, DRAMA], ErrorKind::NotALayer, 2);
+    fails(&[SMALL, SET], ErrorKind::NotALayer, 1);
+    fails(&[SET], ErrorKind::OtherBank, 0);
+    fails(&[SET, SECOND_OF_SET, FIRST_OF_SET], ErrorKind::OtherBank, 1);
 }
 
 #[test]
 fn every_status_has_a_message() {
+    let own = [LIPZ_OK, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_NOT_UTF8, LIPZ_NOT_OPENED, LIPZ_OTHER_VERSION, LIPZ_ABSENT];
+    for status in own {
+        assert!(ask::<String>(|out| lipz_status_message(status, out)).is_ok());
+    }
     for kind in ErrorKind::ALL {
-        let message = Answer::from_call(|out| lipz_status_message(kind.number().into(), out)).ok();
+        let message = ask(|out| lipz_status_message(kind.number().into(), out)).unwrap();
         assert_eq!(text_of(message), kind.message());
     }
-    for status in [LIPZ_OK, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_NOT_UTF8, LIPZ_NOT_OPENED, LIPZ_OTHER_VERSION] {
-        assert_eq!(Answer::<String>::from_call(|out| lipz_status_message(status, out)).status, LIPZ_OK);
-    }
-    assert_eq!(Answer::<String>::from_call(|out| lipz_status_message(200, out)).status, LIPZ_NONE);
+    assert_eq!(ask::<String>(|out| lipz_status_message(200, out)).err(), Some(LIPZ_NONE));
 }
 
 #[test]
 fn strings_that_are_asked_for_are_utf8() {
-    let (_, bank) = bank(SMALL);
-    let bytes = [0xFF_u8, 0xFE];
-    let found =
-        Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(Some(&bank), bytes.as_ptr().cast(), 2, out) });
-    assert_eq!((found.status, found.written().id), (LIPZ_NOT_UTF8, 0));
+    let of_c = &dialogue(&[SMALL]).of_c;
+    let text = [0xFF_u8, 0xFE];
+    let found: Result<Clip, _> =
+        ask(|out| unsafe { lipz_dialogue_clip_by_key(Some(of_c), text.as_ptr().cast(), 2, out) });
+    assert_eq!(found.err(), Some(LIPZ_NOT_UTF8));
 }
 
 #[test]
-fn a_text_bank_belongs_to_its_bank() {
-    let (_, mut split) = bank(SPLIT);
-    let (tag, length) = ptr("de-de");
-    let german =
-        |bank: &Bank| Answer::<Locale>::from_call(|out| unsafe { lipz_locale_by_tag(Some(bank), tag, length, out) });
-    assert_eq!(german(&split).status, LIPZ_NONE);
-    assert_eq!(unsafe { lipz_bank_use_texts(Some(&mut split), GERMAN.as_ptr(), GERMAN.len(), None) }, LIPZ_OK);
-    assert_eq!(unsafe { lipz_bank_verify(Some(&split), None) }, LIPZ_OK);
-    let locale = german(&split).ok();
-    let (key, key_length) = ptr("act1/toonboom");
-    let clip = Answer::<Clip>::from_call(|out| unsafe { lipz_clip_by_key(Some(&split), key, key_length, out) }).ok();
-    let segment =
-        Answer::<Segment>::from_call(|out| unsafe { lipz_segment_at(Some(&split), Some(&clip), 0, out) }).ok();
-    let text =
-        Answer::<Text>::from_call(|out| unsafe { lipz_segment_text(Some(&split), Some(&segment), Some(&locale), out) });
-    let text = text.ok();
-    assert_eq!(text_of(String { data: text.data, length_bytes: text.length_bytes }), "Nur");
-
-    let (_, mut drama) = bank(DRAMA);
-    let status = unsafe { lipz_bank_use_texts(Some(&mut drama), GERMAN.as_ptr(), GERMAN.len(), None) };
-    assert_eq!(status, u32::from(ErrorKind::OtherClips.number()));
-    assert!(drama.texts.is_null(), "the bank is as it was");
+fn what_was_not_opened_answers_nothing() {
+    let zeros = Dialogue { words: [0; LIPZ_DIALOGUE_WORDS] };
+    let info: Result<DialogueInfo, _> = ask(|out| unsafe { lipz_dialogue_info(Some(&zeros), out) });
+    assert_eq!(info.err(), Some(LIPZ_NOT_OPENED));
+    let mut failed = MaybeUninit::new(dialogue(&[SMALL]).of_c);
+    let nothing = bytes(&[0; 3]);
+    let status = unsafe { lipz_dialogue_open(Some(&mut failed), places(1).as_mut_ptr(), &nothing, 1, 0, None) };
+    assert_eq!(status, u32::from(ErrorKind::TooShort.number()));
+    let failed = unsafe { failed.assume_init() };
+    let info: Result<DialogueInfo, _> = ask(|out| unsafe { lipz_dialogue_info(Some(&failed), out) });
+    assert_eq!(info.err(), Some(LIPZ_NOT_OPENED), "a dialogue of before does not stay");
 }
 
-/// Every byte of a small bank is changed, and every query goes on: with numbers of the intact bank, and
-/// with random ones.
+/// What a dialogue gives, another version of it does not take.
 #[test]
-fn queries_are_total_on_damaged_banks_and_foreign_structs() {
-    let mut random = 0x9E37_79B9_7F4A_7C15_u64;
-    let mut next = || {
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (random >> 32) as u32
+fn handles_of_another_version_lead_to_nothing() {
+    let (own, other) = (dialogue(&[SMALL]), dialogue(&[SMALL, PATCH]));
+    for (own, other) in [(&own, &other), (&other, &own)] {
+        let (of_c, clip) = (Some(&own.of_c), own.clip("act1/blair"));
+        let foreign = other.clip("act1/blair");
+        let segment = |clip: &Clip| ask(|out| unsafe { lipz_clip_segment(of_c, Some(clip), 0, out) });
+        let text = |segment: &Segment, locale: &Locale| {
+            ask::<Text>(|out| unsafe { lipz_segment_text(of_c, Some(segment), Some(locale), out) })
+        };
+        let segment_of_own: Segment = segment(&clip).unwrap();
+        assert_eq!(segment(&foreign).err(), Some(LIPZ_NONE));
+        let (here, there) = (own.locale("en-us").unwrap(), other.locale("en-us").unwrap());
+        assert!(text(&segment_of_own, &here).is_ok());
+        assert_eq!(text(&segment_of_own, &there).err(), Some(LIPZ_NONE));
+        let foreign_segment = Segment { version: foreign.version, ..segment_of_own };
+        assert_eq!(text(&foreign_segment, &here).err(), Some(LIPZ_NONE));
+    }
+    let dubbed = dialogue(&[DUBBED]);
+    let clip = dubbed.clip(dubbed.reader.clips().next().unwrap().key());
+    let foreign = Voice { version: 1, ..Voice::default() };
+    let voiced: VoicedClip =
+        ask(|out| unsafe { lipz_clip_in_voice(Some(&dubbed.of_c), Some(&clip), Some(&foreign), out) }).unwrap();
+    assert_eq!((voiced.clip.id, voiced.spoken), (clip.id, LIPZ_ORIGINAL), "the clip itself");
+}
+
+#[test]
+fn banks_of_a_set_come_when_they_are_needed() {
+    let index = bytes(SET);
+    let named: Vec<SetBank> = (0..)
+        .map_while(|number| ask(|out| unsafe { lipz_set_bank_by_index(Some(&index), number, out) }).ok())
+        .collect();
+    assert_eq!(named.len(), 2);
+    assert!(text_of(named[1].file_name).ends_with(".lipzbank"));
+    assert_eq!(named[0].length_bytes as usize, FIRST_OF_SET.len());
+
+    let files = places(3);
+    let mut of_c = opened(&[SET, &[], &[]], files, 0).unwrap();
+    let whole = dialogue(&[SET, FIRST_OF_SET, SECOND_OF_SET]);
+    let find = |of_c: &Dialogue, id| {
+        let mut clip = MaybeUninit::uninit();
+        let status = unsafe { lipz_dialogue_clip(Some(of_c), id, Some(&mut clip)) };
+        (status, unsafe { clip.assume_init() })
     };
-    let (_, intact) = bank(SMALL);
-    let clips: Vec<Clip> =
-        (0..12).map(|slot| Answer::from_call(|out| unsafe { lipz_clip_at(Some(&intact), slot, out) }).ok()).collect();
-    for place in 0..SMALL.len() {
-        let mut bytes = SMALL.to_vec();
-        *bytes.get_mut(place).unwrap() ^= 1 << (place % 8);
-        let clip = clips.get(place % clips.len()).unwrap();
-        let opened = Answer::<Bank>::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) });
-        // With the places that are found in these bytes, and with forged ones beside the right checksum.
-        let mut bank = Bank { data: bytes.as_ptr(), length_bytes: bytes.len(), ..intact };
-        if place % 2 == 0 && opened.status == LIPZ_OK {
-            bank = opened.ok();
-        } else if place % 3 == 0 {
-            *bank.places.get_mut(2 + next() as usize % 32).unwrap() ^= next() >> (next() % 32);
+    let mut supplied = 0;
+    for clip in whole.reader.clips() {
+        let (status, found) = find(&of_c, clip.id().get());
+        if status == LIPZ_ABSENT {
+            let contents = [FIRST_OF_SET, SECOND_OF_SET];
+            let (right, wrong) = (contents[found.file as usize - 1], contents[2 - found.file as usize]);
+            let mut supply = |contents: &[u8]| {
+                let mut problem = MaybeUninit::uninit();
+                let place = files.as_mut_ptr();
+                let status = unsafe {
+                    lipz_dialogue_supply(
+                        Some(&mut of_c),
+                        place,
+                        found.file,
+                        Some(&bytes(contents)),
+                        0,
+                        Some(&mut problem),
+                    )
+                };
+                (status, unsafe { problem.assume_init() }.file)
+            };
+            assert_eq!(supply(wrong), (u32::from(ErrorKind::OtherBank.number()), found.file));
+            assert_eq!(supply(right), (LIPZ_OK, 0));
+            assert_eq!(supply(right), (LIPZ_NONE, 0), "it is there");
+            supplied += 1;
         }
-        every_query(&bank, clip, next() % 16);
-        let foreign = Clip { fps_numerator: next(), fps_denominator: next(), ..*clip };
-        every_query(&bank, &Clip { id: next().into(), ..foreign }, next());
-        every_query(&bank, &Clip { frame_count: next(), segment_count: next(), ..foreign }, next());
+        let (status, found) = find(&of_c, clip.id().get());
+        assert_eq!((status, found.file, found.slot), (LIPZ_OK, clip.file(), clip.slot()));
+    }
+    assert_eq!(supplied, 2);
+}
+
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 32) as u32
     }
 }
 
-fn every_query(bank: &Bank, clip: &Clip, number: u32) {
-    let (bank, time_us) = (Some(bank), i64::from(number) * 1000);
-    let origin = origin(bank);
+/// Bytes of all files are changed, and every query goes on: with structs of the intact dialogue, and with random ones.
+#[test]
+fn queries_are_total_on_damaged_files_and_foreign_structs() {
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let mut open_count = 0;
+    for files in DIALOGUES {
+        let mut damaged: Vec<Vec<u8>> = files.iter().map(|file| file.to_vec()).collect();
+        for _ in 0..400 {
+            let number = random.next() as usize % files.len();
+            let place = random.next() as usize % files[number].len();
+            damaged[number][place] ^= 1 << (random.next() % 8);
+            let contents: Vec<&[u8]> = damaged.iter().map(Vec::as_slice).collect();
+            let mut files_of_c = vec![FilePlace { words: [0; LIPZ_FILE_WORDS] }; files.len()];
+            if let Ok(of_c) = opened(&contents, &mut files_of_c, LIPZ_UNVERIFIED) {
+                open_count += 1;
+                for _ in 0..4 {
+                    every_query(&of_c, &mut random);
+                }
+            }
+            damaged[number][place] = files[number][place];
+        }
+    }
+    assert!(open_count > 2000, "{open_count}");
+}
+
+fn every_query(of_c: &Dialogue, random: &mut Random) {
+    let dialogue = Some(of_c);
+    let times = [
+        micros(random.next().into()),
+        samples(random.next().into(), random.next()),
+        seconds(f64::from_bits(u64::from(random.next()) << 32)),
+        seconds_f32(f32::from_bits(random.next())),
+    ];
     unsafe {
-        let segment =
-            Segment { clip_id: clip.id, index: number % 13, start_frame: number, end_frame: number, reserved: number };
-        let locale = Locale { index: number % 3, ..Locale::default() };
-        Answer::<BankInfo>::from_call(|out| lipz_bank_info(bank, out));
-        let named = Curve { place: number % 7, key_count: number, bank: origin, ..Curve::default() };
-        let (clip_of, named) = (Some(clip), Some(&named));
-        Answer::<Curve>::from_call(|out| lipz_clip_curve_at(bank, clip_of, number, out));
-        Answer::<Curve>::from_call(|out| lipz_clip_curve(bank, clip_of, c"joy".as_ptr(), 3, out));
-        Answer::<CurveKey>::from_call(|out| lipz_clip_curve_key(bank, clip_of, named, number, out));
-        Answer::<i32>::from_call(|out| lipz_clip_curve_value(bank, clip_of, named, None, number, out));
-        Answer::<Emotions>::from_call(|out| lipz_clip_emotions_at_us(bank, clip_of, time_us, out));
-        Answer::<i32>::from_call(|out| lipz_clip_curve_value_at_us(bank, clip_of, named, None, time_us, out));
-        every_face(bank, clip_of, named, number);
-        Answer::<Clip>::from_call(|out| lipz_clip_at(bank, number, out));
-        Answer::<Clip>::from_call(|out| lipz_clip_by_id(bank, clip.id, out));
-        Answer::<String>::from_call(|out| lipz_clip_key(bank, Some(clip), out));
-        Answer::<String>::from_call(|out| lipz_clip_frames(bank, Some(clip), out));
-        Answer::<Viseme>::from_call(|out| lipz_clip_viseme(bank, Some(clip), number, out));
-        Answer::<u64>::from_call(|out| lipz_clip_start_of_frame_us(bank, Some(clip), number, out));
-        Answer::<Recording>::from_call(|out| lipz_clip_recording(bank, Some(clip), out));
-        Answer::<VoicedClip>::from_call(|out| lipz_clip_in_voice(bank, clip_of, c"de-de".as_ptr(), 5, out));
-        Answer::<String>::from_call(|out| lipz_clip_voice(bank, clip_of, out));
-        Answer::<String>::from_call(|out| lipz_voice_at(bank, number % 4, out));
-        Answer::<u32>::from_call(|out| lipz_frame_at_us(bank, Some(clip), time_us, out));
-        Answer::<u32>::from_call(|out| lipz_frame_at_samples(bank, Some(clip), time_us, number, out));
-        Answer::<u32>::from_call(|out| lipz_frame_at_seconds(bank, Some(clip), f64::from(number), out));
-        Answer::<u32>::from_call(|out| lipz_frame_at_seconds_f32(bank, Some(clip), f32::from_bits(number), out));
-        Answer::<Segment>::from_call(|out| lipz_segment_at_us(bank, Some(clip), time_us, out));
-        Answer::<Segment>::from_call(|out| lipz_segment_at(bank, Some(clip), number, out));
-        Answer::<Text>::from_call(|out| lipz_segment_text(bank, Some(&segment), Some(&locale), out));
-        Answer::<String>::from_call(|out| lipz_segment_event_string(bank, Some(&segment), out));
-        Answer::<Event>::from_call(|out| lipz_segment_event(bank, Some(&segment), number % 5, out));
-        Answer::<Locale>::from_call(|out| lipz_locale_at(bank, number, out));
-        Answer::<Locale>::from_call(|out| lipz_locale_default(bank, out));
+        let _ = ask::<DialogueInfo>(|out| lipz_dialogue_info(dialogue, out));
+        let _ = ask::<FileInfo>(|out| lipz_dialogue_file_by_index(dialogue, random.next() % 5, out));
+        let mut position = u64::from(random.next() % 9) | u64::from(random.next() % 3) << 32;
+        let found = ask(|out| lipz_dialogue_next_clip(dialogue, std::ptr::null(), 0, Some(&mut position), out));
+        let mut clip: Clip = found.unwrap_or_default();
+        match random.next() % 4 {
+            0 => clip.slot = random.next(),
+            1 => clip = Clip { file: random.next() % 5, slot: random.next() % 20, ..clip },
+            2 => clip.fps_numerator = random.next(),
+            _ => {}
+        }
+        let (asked, number) = (Some(&clip), random.next() >> (random.next() % 32));
+        let _ = ask::<Clip>(|out| lipz_dialogue_clip(dialogue, clip.id, out));
+        let _ = ask::<Clip>(|out| lipz_dialogue_clip_by_key(dialogue, c"act1/blair".as_ptr(), 10, out));
+        let _ = ask::<String>(|out| lipz_clip_key(dialogue, asked, out));
+        let _ = ask::<String>(|out| lipz_clip_frames(dialogue, asked, out));
+        let _ = ask::<Viseme>(|out| lipz_clip_viseme(dialogue, asked, number, out));
+        let _ = ask::<u64>(|out| lipz_clip_start_of_frame_us(dialogue, asked, number, out));
+        let _ = ask::<u32>(|out| lipz_clip_hold_frames(dialogue, asked, number, out));
+        let _ = ask::<Recording>(|out| lipz_clip_recording(dialogue, asked, out));
+        let locale = match ask(|out| lipz_dialogue_locale_by_index(dialogue, number % 4, out)) {
+            Ok(locale) => Locale { place: number % 5, ..locale },
+            Err(_) => Locale::default(),
+        };
+        let voice = match ask(|out| lipz_dialogue_voice_by_index(dialogue, number % 4, out)) {
+            Ok(voice) => Voice { place: number % 5, ..voice },
+            Err(_) => Voice::default(),
+        };
+        let _ = ask::<VoicedClip>(|out| lipz_clip_in_voice(dialogue, asked, Some(&voice), out));
+        let _ = ask::<Voice>(|out| lipz_clip_voice(dialogue, asked, out));
+        let segment = Segment {
+            clip_id: clip.id,
+            version: clip.version,
+            file: clip.file,
+            slot: clip.slot,
+            index: number % 13,
+            start_frame: number,
+            end_frame: number,
+        };
+        let segment = Some(&segment);
+        let _ = ask::<Segment>(|out| lipz_clip_segment(dialogue, asked, number, out));
+        let _ = ask::<Text>(|out| lipz_segment_text(dialogue, segment, Some(&locale), out));
+        let _ = ask::<String>(|out| lipz_segment_event_string(dialogue, segment, out));
+        let _ = ask::<Event>(|out| lipz_segment_event(dialogue, segment, number % 5, out));
+        let _ = ask::<Name>(|out| lipz_dialogue_event_name(dialogue, c"amy".as_ptr(), 3, out));
+        for time in times {
+            at_a_time(dialogue, asked, time, number);
+        }
+        every_move(of_c, &clip, times, random);
     }
-    every_move(bank, clip, number);
 }
 
-/// What tells the bank apart from others: as much of the checksum in its header as a curve has. 0 if the bank has no header.
-///
 /// # Safety
 /// The contract of the library.
-fn origin(bank: Option<&Bank>) -> u32 {
-    let bytes = bank.filter(|bank| bank.length_bytes >= 20 && !bank.data.is_null());
-    // SAFETY: so many bytes are there.
-    let bytes = bytes.map(|bank| unsafe { std::slice::from_raw_parts(bank.data, bank.length_bytes) });
-    bytes.map_or(0, |bytes| u32::from_le_bytes([bytes[8], bytes[9], bytes[10], bytes[11]]))
-}
-
-/// Curves with a cursor of a forged number, and the face of somebody.
-///
-/// # Safety
-/// The contract of the library.
-unsafe fn every_face(bank: Option<&Bank>, clip: Option<&Clip>, curve: Option<&Curve>, number: u32) {
-    let time_us = i64::from(number) * 1000;
-    let mut cursor = CurveCursor { key: number.rotate_left(9) };
+unsafe fn at_a_time(dialogue: Option<&Dialogue>, clip: Option<&Clip>, time: Time, number: u32) {
     let who = Who { name: String { data: c"mara".as_ptr(), length_bytes: 4 }, is_speaker: number % 3 };
-    let far = Curve { place: number, bank: origin(bank), ..Curve::default() };
-    let look_at = LookAt { pitch: number.rotate_left(3) as i32, yaw: number as i32, is_person: number % 2 };
-    for curve in [curve, Some(&far)] {
-        Answer::<i32>::from_call(|out| unsafe {
-            lipz_clip_curve_value_at_us(bank, clip, curve, Some(&mut cursor), time_us, out)
-        });
+    let version = clip.map_or(0, |clip| clip.version);
+    let look = LookAt { pitch: number as i32, yaw: number.rotate_left(9) as i32, is_person: number % 2 };
+    let place = |index: u32| if index == 3 { LIPZ_BUILT_IN } else { index };
+    let profile = FaceProfile { index: place(number % 4), version, ..FaceProfile::default() };
+    let babble = Babble { index: place(number % 4), version, ..Babble::default() };
+    unsafe {
+        let _ = ask::<u32>(|out| lipz_clip_frame_at(dialogue, clip, time, out));
+        let _ = ask::<Viseme>(|out| lipz_clip_viseme_at(dialogue, clip, time, out));
+        let _ = ask::<Segment>(|out| lipz_clip_segment_at(dialogue, clip, time, out));
+        let _ = ask::<Emotions>(|out| lipz_clip_emotions_at(dialogue, clip, time, Some(&who), out));
+        let (who, look) = (Some(&who), Some(&look));
+        let _ = ask::<Face>(|out| lipz_clip_face_at(dialogue, clip, time, who, Some(&profile), look, out));
+        let _ = ask::<Face>(|out| lipz_face_idle_at(dialogue, time, number.into(), Some(&profile), look, out));
+        let _ = ask::<Weights>(|out| lipz_babble_at(dialogue, Some(&babble), time, f32::from_bits(number), out));
+        let _ = ask::<Weights>(|out| lipz_babble_at_level(dialogue, Some(&babble), time, number, out));
+        let found = ask(|out| lipz_clip_curve_by_index(dialogue, clip, number % 9, out));
+        let mut curve: Curve = found.unwrap_or_default();
+        if number % 2 == 0 {
+            curve.place = number;
+        }
+        let mut cursor = CurveCursor { key: number.rotate_left(9) };
+        let _ = ask::<Curve>(|out| lipz_clip_curve(dialogue, clip, c"joy".as_ptr(), 3, out));
+        let _ = ask::<CurveKey>(|out| lipz_curve_key(dialogue, Some(&curve), number, out));
+        let _ = ask::<i32>(|out| lipz_curve_value(dialogue, Some(&curve), number, out));
+        let _ = ask::<i32>(|out| lipz_curve_value_at(dialogue, Some(&curve), time, Some(&mut cursor), out));
     }
-    Answer::<Emotions>::from_call(|out| unsafe { lipz_clip_emotions_of_us(bank, clip, Some(&who), time_us, out) });
-    Answer::<Face>::from_call(|out| unsafe {
-        lipz_clip_face_of_us(bank, clip, Some(&who), None, Some(&look_at), time_us, out)
-    });
 }
 
-/// Plays with a cursor of forged numbers.
-fn every_move(bank: Option<&Bank>, clip: &Clip, number: u32) {
-    let time_us = i64::from(number) * 1000;
+/// Plays with a cursor of random numbers.
+fn every_move(of_c: &Dialogue, clip: &Clip, times: [Time; 4], random: &mut Random) {
+    let dialogue = Some(of_c);
+    let mut number = || random.next() >> (random.next() % 32);
     let mut cursor = Cursor {
         size_bytes: u32::try_from(size_of::<Cursor>()).unwrap(),
-        frame: number,
+        frame: number(),
         clip_id: clip.id,
-        fps_numerator: number,
-        fps_denominator: number % 7,
-        viseme_type: number % 5,
-        lead_us: number,
-        hold_frames: number % 300,
-        speaker_id: number % 3,
-        speaker_bank: bank.map_or(0, |bank| bank.places[0]),
-        mouth_frame: number.wrapping_mul(3),
-        next_segment: number % 17,
-        flags: number,
-        due_segment: number % 13,
-        due_end: number,
-        due_around_to: number.rotate_left(7),
-        due_event: number % 3,
+        fps_numerator: number(),
+        fps_denominator: number() % 7,
+        viseme_type: number() % 5,
+        lead_us: number(),
+        hold_frames: number() % 300,
+        speaker_id: number() % 3,
+        speaker_bank: number(),
+        mouth_frame: number(),
+        next_segment: number() % 17,
+        flags: number(),
+        due_segment: number() % 13,
+        due_end: number(),
+        due_around_to: number(),
+        due_event: number() % 3,
     };
-    unsafe {
-        let mut taken = 0;
-        for step in 0..5 {
-            let status = match step {
-                0 => LIPZ_OK,
-                1 => lipz_cursor_advance_us(bank, Some(&mut cursor), time_us),
-                2 => lipz_cursor_loop_seconds(bank, Some(&mut cursor), f64::from(number)),
-                3 => lipz_cursor_seek_samples(bank, Some(&mut cursor), time_us, number),
-                _ => lipz_cursor_finish(bank, Some(&mut cursor)),
+    for (step, time) in times.into_iter().enumerate() {
+        unsafe {
+            let moving = Some(&mut cursor);
+            let _ = match step {
+                0 => lipz_cursor_advance(dialogue, moving, time),
+                1 => lipz_cursor_loop(dialogue, moving, time),
+                2 => lipz_cursor_seek(dialogue, moving, time),
+                _ => lipz_cursor_finish(dialogue, moving),
             };
-            let mut segments = cursor;
-            while Answer::<Segment>::from_call(|out| lipz_cursor_take_segment(bank, Some(&mut segments), out)).status
-                == LIPZ_OK
-            {
+            let (mut segments, mut taken) = (cursor, 0);
+            while ask::<Segment>(|out| lipz_cursor_take_segment(dialogue, Some(&mut segments), out)).is_ok() {
                 taken += 1;
             }
-            while Answer::<Event>::from_call(|out| lipz_cursor_take_event(bank, Some(&mut cursor), out)).status
-                == LIPZ_OK
-            {
+            while ask::<Event>(|out| lipz_cursor_take_event(dialogue, Some(&mut cursor), out)).is_ok() {
                 taken += 1;
             }
-            assert!(taken < 1 << 20, "{status}");
-            Answer::<Viseme>::from_call(|out| lipz_cursor_viseme(bank, Some(&cursor), out));
-            Answer::<u32>::from_call(|out| lipz_cursor_openness(bank, Some(&cursor), out));
-            Answer::<Segment>::from_call(|out| lipz_cursor_segment(bank, Some(&cursor), out));
-            Answer::<Character>::from_call(|out| lipz_cursor_character(bank, Some(&cursor), None, out));
-            Answer::<Character>::from_call(|out| lipz_cursor_character_at(bank, Some(&cursor), number, out));
+            assert!(taken < 1 << 20);
+            let at = Some(&cursor);
+            let _ = ask::<Viseme>(|out| lipz_cursor_viseme(dialogue, at, out));
+            let _ = ask::<u32>(|out| lipz_cursor_openness(dialogue, at, out));
+            let _ = ask::<Segment>(|out| lipz_cursor_segment(dialogue, at, out));
+            let _ = ask::<Character>(|out| lipz_cursor_character(dialogue, at, None, out));
+            let name = Name { bank: cursor.speaker_bank, id: cursor.speaker_id, ..Name::default() };
+            let _ = ask::<Character>(|out| lipz_cursor_character(dialogue, at, Some(&name), out));
+            let _ = ask::<Character>(|out| lipz_cursor_character_by_index(dialogue, at, cursor.due_event, out));
         }
-        let babble = Babble { index: number % 2, bank: cursor.speaker_bank, ..Babble::default() };
-        Answer::<Weights>::from_call(|out| {
-            lipz_babble_at_us(bank, Some(&babble), time_us, f32::from_bits(number), out)
-        });
-        Answer::<Weights>::from_call(|out| lipz_babble_at_us_level(bank, Some(&babble), time_us, number, out));
-        Answer::<u32>::from_call(|out| lipz_hold_for_display(Some(clip), number, out));
-        Answer::<u32>::from_call(|out| lipz_viseme_openness(Viseme(b'A'), number, out));
     }
 }

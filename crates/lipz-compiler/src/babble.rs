@@ -1,6 +1,7 @@
 //! Babble profiles of a project, and the section that they become.
 
-use lipz_bank::{Babble, Fps};
+use lipz_bank::Fps;
+use lipz_bank::babble::Babble;
 use lipz_file::digits::Digits;
 use lipz_layout::BabbleRecord;
 use std::collections::BTreeMap;

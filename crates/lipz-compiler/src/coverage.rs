@@ -1,7 +1,8 @@
 //! Coverage: how much of a dialogue is translated into each locale of a bank.
 
-use crate::{BankWithTexts, MinCoverage, Options, fallback, pseudo};
-use lipz_bank::{Clip, Locale, Text};
+use crate::dialogue::{TaggedLocale, clips_by_key, locales_by_tag, texts_bytes};
+use crate::{MinCoverage, Options, fallback, pseudo};
+use lipz_bank::{Clip, Dialogue, Locale, Text};
 use lipz_diagnostics::{Code, Diagnostic};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -41,11 +42,10 @@ impl Coverage {
     }
 }
 
-/// The coverage of each locale of a verified bank, in the order of their tags. Keys are in the order of
-/// the bank.
+/// The coverage of each locale of a verified dialogue, in the order of their tags. Keys are in their order, too.
 ///
 /// A text bank holds what its locale borrows as copies. They are said to come from the first locale with the same
-/// text, in the order in which locales [fall back](Options::fallbacks) unless a project says otherwise.
+/// text, in the order in which locales [fall back](Options::fallback) unless a project says otherwise.
 ///
 /// ```
 /// use lipz_compiler::{Compiler, Input, Options, coverage};
@@ -53,31 +53,27 @@ impl Coverage {
 ///     Input::from_bytes("aye", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#),
 ///     Input::from_bytes("no", r#"{ "text_en-us": "No." }"#),
 /// ];
-/// let options = Options::new().default_locale("en-us");
+/// let options = Options::new().default_locale("en-us")?;
 /// let bytes = Compiler::new(options.clone()).compile(&inputs).bank.ok_or("no bank")?;
-/// let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
-/// let german = &coverage(&bank)[0];
+/// let mut files = [lipz_bank::files::DialogueFile::ABSENT];
+/// let german = &coverage(&lipz_bank::Dialogue::open(&mut files, [bytes.as_slice()])?)[0];
 /// assert_eq!((german.tag.as_str(), german.percent()), ("de-de", 50.0));
 /// assert_eq!(german.fallbacks["en-us"], ["no"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn coverage<'data, 'bank>(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Vec<Coverage>
-where
-    'data: 'bank,
-{
-    let bank: BankWithTexts<'data, 'bank> = bank.into();
-    let locales = bank.locales();
-    let default = locales.iter().position(Locale::is_default);
-    let empty = |locale: &Locale<'_>| Coverage {
-        tag: locale.tag().to_owned(),
-        is_default: locale.is_default(),
+pub fn coverage(dialogue: &Dialogue<'_>) -> Vec<Coverage> {
+    let locales = locales_by_tag(dialogue);
+    let default = locales.iter().position(|locale| locale.is_default);
+    let empty = |locale: &TaggedLocale<'_>| Coverage {
+        tag: locale.tag.to_owned(),
+        is_default: locale.is_default,
         ..Coverage::default()
     };
     let mut found: Vec<Coverage> = locales.iter().map(empty).collect();
-    let chains = if bank.texts().is_empty() { Vec::new() } else { chains(&locales) };
+    let chains = if texts_bytes(dialogue) == 0 { Vec::new() } else { chains(&locales) };
     // The texts of a dub are those of its original.
-    for clip in bank.bank().clips().filter(|clip| clip.original().is_none()) {
-        let shown: Vec<DisplayedText<'_>> = locales.iter().map(|locale| shown(&clip, *locale)).collect();
+    for clip in clips_by_key(dialogue).iter().filter(|clip| clip.original().is_none()) {
+        let shown: Vec<DisplayedText<'_>> = locales.iter().map(|locale| shown(clip, locale.locale)).collect();
         if shown.iter().all(|shown| matches!(shown, DisplayedText::Nothing)) {
             continue;
         }
@@ -98,7 +94,7 @@ where
                         |other: &usize| matches!(shown.get(*other), Some(DisplayedText::Own(own)) if own == text);
                     let equal = || chains.get(number)?.iter().copied().find(is_equal);
                     let origin = origins.get_or_init(|| origins_of(&shown)).get(&text.place()).copied().or_else(equal);
-                    let tag = origin.and_then(|origin| locales.get(origin)).map_or("", Locale::tag);
+                    let tag = origin.and_then(|origin| locales.get(origin)).map_or("", |locale| locale.tag);
                     coverage.fallbacks.entry(tag.to_owned()).or_default().push(key);
                 }
                 DisplayedText::Nothing => coverage.missing.push(key),
@@ -109,7 +105,7 @@ where
 }
 
 /// The locale of each own text, by the place of the text.
-fn origins_of(shown: &[DisplayedText<'_>]) -> HashMap<Option<*const u8>, usize> {
+fn origins_of(shown: &[DisplayedText<'_>]) -> HashMap<Option<Place>, usize> {
     let own = |(number, text): (usize, &DisplayedText<'_>)| match text {
         DisplayedText::Own(own) => Some((own.place(), number)),
         _ => None,
@@ -119,10 +115,10 @@ fn origins_of(shown: &[DisplayedText<'_>]) -> HashMap<Option<*const u8>, usize> 
 }
 
 /// For each locale, the places of those that it falls back to.
-fn chains(locales: &[Locale<'_>]) -> Vec<Vec<usize>> {
-    let tags: Vec<&str> = locales.iter().map(Locale::tag).collect();
-    let default = locales.iter().find(|locale| locale.is_default());
-    let options = Options { default_locale: default.map(|locale| locale.tag().to_owned()), ..Options::default() };
+fn chains(locales: &[TaggedLocale<'_>]) -> Vec<Vec<usize>> {
+    let tags: Vec<&str> = locales.iter().map(|locale| locale.tag).collect();
+    let default = locales.iter().find(|locale| locale.is_default);
+    let options = Options { default_locale: default.map(|locale| locale.tag.to_owned()), ..Options::default() };
     (0..tags.len()).map(|locale| fallback::chain(&tags, locale, &options)).collect()
 }
 
@@ -153,6 +149,9 @@ fn shortfall(coverage: &Coverage, wanted_percent: f64) -> Diagnostic {
         .help("translate them, or lower the minimum")
 }
 
+/// Where a text starts and ends.
+type Place = (*const u8, *const u8);
+
 /// What a player of a locale reads of a clip.
 enum DisplayedText<'data> {
     Own(ClipText<'data>),
@@ -165,13 +164,14 @@ enum DisplayedText<'data> {
 struct ClipText<'data>(Vec<&'data str>);
 
 impl ClipText<'_> {
-    /// Where the text is in the file: each locale's texts stand apart, also those that are equal.
-    fn place(&self) -> Option<*const u8> {
-        self.0.first().map(|text| text.as_ptr())
+    /// Where the text is in the file: each locale's texts stand apart, also those that are equal. An empty one is where the next
+    /// one starts.
+    fn place(&self) -> Option<Place> {
+        Some((self.0.first()?.as_ptr(), self.0.last()?.as_bytes().as_ptr_range().end))
     }
 }
 
-fn shown<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> DisplayedText<'data> {
+fn shown<'data>(clip: &Clip<'data>, locale: Locale) -> DisplayedText<'data> {
     let is_fallback = clip.segment(0).and_then(|segment| segment.text(locale)).map(Text::is_fallback);
     let texts = clip.segments().filter_map(|segment| segment.text(locale)).map(Text::as_str);
     match is_fallback {
@@ -185,7 +185,7 @@ fn shown<'data>(clip: &Clip<'data, '_>, locale: Locale<'data>) -> DisplayedText<
 mod tests {
     use super::*;
     use crate::{Compiler, Input, SplitBank};
-    use lipz_bank::Bank;
+    use lipz_testkit::dialogues::with;
 
     #[test]
     fn every_kind_of_text() {
@@ -196,9 +196,9 @@ mod tests {
             Input::from_bytes("d", r#"{ "text_en-us": "No." }"#),
             Input::from_bytes("e", r#"{ "visemes": "-A-" }"#),
         ];
-        let options = Options::new().default_locale("en-us");
+        let options = Options::new().default_locale("en-us").unwrap();
         let bytes = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
-        let found = coverage(&Bank::open(&bytes).unwrap().verify().unwrap());
+        let found = with(&[&bytes], coverage);
         let of = |tag: &str| found.iter().find(|coverage| coverage.tag == tag).unwrap();
         let keys = |keys: &[&str]| keys.iter().map(|key| (*key).to_owned()).collect::<Vec<_>>();
         let german = of("de-de");
@@ -221,16 +221,16 @@ mod tests {
             Input::from_bytes("b", r#"{ "text_en-us": "OK", "text_de-de": "OK" }"#),
             Input::from_bytes("c", r#"{ "text_en-us": "No.|No!" }"#),
         ];
-        let options = Options::new().default_locale("en-us");
+        let options = Options::new().default_locale("en-us").unwrap();
         let bytes = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
         let split = SplitBank::from_bytes(&bytes).unwrap();
-        let base = Bank::open(&split.base).unwrap().verify().unwrap();
-        let mut texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-        let whole = coverage(&Bank::open(&bytes).unwrap());
+        let whole = with(&[&bytes], coverage);
         assert_eq!(whole[0].fallbacks["de-de"], ["b"], "the nearest of two with the same text");
-        assert_eq!(coverage(BankWithTexts::new(&base, &texts)), whole);
-        texts.rotate_left(1);
-        assert_eq!(coverage(BankWithTexts::new(&base, &texts)), whole, "in any order");
+        let mut files: Vec<&[u8]> = vec![&split.base];
+        files.extend(split.texts.iter().map(|(_, texts)| texts.as_slice()));
+        assert_eq!(with(&files, coverage), whole);
+        files[1..].rotate_left(1);
+        assert_eq!(with(&files, coverage), whole, "in any order");
     }
 
     #[test]
@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn nothing_to_translate_is_complete() {
         let bytes = Compiler::default().compile(&[]).bank.unwrap();
-        assert!(coverage(&Bank::open(&bytes).unwrap()).is_empty());
+        assert!(with(&[&bytes], coverage).is_empty());
         assert_eq!(Coverage::default().percent(), 100.0);
     }
 }

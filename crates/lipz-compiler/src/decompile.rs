@@ -1,8 +1,10 @@
-//! From a bank back to documents: the reverse of lowering.
+//! From a dialogue back to documents: the reverse of lowering.
 
+use crate::dialogue::{DubTexts, TaggedLocale, banks, clips_by_key, length_bytes, locales_by_tag, topmost};
+use crate::layers;
 use crate::source_record::{self, Name, RecordedValue};
-use crate::{BankWithTexts, dubs, layers};
-use lipz_bank::{Bank, Clip, Curve, Fps, Locale, Segment};
+use lipz_bank::curve::Curve;
+use lipz_bank::{Bank, Clip, Dialogue, Fps, Locale, Segment};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::{Document, Element, JsonString, Raw, Value, curve};
 use lipz_layout::{Tag, U32};
@@ -18,10 +20,10 @@ const MOST_ESCAPED_BYTES: usize = 6;
 /// Bytes of a key with the space before it: ten digits, a colon, a value of twelve characters.
 const MOST_KEY_BYTES: usize = 24;
 
-/// Bytes that all files of a bank may have. Clips share texts, events and records, so that a forged bank of a few
+/// Bytes that all files of a dialogue may have. Clips share texts, events and records, so that a forged bank of a few
 /// kilobytes could ask for terabytes.
-pub(crate) fn budget_bytes(bank: &Bank<'_>) -> u64 {
-    (lipz_file::MAX_FILE_BYTES as u64).saturating_add(MOST_TIMES.saturating_mul(bank.length_bytes() as u64))
+pub(crate) fn budget_bytes(dialogue: &Dialogue<'_>) -> u64 {
+    (lipz_file::MAX_FILE_BYTES as u64).saturating_add(MOST_TIMES.saturating_mul(length_bytes(dialogue) as u64))
 }
 
 /// The bytes that a file may still have.
@@ -50,12 +52,14 @@ impl Room {
     }
 }
 
-/// The Lipz files of a bank, in the order of their keys.
-pub struct Documents<'data, 'bank> {
-    bank: &'bank Bank<'data>,
+/// The Lipz files of a dialogue, in the order of their keys.
+pub struct Documents<'d> {
+    dialogue: &'d Dialogue<'d>,
+    clips: Vec<Clip<'d>>,
     /// The locales whose texts the files have.
-    locales: Vec<Locale<'data>>,
-    sources: Option<Sources<'data>>,
+    locales: Vec<TaggedLocale<'d>>,
+    /// The source records of each bank, by the number of its file; `None` if one of the banks has none.
+    sources: Option<Vec<Option<Sources<'d>>>>,
 }
 
 struct Sources<'data> {
@@ -63,17 +67,31 @@ struct Sources<'data> {
     records: &'data [u8],
 }
 
-impl<'data, 'bank> Documents<'data, 'bank> {
-    /// The files of a verified bank. Those of a bank that was split are not exact: source records stay with texts
-    /// that are in the bank itself.
+impl<'d> Sources<'d> {
+    /// The source records of a bank, if it has some.
+    fn of(bank: &Bank<'d>) -> Result<Option<Sources<'d>>, Report> {
+        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
+        match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
+            (None, None) => Ok(None),
+            (Some(index), Some(records)) => {
+                let index = <[U32]>::ref_from_bytes(index).ok().filter(|index| index.len() == bank.clip_count());
+                let index = index.ok_or_else(|| damaged("the source index has another length"))?;
+                Ok(Some(Sources { index, records }))
+            }
+            _ => Err(damaged("one of the two source sections is missing")),
+        }
+    }
+}
+
+impl<'d> Documents<'d> {
+    /// The files of a verified dialogue. They are exact if all of its banks have source records; those of a bank that was split
+    /// are not, because source records stay with texts that are in the bank itself.
     ///
     /// # Errors
-    /// If one of the two source sections is missing or has another shape, and if the bank is a layer that has only the
-    /// texts of a clip, or all but these.
-    pub fn from_bank(bank: impl Into<BankWithTexts<'data, 'bank>>) -> Result<Self, Report> {
-        let whole: BankWithTexts<'data, 'bank> = bank.into();
-        let bank = whole.bank();
-        if layers::has_parts(bank) {
+    /// If one of the two source sections of a bank is missing or has another shape, and if the dialogue is a patch alone that has
+    /// only the texts of a clip, or all but these.
+    pub fn from_dialogue(dialogue: &'d Dialogue<'d>) -> Result<Self, Report> {
+        if dialogue.bank(0).is_some_and(layers::has_parts) {
             return Err(Report::failure(
                 "",
                 Code::LayerAlone,
@@ -81,34 +99,38 @@ impl<'data, 'bank> Documents<'data, 'bank> {
                 "name the banks that it lies over, too: `base.lipzbank+layer.lipzbank`",
             ));
         }
-        let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map(|(_, bytes)| bytes);
-        let sources = match (section(Tag::SOURCE_INDEX), section(Tag::SOURCES)) {
-            (None, None) => None,
-            (Some(index), Some(records)) => {
-                let index = <[U32]>::ref_from_bytes(index).ok().filter(|index| index.len() == bank.clip_count());
-                let index = index.ok_or_else(|| damaged("the source index has another length"))?;
-                Some(Sources { index, records })
-            }
-            _ => return Err(damaged("one of the two source sections is missing")),
-        };
-        // Source records count the locales that their bank has.
-        let locales = if sources.is_some() { bank.locales().collect() } else { whole.locales() };
-        Ok(Documents { bank, locales, sources })
+        let mut all: Vec<Option<Sources<'d>>> = (0..dialogue.file_count()).map(|_| None).collect();
+        let mut are_exact = true;
+        for (number, bank) in banks(dialogue) {
+            all[number] = Sources::of(bank)?;
+            are_exact &= all[number].is_some();
+        }
+        let mut locales = locales_by_tag(dialogue);
+        if are_exact {
+            // Source records count the locales that their bank has.
+            locales.retain(|locale| banks(dialogue).any(|(_, bank)| bank.locale(locale.tag).is_some()));
+        }
+        Ok(Documents { dialogue, clips: clips_by_key(dialogue), locales, sources: are_exact.then_some(all) })
     }
 
-    /// Whether the bank holds what the display form lost, so that the files are exact.
+    /// Whether the banks hold what the display form lost, so that the files are exact.
     pub fn is_exact(&self) -> bool {
         self.sources.is_some()
     }
 
+    /// The clips that the files are of, in the order of their keys.
+    pub fn clips(&self) -> &[Clip<'d>] {
+        &self.clips
+    }
+
     /// Key and document of each clip. Documents that are longer than a Lipz file may be, or all together much longer
-    /// than the bank (docs/FORMAT.md, "Source records"), are errors.
-    pub fn iter(&self) -> impl Iterator<Item = Result<(&'data str, Document<'data>), Report>> + '_ {
-        let mut left = budget_bytes(self.bank);
-        self.bank.clips().map(move |clip| {
+    /// than the banks (docs/FORMAT.md, "Source records"), are errors.
+    pub fn iter(&self) -> impl Iterator<Item = Result<(&'d str, Document<'d>), Report>> + '_ {
+        let mut left = budget_bytes(self.dialogue);
+        self.clips.iter().map(move |clip| {
             let most = left.min(lipz_file::MAX_FILE_BYTES as u64);
             let room = Room::new(most);
-            let document = self.document(&clip, &room);
+            let document = self.document(clip, &room);
             left = left.saturating_sub(most.saturating_sub(room.left.get()));
             if room.is_exceeded.get() {
                 let message = format!("the bank asks for more bytes than its files may have, at `{}`", clip.key());
@@ -118,19 +140,22 @@ impl<'data, 'bank> Documents<'data, 'bank> {
         })
     }
 
-    fn document(&self, clip: &Clip<'data, '_>, room: &Room) -> Result<Document<'data>, Report> {
-        let original = clip.original();
-        let is_own = |locale: &Locale<'data>| {
-            let text = clip.segment(0).and_then(|segment| segment.text(*locale));
-            text.is_some_and(|text| !text.is_fallback()) && !dubs::borrows(clip, original.as_ref(), *locale)
+    fn document(&self, clip: &Clip<'d>, room: &Room) -> Result<Document<'d>, Report> {
+        let of_dub = DubTexts::of(self.dialogue, clip);
+        let is_own = |locale: &&TaggedLocale<'d>| {
+            clip.segment(0).is_some_and(|segment| segment.has_own_text(locale.locale))
+                && !of_dub.as_ref().is_some_and(|dub| dub.are_borrowed(clip, locale))
         };
-        let own: Vec<Locale<'data>> = self.locales.iter().copied().filter(is_own).collect();
+        let own: Vec<TaggedLocale<'d>> = self.locales.iter().filter(is_own).copied().collect();
         match &self.sources {
             Some(sources) => {
-                let damage = || damaged(&format!("the source record of `{}` cannot be decoded", clip.key()));
-                let offset = sources.index.get(clip.slot() as usize).ok_or_else(damage)?.get();
-                let record = sources.records.get(offset as usize..).ok_or_else(damage)?;
-                exact(clip, &own, record, room).ok_or_else(damage)
+                let record = || {
+                    let (number, found) = topmost(self.dialogue, clip)?;
+                    let sources = sources.get(number)?.as_ref()?;
+                    sources.records.get(sources.index.get(found.slot() as usize)?.get() as usize..)
+                };
+                let exact = record().and_then(|record| exact(clip, &own, record, room));
+                exact.ok_or_else(|| damaged(&format!("the source record of `{}` cannot be decoded", clip.key())))
             }
             None => Ok(display_form(clip, &own, room)),
         }
@@ -143,8 +168,8 @@ fn damaged(what: &str) -> Report {
 
 /// The document as it was written.
 fn exact<'data>(
-    clip: &Clip<'data, '_>,
-    own: &[Locale<'data>],
+    clip: &Clip<'data>,
+    own: &[TaggedLocale<'_>],
     record: &'data [u8],
     room: &Room,
 ) -> Option<Document<'data>> {
@@ -154,7 +179,7 @@ fn exact<'data>(
             Name::Known("viseme_type") => Some(clip.viseme_type()?.name().to_owned()),
             Name::Known("visemes") => joined(clip, padding, room, codes),
             Name::Known("events") => joined(clip, padding, room, Segment::event),
-            Name::OwnText(index) => joined(clip, padding, room, display_text(*own.get(index)?)),
+            Name::OwnText(index) => joined(clip, padding, room, display_text(own.get(index)?.locale)),
             _ => None,
         };
         let value = match value {
@@ -176,7 +201,7 @@ fn exact<'data>(
         let name = match name {
             Name::Spelled(name) => Cow::Borrowed(name),
             Name::Known(name) => Cow::Borrowed(name),
-            Name::OwnText(index) => Cow::Owned(format!("text_{}", own.get(index)?.tag())),
+            Name::OwnText(index) => Cow::Owned(format!("text_{}", own.get(index)?.tag)),
         };
         room.take(name.len())?;
         elements.push(Element { name: name.into(), value });
@@ -185,7 +210,7 @@ fn exact<'data>(
 }
 
 /// The document in canonical order, with display texts.
-fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], room: &Room) -> Document<'data> {
+fn display_form<'data>(clip: &Clip<'data>, own: &[TaggedLocale<'_>], room: &Room) -> Document<'data> {
     let mut elements = Vec::new();
     let mut push = |name: String, value: Value<'data>| {
         elements.push(Element { name: JsonString::from(Cow::Owned(name)), value });
@@ -201,8 +226,8 @@ fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], room: &Roo
         push("visemes".into(), string(visemes));
     }
     for locale in own {
-        if let Some(text) = joined(clip, &[], room, display_text(*locale)) {
-            push(format!("text_{}", locale.tag()), string(text));
+        if let Some(text) = joined(clip, &[], room, display_text(locale.locale)) {
+            push(format!("text_{}", locale.tag), string(text));
         }
     }
     if let Some(events) = joined(clip, &[], room, Segment::event) {
@@ -215,7 +240,7 @@ fn display_form<'data>(clip: &Clip<'data, '_>, own: &[Locale<'data>], room: &Roo
 }
 
 /// The curves of the clip as JSON; `None` where there is no room.
-fn curves(clip: &Clip<'_, '_>, room: &Room) -> Option<String> {
+fn curves(clip: &Clip<'_>, room: &Room) -> Option<String> {
     for curve in clip.curves() {
         let name_bytes = curve.name().as_str().len().saturating_mul(MOST_ESCAPED_BYTES);
         let keys_bytes = (curve.key_count() as usize).saturating_mul(MOST_KEY_BYTES);
@@ -226,21 +251,21 @@ fn curves(clip: &Clip<'_, '_>, room: &Room) -> Option<String> {
     Some(curve::write(curves))
 }
 
-fn codes<'data>(segment: &Segment<'data, '_>) -> Option<&'data str> {
+fn codes<'data>(segment: &Segment<'data>) -> Option<&'data str> {
     std::str::from_utf8(segment.frames()).ok()
 }
 
-fn display_text<'data>(locale: Locale<'data>) -> impl Fn(&Segment<'data, '_>) -> Option<&'data str> {
+fn display_text<'data>(locale: Locale) -> impl Fn(&Segment<'data>) -> Option<&'data str> {
     move |segment| Some(segment.text(locale)?.as_str())
 }
 
 /// The parts of all segments with `|` between them, if every segment has one; with blanks before
 /// and after each as in `padding`; `None` also where there is no room.
-fn joined<'data, 'bank>(
-    clip: &Clip<'data, 'bank>,
+fn joined<'data>(
+    clip: &Clip<'data>,
     padding: &[(usize, usize)],
     room: &Room,
-    part: impl Fn(&Segment<'data, 'bank>) -> Option<&'data str>,
+    part: impl Fn(&Segment<'data>) -> Option<&'data str>,
 ) -> Option<String> {
     let mut whole = String::new();
     for segment in clip.segments() {

@@ -5,7 +5,7 @@ use crate::list;
 use crate::walk::{Obstacle, Walk, is_hidden};
 use crate::{Content, Input};
 use glob::MatchOptions;
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, DiagnosticsError, Report};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
@@ -21,9 +21,22 @@ use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
 /// there is no clip. A file that is named by itself is read whatever it is called;
 /// [`Settings::hidden`](crate::settings::Settings::hidden) reads them all.
 ///
-/// Reports what cannot be found or read. Files are returned in the order of their paths. With the feature `parallel`, large folders are
+/// Files are returned in the order of their paths. With the feature `parallel`, large folders are
 /// listed on all cores; [`Settings::discover`](crate::settings::Settings::discover) goes by the options of the project.
-pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
+///
+/// # Errors
+/// A diagnostic for each source or file that cannot be found or read, and for each source without Lipz files.
+pub fn discover(sources: &[PathBuf], root: Option<&Path>) -> Result<Vec<Input>, DiagnosticsError> {
+    let (inputs, reports) = discover_with_reports(sources, root);
+    // Without the levels of a project, all of these are errors.
+    Ok(DiagnosticsError::check(inputs, reports)?.0)
+}
+
+/// The files that [`discover`] could find, and what it could not find or read.
+///
+/// For tools that report everything at once and go on with the other files. All other programs call [`discover`].
+#[must_use = "the reports say whether files are missing"]
+pub fn discover_with_reports(sources: &[PathBuf], root: Option<&Path>) -> (Vec<Input>, Vec<Report>) {
     find(sources, root, false, None)
 }
 

@@ -1,6 +1,7 @@
 //! Face profiles of a project, and the section that they become.
 
-use lipz_bank::{CurveValue, Emotion, FaceProfile};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::{Emotion, FaceProfile};
 use lipz_layout::FaceRecord;
 use std::array;
 use std::collections::BTreeMap;
@@ -105,14 +106,14 @@ pub fn numbers(profile: &FaceProfile<'_>) -> [u16; COUNT] {
 
 /// The face profiles of a project.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct FaceProfiles {
+pub struct FaceProfileSettings {
     /// The project's own, based on [`FaceProfile::DEFAULT`]. It becomes the profile `default`, if it says anything.
     pub base: FaceNumbers,
     /// Others by name, based on it. Names are not empty, and at most 65,535 bytes long.
     pub named: BTreeMap<String, FaceNumbers>,
 }
 
-impl FaceProfiles {
+impl FaceProfileSettings {
     /// The section of the bank; empty if there are no profiles.
     pub(crate) fn section(&self) -> Vec<u8> {
         let mut profiles: BTreeMap<&str, &FaceNumbers> = BTreeMap::new();

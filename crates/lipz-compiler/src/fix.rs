@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     fn fixed(file: &str) -> Option<String> {
-        let options = Options::new().default_locale("en-us");
+        let options = Options::new().default_locale("en-us").unwrap();
         let fixed = Compiler::new(options.clone()).fix(file.as_bytes())?;
         assert_eq!(Compiler::new(options).fix(fixed.text.as_bytes()), None, "fixed again: {}", fixed.text);
         Some(fixed.text)
@@ -125,7 +125,7 @@ mod tests {
 
     /// The file after all fixes, and how often it was read for them.
     fn in_rounds(file: &str) -> (String, usize) {
-        let options = Options::new().default_locale("en-us");
+        let options = Options::new().default_locale("en-us").unwrap();
         let (mut text, mut count) = (file.to_owned(), 0);
         while let Some(fixed) = round(text.as_bytes(), &options) {
             (text, count) = (fixed.text, count + 1);
@@ -223,12 +223,11 @@ mod tests {
     #[test]
     fn the_default_locale_is_written_as_the_format_spells_it() {
         let fixed = |default: &str| {
-            let options = Options::new().default_locale(default);
+            let options = Options::new().default_locale(default).unwrap();
             Compiler::new(options).fix(br#"{"text": "a"}"#)
         };
         let once = [(Code::TextWithoutLocale, 1)].into();
         assert_eq!(fixed("EN_us"), Some(Fixed { text: r#"{"text_en-us": "a"}"#.into(), counts: once }));
-        assert_eq!(fixed("english"), None);
     }
 
     #[test]

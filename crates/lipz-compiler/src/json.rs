@@ -6,7 +6,9 @@
 )]
 
 use crate::{Coverage, face};
-use lipz_bank::{Babble, FaceProfile, Fps, Recording, VisemeType};
+use lipz_bank::babble::Babble;
+use lipz_bank::face::FaceProfile;
+use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_layout::Tag;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 use std::borrow::Cow;

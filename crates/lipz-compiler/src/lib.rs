@@ -16,8 +16,22 @@
 //! }
 //! ```
 //!
-//! [`settings::Settings`] reads what a project decides from its `lipz.toml`. Everything but [`Build`]
-//! returns values and [`Report`](diagnostics::Report)s, and leaves it to the caller what to do with them.
+//! [`settings::Settings`] reads what a project decides from its `lipz.toml`. A function that can fail returns its diagnostics
+//! as an error, [`Report`](diagnostics::Report) or [`DiagnosticsError`](diagnostics::DiagnosticsError), which prints them; warnings
+//! are in the value. `…_with_report(s)` go on after errors, for tools that report everything at once.
+//!
+//! A tool prints diagnostics as the command `lipz` does, with the feature `human`:
+//!
+//! ```
+//! # #[cfg(feature = "human")]
+//! # {
+//! use lipz_compiler::diagnostics::render;
+//! use lipz_compiler::{Compiler, Input};
+//! let compiled = Compiler::default().compile(&[Input::from_bytes("mayor", r#"{ "fps": 0 }"#)]);
+//! let text = render::human(&compiled.reports);
+//! assert!(text.contains("error[LZ0301]") && text.contains("--> mayor.lipz:1:10"), "{text}");
+//! # }
+//! ```
 //!
 //! # Features
 //!
@@ -27,9 +41,10 @@
 //! * `shards`: packing on several machines, [`shard`].
 //! * `unpack`: from a bank to a folder of Lipz files.
 //! * `diff`, `stats`: comparing banks, counting what is in them.
+//! * `human`: [`diagnostics::render::human`](crate::diagnostics::render), the diagnostics of a run with the marked source.
 //! * `inspect`: what is in a bank, and a clip as a timeline.
 //! * `json`: what these return, and [`Coverage`], is `serde::Serialize`, in the form that the command prints;
-//!   `diagnostics::render::to_json` writes it.
+//!   `diagnostics::render::to_json` writes it. Also `diagnostics::render::json`, `sarif` and `gitlab`.
 //! * `parallel`: all cores, also after the files are read.
 //! * `full`: all of them.
 //!
@@ -40,7 +55,6 @@
 #![allow(clippy::cast_possible_truncation)]
 
 pub mod babble;
-mod bank_with_texts;
 #[cfg(feature = "build")]
 mod build;
 #[cfg(feature = "cache")]
@@ -52,6 +66,7 @@ mod convert;
 mod coverage;
 mod decompile;
 mod depend;
+mod dialogue;
 #[cfg(feature = "diff")]
 pub mod diff;
 mod discover;
@@ -102,7 +117,6 @@ mod voices;
 mod walk;
 mod word_times;
 
-pub use bank_with_texts::BankWithTexts;
 #[cfg(feature = "build")]
 pub use build::{Build, BuildError};
 #[cfg(feature = "cache")]
@@ -112,14 +126,15 @@ pub use convert::Converted;
 pub use coverage::{Coverage, coverage, shortfalls};
 pub use decompile::Documents;
 pub use depend::{dependencies, depfile, watched};
-pub use discover::{discover, is_pattern};
+pub use discover::{discover, discover_with_reports, is_pattern};
 pub use dubs::{VoiceCoverage, voice_coverage, voice_coverage_of};
 pub use fix::Fixed;
-pub use input::{Content, Input};
-pub use layers::{Over, Stack, VoiceBanks};
+pub use input::{Content, Input, Inputs};
+pub use layers::{Over, Stack, VoiceBanks, dialogue_of};
 pub use lipz_diagnostics as diagnostics;
 pub use options::{
-    EmotionCurves, Emotions, FileLevels, GestureKeys, Gestures, KnownNames, MinCoverage, Options, TextLimits,
+    EmotionCurves, EmotionOptions, FileLevels, GestureKeys, Gestures, KnownNames, LocaleError, MinCoverage, Options,
+    TextLimits,
 };
 pub use output::replace_file;
 pub use outputs::{Delivered, OutputFile, Outputs, Replace};
@@ -128,7 +143,7 @@ pub use rewrite::rewrite_file;
 pub use split::SplitBank;
 #[cfg(feature = "unpack")]
 pub use unpack::{Unpacked, unpack};
-pub use voices::Voices;
+pub use voices::{VoiceError, Voices};
 pub use word_times::{ParseWordTimesError, WordTime, WordTimes};
 
 #[cfg(not(feature = "cache"))]

@@ -219,7 +219,7 @@ impl Outputs {
         let mut files = Vec::new();
         // One at a time: together they would take as much memory as the bank.
         for locale in whole.locales() {
-            let path = self.bank.with_extension(format!("{}{TEXTS_EXTENSION}", locale.tag()));
+            let path = self.bank.with_extension(format!("{}{TEXTS_EXTENSION}", whole.tag(locale)));
             files.push(write(&path, &whole.text_bank(locale)?)?);
         }
         let stale = stale(&self.bank, TEXTS_EXTENSION, &files);
@@ -313,7 +313,7 @@ mod tests {
         });
         let base = fs::read(&path).unwrap();
         let texts = fs::read(folder.path().join("b.en-us.lipztexts")).unwrap();
-        assert!(Bank::open(&base).unwrap().verify().unwrap().open_texts(&texts).is_ok());
+        assert!(Bank::open(&base).unwrap().verify().unwrap().with_texts(&texts).is_ok());
     }
 
     #[test]

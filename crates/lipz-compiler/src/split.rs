@@ -32,9 +32,9 @@ impl SplitBank {
     /// let split = SplitBank::from_bytes(&bank).map_err(|report| report.to_string())?;
     /// let (tag, german) = &split.texts[0];
     /// let base = lipz_bank::Bank::open(&split.base)?.verify()?;
-    /// let texts = base.open_texts(german)?.verify(&base)?;
+    /// let base = base.with_texts(german)?;
     /// let segment = base.clip_by_key("mayor").and_then(|clip| clip.segment(1)).ok_or("no clip")?;
-    /// let text = texts.locale(tag).and_then(|locale| segment.text(locale));
+    /// let text = base.locale(tag).and_then(|locale| segment.text(locale));
     /// assert_eq!(text.map(|text| text.as_str()), Some("Mayor!"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -43,7 +43,7 @@ impl SplitBank {
     /// If `bytes` are not a bank.
     pub fn from_bytes(bytes: &[u8]) -> Result<SplitBank, Report> {
         let whole = WholeBank::open(bytes)?;
-        let texts = whole.locales().map(|locale| Ok((locale.tag().to_owned(), whole.text_bank(locale)?)));
+        let texts = whole.locales().map(|locale| Ok((whole.tag(locale).to_owned(), whole.text_bank(locale)?)));
         Ok(SplitBank { texts: texts.collect::<Result<_, Report>>()?, base: whole.base()? })
     }
 }
@@ -73,8 +73,13 @@ impl<'data> WholeBank<'data> {
     }
 
     /// The locales, each of which gets a text bank.
-    pub(crate) fn locales(&self) -> impl Iterator<Item = Locale<'data>> {
+    pub(crate) fn locales(&self) -> impl Iterator<Item = Locale> {
         self.bank.locales()
+    }
+
+    /// The tag of a locale.
+    pub(crate) fn tag(&self, locale: Locale) -> &'data str {
+        self.bank.locale_tag(locale)
     }
 
     /// The contents of a section; empty if the bank does not have it.
@@ -104,13 +109,13 @@ impl<'data> WholeBank<'data> {
     }
 
     /// The text bank of a locale.
-    pub(crate) fn text_bank(&self, locale: Locale<'data>) -> Result<Vec<u8>, Report> {
+    pub(crate) fn text_bank(&self, locale: Locale) -> Result<Vec<u8>, Report> {
         let (starts, pool) = self.pool(locale)?;
-        let tag = locale.tag();
+        let tag = self.tag(locale);
         let record = LocaleRecord {
             tag_offset_bytes: 0.into(),
             tag_length_bytes: (tag.len() as u16).into(),
-            flags: if locale.is_default() { LOCALE_DEFAULT } else { 0 }.into(),
+            flags: if self.bank.default_locale() == Some(locale) { LOCALE_DEFAULT } else { 0 }.into(),
         };
         let sections = [
             Section::table(Tag::NAMES, tag.as_bytes()),
@@ -122,7 +127,7 @@ impl<'data> WholeBank<'data> {
     }
 
     /// Text starts and texts of a locale.
-    fn pool(&self, locale: Locale<'data>) -> Result<(Vec<U32>, Vec<u8>), Report> {
+    fn pool(&self, locale: Locale) -> Result<(Vec<U32>, Vec<u8>), Report> {
         let numbering = Numbering::new(self.bank.clips().map(|clip| (clip.has_events(), clip.segment_count())));
         // The texts of all clips as if they were of one: all else of a clip is not asked for.
         let mut texts = ClipData::default();

@@ -1,14 +1,14 @@
-//! How much of what is in a bank.
+//! How much of what is in a dialogue.
 
-use crate::BankWithTexts;
-use lipz_bank::{Bank, Clip, Fps, Locale, TextBank, VisemeType, Voice};
+use crate::dialogue::{TaggedLocale, clips_by_key, length_bytes, locales_by_tag, sections, texts_bytes};
+use lipz_bank::{Clip, Dialogue, Fps, VisemeType, Voice};
 use lipz_layout::Tag;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Clips that are named as the longest and the shortest.
 const EXTREMES: usize = 3;
 
-/// Counts over a whole bank.
+/// Counts over a whole dialogue.
 #[derive(Clone, PartialEq, Debug, Default)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -45,13 +45,13 @@ pub struct Stats<'d> {
     pub recordings_us: u64,
     /// The voices, that of the originals first; none in a bank without dubs.
     pub voices: Vec<VoiceStats<'d>>,
-    /// Bytes of the whole bank.
+    /// Bytes of the whole bank, or of all banks.
     #[cfg_attr(feature = "json", serde(rename = "bytes"))]
     pub length_bytes: usize,
     /// Bytes of its text banks.
     pub texts_bytes: usize,
-    /// Bytes per section, in the order of the bank. The rest of the bank is header, directory and the
-    /// gaps between sections.
+    /// Bytes per section of all banks, in the order of the first one. The rest is header, directory and the gaps between
+    /// sections.
     #[cfg_attr(feature = "json", serde(serialize_with = "crate::json::sections"))]
     pub sections: Vec<(Tag, usize)>,
 }
@@ -127,26 +127,23 @@ pub struct ClipDuration<'d> {
 }
 
 impl<'d> Stats<'d> {
-    /// Counts what is in a verified bank.
-    pub fn from_bank<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> Stats<'d>
-    where
-        'd: 'b,
-    {
-        let whole: BankWithTexts<'d, 'b> = bank.into();
-        let bank = whole.bank();
+    /// Counts what is in a verified dialogue.
+    pub fn from_dialogue(dialogue: &'d Dialogue<'d>) -> Stats<'d> {
+        let clips = clips_by_key(dialogue);
+        let locales = locales_by_tag(dialogue);
         let mut stats = Stats {
-            clips: bank.clip_count(),
-            length_bytes: bank.length_bytes(),
-            sections: bank.sections().map(|(tag, bytes)| (Tag(tag), bytes.len())).collect(),
-            rates: rates(bank),
-            visemes: visemes(bank),
-            texts_bytes: whole.texts().iter().map(TextBank::length_bytes).sum(),
-            locales: whole.locales().into_iter().map(|locale| LocaleStats::new(bank, locale)).collect(),
-            voices: voices(bank),
+            clips: clips.len(),
+            length_bytes: length_bytes(dialogue),
+            sections: sections(dialogue),
+            rates: rates(&clips),
+            visemes: visemes(&clips),
+            texts_bytes: texts_bytes(dialogue),
+            locales: locales.into_iter().map(|locale| LocaleStats::new(&clips, locale)).collect(),
+            voices: voices(dialogue, &clips),
             ..Stats::default()
         };
         let mut events = BTreeSet::new();
-        for clip in bank.clips() {
+        for clip in &clips {
             stats.frames += u64::from(clip.frame_count());
             stats.segments += u64::from(clip.segment_count());
             stats.duration_us += clip.duration_us().unwrap_or(0);
@@ -164,7 +161,7 @@ impl<'d> Stats<'d> {
             }
         }
         stats.distinct_events = events.len();
-        (stats.longest, stats.shortest) = extremes(bank);
+        (stats.longest, stats.shortest) = extremes(&clips);
         stats
     }
 }
@@ -175,18 +172,19 @@ fn by_code<S: serde::Serializer>(frames: &[(char, u64)], serializer: S) -> Resul
     serializer.collect_map(frames.iter().copied().collect::<BTreeMap<_, _>>())
 }
 
-fn voices<'d>(bank: &Bank<'d>) -> Vec<VoiceStats<'d>> {
-    let of_voice = |voice: Voice<'d>| {
-        let clips = || bank.clips().filter(|clip| clip.frame_count() > 0 && clip.voice() == Some(voice));
-        let duration_us = clips().filter_map(|clip| clip.duration_us()).fold(0, u64::saturating_add);
-        VoiceStats { tag: voice.tag(), is_original: voice.is_original(), clips: clips().count(), duration_us }
+fn voices<'d>(dialogue: &Dialogue<'d>, all: &[Clip<'_>]) -> Vec<VoiceStats<'d>> {
+    let of_voice = |voice: Voice| {
+        let clips = || all.iter().filter(|clip| clip.frame_count() > 0 && clip.voice() == Some(voice));
+        let duration_us = clips().filter_map(Clip::duration_us).fold(0, u64::saturating_add);
+        let tag = dialogue.voice_tag(voice);
+        VoiceStats { tag, is_original: voice.is_original(), clips: clips().count(), duration_us }
     };
-    bank.voices().map(of_voice).collect()
+    dialogue.voices().map(of_voice).collect()
 }
 
-fn rates(bank: &Bank<'_>) -> Vec<RateCount> {
+fn rates(clips: &[Clip<'_>]) -> Vec<RateCount> {
     let mut clips_of: HashMap<Option<Fps>, usize> = HashMap::new();
-    for clip in bank.clips() {
+    for clip in clips {
         *clips_of.entry(clip.fps()).or_default() += 1;
     }
     let mut rates: Vec<RateCount> = clips_of.into_iter().map(|(fps, clips)| RateCount { fps, clips }).collect();
@@ -195,9 +193,9 @@ fn rates(bank: &Bank<'_>) -> Vec<RateCount> {
     rates
 }
 
-fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
+fn visemes(all: &[Clip<'_>]) -> Vec<VisemeCounts> {
     let mut count_of: BTreeMap<Option<VisemeType>, (usize, [u64; 256])> = BTreeMap::new();
-    for clip in bank.clips().filter(Clip::has_visemes) {
+    for clip in all.iter().filter(|clip| clip.has_visemes()) {
         let (clips, frames) = count_of.entry(clip.viseme_type()).or_insert((0, [0; 256]));
         *clips += 1;
         for &code in clip.frames() {
@@ -215,17 +213,9 @@ fn visemes(bank: &Bank<'_>) -> Vec<VisemeCounts> {
 }
 
 impl<'d> LocaleStats<'d> {
-    fn new(bank: &Bank<'d>, locale: Locale<'d>) -> LocaleStats<'d> {
-        let mut stats = LocaleStats {
-            tag: locale.tag(),
-            is_default: locale.is_default(),
-            texts: 0,
-            fallbacks: 0,
-            missing: 0,
-            characters: 0,
-            words: 0,
-        };
-        for clip in bank.clips() {
+    fn new(clips: &[Clip<'_>], TaggedLocale { tag, locale, is_default }: TaggedLocale<'d>) -> LocaleStats<'d> {
+        let mut stats = LocaleStats { tag, is_default, texts: 0, fallbacks: 0, missing: 0, characters: 0, words: 0 };
+        for clip in clips {
             match clip.segment(0).and_then(|segment| segment.text(locale)) {
                 None => stats.missing += 1,
                 Some(text) if text.is_fallback() => stats.fallbacks += 1,
@@ -243,12 +233,12 @@ impl<'d> LocaleStats<'d> {
 }
 
 /// The longest and the shortest clips.
-fn extremes<'d>(bank: &Bank<'d>) -> (Vec<ClipDuration<'d>>, Vec<ClipDuration<'d>>) {
-    let timed = |clip: Clip<'d, '_>| {
+fn extremes<'d>(clips: &[Clip<'d>]) -> (Vec<ClipDuration<'d>>, Vec<ClipDuration<'d>>) {
+    let timed = |clip: &Clip<'d>| {
         let duration_us = clip.duration_us().filter(|us| *us > 0)?;
         Some(ClipDuration { key: clip.key(), duration_us })
     };
-    let mut all: Vec<ClipDuration<'d>> = bank.clips().filter_map(timed).collect();
+    let mut all: Vec<ClipDuration<'d>> = clips.iter().filter_map(timed).collect();
     all.sort_by(|a, b| b.duration_us.cmp(&a.duration_us).then(a.key.cmp(b.key)));
     let longest: Vec<_> = all.iter().take(EXTREMES).copied().collect();
     let shortest = all.iter().skip(longest.len()).rev().take(EXTREMES).copied().collect();
@@ -259,6 +249,7 @@ fn extremes<'d>(bank: &Bank<'d>) -> (Vec<ClipDuration<'d>>, Vec<ClipDuration<'d>
 mod tests {
     use super::*;
     use crate::{Compiler, Input, Options, SplitBank};
+    use lipz_testkit::dialogues::places;
 
     #[test]
     fn everything_is_counted() {
@@ -271,10 +262,11 @@ mod tests {
             Input::from_bytes("b", r#"{ "fps": 10, "viseme_type": "rms", "visemes": "09", "text_de-de": "Nö" }"#),
             Input::from_bytes("d", r#"{ "text_en-us": "" }"#),
         ];
-        let options = Options::new().default_locale("en-us");
+        let options = Options::new().default_locale("en-us").unwrap();
         let bytes = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
-        let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-        let stats = Stats::from_bank(&bank);
+        let mut files = places(1);
+        let dialogue = Dialogue::open(&mut files, [bytes.as_slice()]).unwrap();
+        let stats = Stats::from_dialogue(&dialogue);
         assert_eq!((stats.clips, stats.frames, stats.segments, stats.duration_us), (3, 7, 4, 700_000));
         let rates: Vec<_> = stats.rates.iter().map(|rate| (rate.fps.map(Fps::numerator), rate.clips)).collect();
         assert_eq!(rates, [(None, 1), (Some(10), 2)]);
@@ -309,9 +301,10 @@ mod tests {
             [ClipDuration { key: "a", duration_us: 500_000 }, ClipDuration { key: "b", duration_us: 200_000 }];
         assert_eq!((&stats.longest[..], &stats.shortest[..]), (&durations[..], &[][..]));
         let split = SplitBank::from_bytes(&bytes).unwrap();
-        let base = Bank::open(&split.base).unwrap();
-        let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-        let of_split = Stats::from_bank(BankWithTexts::new(&base, &texts));
+        let texts = split.texts.iter().map(|(_, texts)| texts.as_slice());
+        let mut files = places(1 + texts.len());
+        let dialogue = Dialogue::open(&mut files, std::iter::once(split.base.as_slice()).chain(texts)).unwrap();
+        let of_split = Stats::from_dialogue(&dialogue);
         assert_eq!((of_split.texts_bytes > 0, stats.texts_bytes, &of_split.locales), (true, 0, &stats.locales));
         assert!(stats.sections.iter().map(|(_, bytes)| bytes).sum::<usize>() < stats.length_bytes);
     }

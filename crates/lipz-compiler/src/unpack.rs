@@ -1,13 +1,13 @@
-//! Unpacking a bank into a folder of Lipz files.
+//! Unpacking a dialogue into a folder of Lipz files.
 
 use crate::decompile::Documents;
 use crate::key::{EXTENSION, clash, folded, refusal};
 use crate::output::{failed as not_written, file_in_the_way};
 use crate::temporary::OpenFolder;
-use crate::{BankWithTexts, Replacements, discover};
+use crate::{Replacements, discover};
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
-use lipz_bank::Bank;
+use lipz_bank::{Clip, Dialogue};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::Document;
 use std::collections::HashMap;
@@ -27,7 +27,7 @@ pub struct Unpacked {
     pub lost: Vec<Report>,
 }
 
-/// Writes every clip of a verified bank as a Lipz file into `folder`, which is made if it does
+/// Writes every clip of a verified dialogue as a Lipz file into `folder`, which is made if it does
 /// not exist. `progress` is called with 1 for every file that is handed to `files`, which bring them to disk in groups;
 /// all of them, when this returns.
 ///
@@ -38,20 +38,15 @@ pub struct Unpacked {
 /// Keys that cannot be file names everywhere, or that would be one file, source records that cannot be
 /// decoded, files that would be far longer than the bank, and files that exist: found before the first file is written. Then whatever the file system
 /// refuses.
-pub fn unpack<'data, 'bank>(
-    bank: impl Into<BankWithTexts<'data, 'bank>>,
+pub fn unpack(
+    dialogue: &Dialogue<'_>,
     folder: &Path,
     overwrite: bool,
     files: &Replacements,
     progress: &dyn Fn(u64),
-) -> Result<Unpacked, Vec<Report>>
-where
-    'data: 'bank,
-{
-    let whole: BankWithTexts<'data, 'bank> = bank.into();
-    let bank = whole.bank();
-    let documents = Documents::from_bank(whole).map_err(|report| vec![report])?;
-    let mut refused = refused_keys(bank);
+) -> Result<Unpacked, Vec<Report>> {
+    let documents = Documents::from_dialogue(dialogue).map_err(|report| vec![report])?;
+    let mut refused = refused_keys(documents.clips());
     // Decoded twice rather than kept: a bank can hold more than fits the memory.
     refused.extend(documents.iter().filter_map(Result::err));
     if !refused.is_empty() {
@@ -73,7 +68,7 @@ where
             failed(shown.clone(), why)
         })?;
     if !overwrite {
-        let existing = existing_files(bank, &output, &shown);
+        let existing = existing_files(documents.clips(), &output, &shown);
         if !existing.is_empty() {
             return Err(existing);
         }
@@ -153,10 +148,10 @@ fn loss(output: &Dir, name: &str, shown: &str, document: &Document<'_>) -> Optio
 }
 
 /// Keys that would leave the folder, cannot be file names, or would be one file.
-fn refused_keys(bank: &Bank<'_>) -> Vec<Report> {
+fn refused_keys(clips: &[Clip<'_>]) -> Vec<Report> {
     let mut reports = Vec::new();
-    let mut seen: HashMap<String, &str> = HashMap::with_capacity(bank.clip_count());
-    for clip in bank.clips() {
+    let mut seen: HashMap<String, &str> = HashMap::with_capacity(clips.len());
+    for clip in clips {
         let key = clip.key();
         let diagnostic = if let Some(why) = refusal(key) {
             let message = format!("the key `{}` cannot be unpacked: {why}", escape::text(key));
@@ -171,8 +166,8 @@ fn refused_keys(bank: &Bank<'_>) -> Vec<Report> {
     reports
 }
 
-fn existing_files(bank: &Bank<'_>, output: &Dir, shown: &str) -> Vec<Report> {
-    let names = bank.clips().map(|clip| format!("{}.{EXTENSION}", clip.key()));
+fn existing_files(clips: &[Clip<'_>], output: &Dir, shown: &str) -> Vec<Report> {
+    let names = clips.iter().map(|clip| format!("{}.{EXTENSION}", clip.key()));
     names
         .filter(|name| output.symlink_metadata(name).is_ok())
         .map(|name| {

@@ -1,7 +1,10 @@
 //! The voices of a project: which clip is a dub of which other.
 
-use crate::settings::{KEY, without_extension};
+use crate::LocaleError;
+use crate::settings::{KEY, refused_pattern, without_extension};
+use lipz_diagnostics::escape;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// The languages in which the lines of a project are recorded, and how the keys of their clips look.
 ///
@@ -11,10 +14,13 @@ use std::collections::BTreeMap;
 ///
 /// ```
 /// use lipz_compiler::Voices;
-/// let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+/// let voices = Voices::new("en-us")?.dub("de-de", "de/{key}")?;
 /// assert_eq!(voices.of_key("de/act1/mayor"), Some(("de-de", "act1/mayor")));
 /// assert_eq!(voices.original_of("de/act1/mayor", |key| key == "act1/mayor").as_deref(), Some("act1/mayor"));
 /// assert_eq!(voices.dub_of("act1/mayor", "de-de").as_deref(), Some("de/act1/mayor"));
+///
+/// assert!(voices.dub("fr-fr", "fr/").is_err(), "nothing stands for the key");
+/// # Ok::<(), lipz_compiler::VoiceError>(())
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
@@ -27,17 +33,26 @@ pub struct Voices {
 
 impl Voices {
     /// The voices of a project whose original recordings are in this locale.
-    #[must_use]
-    pub fn new(original: impl Into<String>) -> Voices {
-        Voices { original: Some(original.into()), patterns: BTreeMap::new() }
+    ///
+    /// # Errors
+    /// If the tag is not a BCP 47 language tag. Whether the project accepts it is checked when a run starts.
+    pub fn new(original: impl AsRef<str>) -> Result<Voices, VoiceError> {
+        let original = LocaleError::check(original.as_ref(), true)?;
+        Ok(Voices { original: Some(original), patterns: BTreeMap::new() })
     }
 
     /// Adds a voice: its locale, and the pattern of the keys of its clips, with `{key}` for the line. An extension of a
     /// sound is no part of a key. The pattern of the original is added in the same way.
-    #[must_use]
-    pub fn dub(mut self, locale: impl Into<String>, pattern: impl Into<String>) -> Voices {
-        self.patterns.insert(locale.into(), pattern.into());
-        self
+    ///
+    /// # Errors
+    /// If the tag is not a BCP 47 language tag, or the pattern does not name `{key}` once or leads out of its folder.
+    pub fn dub(mut self, locale: impl AsRef<str>, pattern: impl Into<String>) -> Result<Voices, VoiceError> {
+        let (locale, pattern) = (LocaleError::check(locale.as_ref(), true)?, pattern.into());
+        if let Some((why, help)) = refused_pattern(&pattern) {
+            return Err(VoiceError::Pattern { pattern, why, help });
+        }
+        self.patterns.insert(locale, pattern);
+        Ok(self)
     }
 
     /// The voice whose pattern this key fits, and the line, which is the rest of the key: `de-de/act1/mayor` is
@@ -109,14 +124,79 @@ impl Voices {
     }
 }
 
+/// Why a voice is not one of a project.
+#[derive(Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum VoiceError {
+    /// Its tag is not a locale.
+    Locale(LocaleError),
+    /// Its pattern cannot be that of keys.
+    Pattern {
+        /// The pattern.
+        pattern: String,
+        /// What is wrong with it: `does not name {key} once`.
+        why: &'static str,
+        /// What to do about it.
+        help: &'static str,
+    },
+}
+
+impl From<LocaleError> for VoiceError {
+    fn from(error: LocaleError) -> VoiceError {
+        VoiceError::Locale(error)
+    }
+}
+
+impl fmt::Display for VoiceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            VoiceError::Locale(error) => write!(f, "{error}"),
+            VoiceError::Pattern { pattern, why, help } => {
+                write!(f, "the pattern {} {why}: {help}", escape::quoted(pattern))
+            }
+        }
+    }
+}
+
+/// The same text, because a `main` that returns the error prints it this way.
+impl fmt::Debug for VoiceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for VoiceError {}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
+    fn voices_are_checked_where_they_are_set() {
+        assert_eq!(
+            Voices::new("english").unwrap_err().to_string(),
+            "`english` is not a locale of the form ll-cc: name a language and a country: en-us"
+        );
+        let voices = Voices::new("en_US").unwrap();
+        assert_eq!(voices.original.as_deref(), Some("en-us"));
+        assert_eq!(
+            voices.clone().dub("de-de", "de/").unwrap_err().to_string(),
+            "the pattern `de/` does not name {key} once: write {key} where the key of the clip stands: en-us/{key}"
+        );
+        assert!(voices.clone().dub("deutsch!", "de/{key}").is_err());
+        assert!(voices.dub("de-de", "../{key}").unwrap_err().to_string().contains("leads out of the folder"));
+    }
+
+    #[test]
     fn originals_have_the_pattern_of_their_voice_or_are_lines() {
-        let voices =
-            Voices::new("en-us").dub("en-us", "en/{key}").dub("de-de", "de/{key}.ogg").dub("fr-fr", "{key}_fr");
+        let voices = Voices::new("en-us")
+            .unwrap()
+            .dub("en-us", "en/{key}")
+            .unwrap()
+            .dub("de-de", "de/{key}.ogg")
+            .unwrap()
+            .dub("fr-fr", "{key}_fr")
+            .unwrap();
         let all = |_: &str| true;
         assert_eq!(voices.original_of("de/a", all).as_deref(), Some("en/a"));
         assert_eq!(voices.original_of("de/a", |key| key == "a").as_deref(), Some("a"));
@@ -132,9 +212,13 @@ mod tests {
 
     #[test]
     fn without_an_original_nothing_is_a_dub() {
-        let voices = Voices { original: None, ..Voices::new("en-us").dub("de-de", "de/{key}") };
+        let voices = Voices { original: None, ..Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap() };
         assert_eq!((voices.of_key("de/a"), voices.original_of("de/a", |_| true)), (Some(("de-de", "a")), None));
         assert_eq!(voices.locales().count(), 0);
-        assert_eq!(Voices::new("en-us").dub("de-de", "{key}").dub_of("a", "de-de"), None, "it would be the original");
+        assert_eq!(
+            Voices::new("en-us").unwrap().dub("de-de", "{key}").unwrap().dub_of("a", "de-de"),
+            None,
+            "it would be the original"
+        );
     }
 }

@@ -1,7 +1,9 @@
 //! The babble section: what settings make of it, and that damage in it is found.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Babble, Bank, ErrorKind, Fps, Lead, Micros, VoiceLevel};
+use lipz_bank::babble::{Babble, VoiceLevel};
+use lipz_bank::playback::Lead;
+use lipz_bank::{Bank, ErrorKind, Fps, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input};
 use lipz_layout::{CHECKED_FROM, Tag, checksum};
@@ -10,8 +12,7 @@ const FILE: &str = r#"{ "text_en-us": "Hello." }"#;
 
 /// A bank of one clip with the profiles of these settings.
 fn bank(settings: &str) -> Vec<u8> {
-    let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
-    assert_eq!(report.diagnostics, [], "{settings:?}");
+    let settings = Settings::parse(settings, "lipz.toml", "").unwrap();
     Compiler::new(settings.options.clone()).compile(&[Input::from_bytes("hello", FILE)]).bank.unwrap()
 }
 

@@ -1,11 +1,12 @@
 //! Verified banks that ask for far more than they are: nothing is made of them, in little time.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Locale};
+use lipz_bank::{Dialogue, Locale};
 use lipz_compiler::inspect::ClipDetails;
 use lipz_compiler::{Documents, Replacements, unpack};
 use lipz_diagnostics::Code;
 use lipz_layout::{TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
+use lipz_testkit::dialogues::places;
 use lipz_testkit::forge::{ForgedClip, bank};
 
 /// A clip of so many segments, each with the same text of the greatest length.
@@ -19,26 +20,28 @@ fn bomb(segment_count: usize) -> Vec<u8> {
 fn texts_that_would_fill_gigabytes_are_refused() {
     let bytes = bomb(60_000);
     assert!(bytes.len() < 1 << 20);
-    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-    let documents = Documents::from_bank(&bank).unwrap();
+    let mut files = places(1);
+    let dialogue = Dialogue::open(&mut files, [bytes.as_slice()]).unwrap();
+    let documents = Documents::from_dialogue(&dialogue).unwrap();
     let report = documents.iter().next().unwrap().unwrap_err();
     assert_eq!(report.diagnostics[0].code, Code::SourceDamaged);
     assert!(report.diagnostics[0].message.contains("more bytes than its files may have"));
 
     let folder = tempfile::tempdir().unwrap();
-    assert!(unpack(&bank, folder.path(), false, &Replacements::default(), &|_| ()).is_err());
+    assert!(unpack(&dialogue, folder.path(), false, &Replacements::default(), &|_| ()).is_err());
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "nothing was written");
 
-    let locales: Vec<Locale<'_>> = bank.locales().collect();
-    assert!(!ClipDetails::is_bounded(&bank, &bank.clip_by_key("k").unwrap(), &locales));
+    let locales: Vec<Locale> = dialogue.locales().collect();
+    assert!(!ClipDetails::is_bounded(&dialogue, &dialogue.clip_by_key("k").unwrap(), &locales));
 }
 
 #[test]
 fn texts_that_fit_are_not() {
     let bytes = bomb(100);
-    let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-    let documents = Documents::from_bank(&bank).unwrap();
+    let mut files = places(1);
+    let dialogue = Dialogue::open(&mut files, [bytes.as_slice()]).unwrap();
+    let documents = Documents::from_dialogue(&dialogue).unwrap();
     assert!(documents.iter().all(|document| document.is_ok()));
-    let locales: Vec<Locale<'_>> = bank.locales().collect();
-    assert!(ClipDetails::is_bounded(&bank, &bank.clip_by_key("k").unwrap(), &locales));
+    let locales: Vec<Locale> = dialogue.locales().collect();
+    assert!(ClipDetails::is_bounded(&dialogue, &dialogue.clip_by_key("k").unwrap(), &locales));
 }

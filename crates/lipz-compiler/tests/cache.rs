@@ -4,7 +4,9 @@
 
 mod support;
 
-use lipz_compiler::{Compiled, Compiler, Input, Linted, Memory, Options, OutputFile, Outputs, discover};
+use lipz_compiler::{
+    Compiled, Compiler, Input, Linted, Memory, MinCoverage, Options, OutputFile, Outputs, discover_with_reports,
+};
 use lipz_diagnostics::{Code, Levels, Report};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -73,7 +75,7 @@ impl Scene {
 
     fn inputs(&self) -> Vec<Input> {
         let root = self.has_other_root.then(|| self.folder.path());
-        discover(&[self.path("voices")], root).0
+        discover_with_reports(&[self.path("voices")], root).0
     }
 
     fn pack_unchecked(&self) -> Compiled {
@@ -181,12 +183,12 @@ fn only_what_changed_is_made_anew() {
     set_modified(&scene.path("voices/new.lipz"), old);
     assert!(scene.pack().is_unchanged, "only the time changed");
 
-    scene.options.strip = true;
+    scene.options = scene.options.strip(true);
     assert_eq!(scene.pack().recalled, 0, "a bank without sources is another bank");
     assert_eq!(scene.pack().recalled, count);
     scene.has_other_root = true;
     assert_eq!(scene.pack().recalled, 0, "the keys are others");
-    scene.options.threads = Some(1);
+    scene.options = scene.options.threads(1);
     assert!(scene.pack().is_unchanged);
 }
 
@@ -194,8 +196,8 @@ fn only_what_changed_is_made_anew() {
 #[test]
 fn curves_are_recalled_as_they_were() {
     let mut scene = Scene::new();
-    let options = Options::new().default_locale("en-us");
-    let mut faces = lipz_compiler::face::FaceProfiles::default();
+    let options = Options::new().default_locale("en-us").unwrap();
+    let mut faces = lipz_compiler::face::FaceProfileSettings::default();
     faces.base[0] = Some(5000);
     scene.options = options.clone().faces(faces);
     let files = [
@@ -439,17 +441,15 @@ fn a_bank_that_is_made_anew_and_is_there_already_is_judged() {
         let packed = outputs.pack_again(&Compiler::new(options), &scene.inputs(), None, &mut Memory::default());
         (packed.bank.is_some(), packed.is_unchanged, packed.reports.len())
     };
-    let options = Options::new().default_locale("en-us");
+    let options = Options::new().default_locale("en-us").unwrap();
     assert_eq!(pack(options.clone()), (true, false, 0));
     assert_eq!(pack(options.clone()), (true, true, 0));
-    let mut demanding = options;
-    demanding.min_coverage.all = Some(100.0);
-    assert_eq!(pack(demanding), (false, false, 1));
+    assert_eq!(pack(options.min_coverage(MinCoverage::new().all(100.0))), (false, false, 1));
 }
 
 #[test]
 fn what_is_said_of_scripts_is_the_same_of_a_bank_that_stays() {
-    let scene = Scene { options: Options::new().default_locale("en-us"), ..Scene::new() };
+    let scene = Scene { options: Options::new().default_locale("en-us").unwrap(), ..Scene::new() };
     // Of such a bank, only the ends of the texts are in memory: wherever these begin, no text is missing.
     for padding in 0..4 {
         for number in 0..200 {
@@ -513,13 +513,15 @@ fn edit() -> impl Strategy<Value = Edit> {
 
 /// Options under which the diagnostics of the generated documents are allowed, so that they are stamped.
 fn options(number: usize) -> Options {
-    let plain =
-        Options::new().default_locale("en-us").levels(Code::ALL.iter().map(|code| (*code, None)).collect::<Levels>());
+    let plain = Options::new()
+        .default_locale("en-us")
+        .unwrap()
+        .levels(Code::ALL.iter().map(|code| (*code, None)).collect::<Levels>());
     match number % 5 {
         0 => plain.strip(true),
         1 => plain.pseudo(true),
-        2 => plain.locales(["de-at", "en-us", "fr-ca"]),
-        3 => plain.default_locale("de-de").literal_braces(true),
+        2 => plain.locales(["de-at", "en-us", "fr-ca"]).unwrap(),
+        3 => plain.default_locale("de-de").unwrap().literal_braces(true),
         _ => plain,
     }
 }

@@ -1,9 +1,11 @@
 //! Curves: what a file says is what a program reads, at each frame and time, and what unpacking gives back.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Curve, CurveCursor, Error, ErrorKind, Fps, Micros};
+use lipz_bank::curve::{Curve, CurveCursor};
+use lipz_bank::{Bank, Error, ErrorKind, Fps, Micros};
 use lipz_compiler::{Compiler, Documents, Input, Options, SplitBank};
 use lipz_layout::Tag;
+use lipz_testkit::dialogue;
 use lipz_testkit::golden::{CURVES, changed, entry_of, put, refusal, section};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -117,14 +119,14 @@ fn unpacking_gives_the_element_back() {
     for value in [canonical].into_iter().chain(others) {
         let file = format!(r#"{{"visemes":"MA","curves":{value}}}"#);
         let bytes = pack(&file, Options::new());
-        let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-        let documents = Documents::from_bank(&bank).unwrap();
+        dialogue!(bank = &bytes);
+        let documents = Documents::from_dialogue(&bank).unwrap();
         let (_, document) = documents.iter().next().unwrap().unwrap();
         assert_eq!(document, lipz_file::parse(file.as_bytes()).document.unwrap());
         sizes.push(section(&bytes, Tag::SOURCES).len());
         let stripped = pack(&file, Options::new().strip(true));
-        let stripped_bank = Bank::open(&stripped).unwrap().verify().unwrap();
-        let documents = Documents::from_bank(&stripped_bank).unwrap();
+        dialogue!(stripped_bank = &stripped);
+        let documents = Documents::from_dialogue(&stripped_bank).unwrap();
         let (_, displayed) = documents.iter().next().unwrap().unwrap();
         let again = pack(&lipz_file::write(&displayed), Options::new().strip(true));
         assert_eq!(again, stripped, "{value}");

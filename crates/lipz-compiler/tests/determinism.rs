@@ -7,13 +7,13 @@ use lipz_compiler::{Compiler, Input, Options, Voices, discover};
 use std::path::Path;
 
 fn bank(inputs: &[Input], threads: usize) -> Vec<u8> {
-    let options = Options::new().threads(threads).default_locale("en-us");
+    let options = Options::new().threads(threads).default_locale("en-us").unwrap();
     Compiler::new(options.clone()).compile(inputs).bank.unwrap()
 }
 
 #[test]
 fn shuffled_inputs_and_any_number_of_threads() {
-    let (mut inputs, _) = discover(&[support::folder("drama")], None);
+    let mut inputs = discover(&[support::folder("drama")], None).unwrap();
     let expected = bank(&inputs, 1);
     for threads in 1..=8 {
         // Deal the files like cards: another order each time.
@@ -28,7 +28,7 @@ fn shuffled_inputs_and_any_number_of_threads() {
 
 #[test]
 fn another_folder() {
-    let expected = bank(&discover(&[support::folder("drama")], None).0, 2);
+    let expected = bank(&discover(&[support::folder("drama")], None).unwrap(), 2);
     let elsewhere = tempfile::tempdir().unwrap();
     let copy = elsewhere.path().join("a folder with blanks, ü and 日本");
     for (key, bytes) in support::files("drama") {
@@ -36,12 +36,12 @@ fn another_folder() {
         std::fs::create_dir_all(path.parent().unwrap_or(Path::new(""))).unwrap();
         std::fs::write(path, bytes).unwrap();
     }
-    assert!(bank(&discover(std::slice::from_ref(&copy), None).0, 2) == expected);
+    assert!(bank(&discover(std::slice::from_ref(&copy), None).unwrap(), 2) == expected);
     // Through a pattern, and through files of two folders with a common root.
     let pattern = copy.join("**/*.lipz");
-    assert!(bank(&discover(&[pattern], None).0, 2) == expected);
+    assert!(bank(&discover(&[pattern], None).unwrap(), 2) == expected);
     let acts = ["act3", "act1", "act2"].map(|act| copy.join(act));
-    assert!(bank(&discover(&acts, Some(&copy)).0, 2) == expected);
+    assert!(bank(&discover(&acts, Some(&copy)).unwrap(), 2) == expected);
 }
 
 #[test]
@@ -89,10 +89,11 @@ fn all_kinds() -> Vec<Input> {
 fn a_bank_is_the_same_in_memory_and_in_a_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("b.lipzbank");
-    let voices = Voices::new("en-us").dub("en-us", "{key}").dub("de-de", "{key}.de");
+    let voices = Voices::new("en-us").unwrap().dub("en-us", "{key}").unwrap().dub("de-de", "{key}.de").unwrap();
     for inputs in [all_kinds(), Vec::new()] {
         for (threads, strip) in [1, 2, 8].into_iter().flat_map(|threads| [(threads, false), (threads, true)]) {
-            let options = Options::new().threads(threads).strip(strip).default_locale("en-us").voices(voices.clone());
+            let options =
+                Options::new().threads(threads).strip(strip).default_locale("en-us").unwrap().voices(voices.clone());
             let compiler = Compiler::new(options);
             let compiled = compiler.compile(&inputs);
             let packed = compiler.pack(&inputs, &path);

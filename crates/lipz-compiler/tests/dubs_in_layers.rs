@@ -1,10 +1,10 @@
 //! Dubs in layers: a stack answers in each voice as the bank of all sources, and becomes just that bank when it is merged.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use lipz_bank::{Bank, Layers, Spoken};
+use lipz_bank::{Bank, Spoken};
 use lipz_compiler::diagnostics::Code;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack, VoiceBanks, Voices};
-use lipz_testkit::layered::assert_same;
+use lipz_testkit::dialogues::{assert_same, with};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -21,9 +21,11 @@ const VOICES: [&[(&str, &str)]; 5] = [
 ];
 
 fn compiler(voices: usize, strip: bool) -> Compiler<'static> {
-    let options = Options::new().strip(strip).threads(1).default_locale("en-us");
+    let options = Options::new().strip(strip).threads(1).default_locale("en-us").unwrap();
     let Some((original, _)) = VOICES[voices].first() else { return Compiler::new(options) };
-    let all = VOICES[voices].iter().fold(Voices::new(*original), |all, (tag, pattern)| all.dub(*tag, *pattern));
+    let all = VOICES[voices]
+        .iter()
+        .fold(Voices::new(original).unwrap(), |all, (tag, pattern)| all.dub(tag, *pattern).unwrap());
     Compiler::new(options.voices(all))
 }
 
@@ -41,9 +43,8 @@ fn stack_of(files: &[Vec<u8>]) -> Stack {
 
 /// The stack of these files says what the whole bank says, and becomes it.
 fn check(files: &[Vec<u8>], whole: &[u8]) {
-    let banks: Vec<Bank<'_>> = files.iter().map(|file| open(file)).collect();
-    let layers = Layers::<8>::from_slice(&banks).unwrap();
-    assert_same(&layers, &open(whole));
+    let named: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
+    with(&named, |dialogue| assert_same(dialogue, &open(whole)));
     assert!(stack_of(files).into_bank() == whole, "the merged bank is another one");
 }
 
@@ -108,14 +109,15 @@ proptest! {
         check(&reversed, &bank);
         // Each by itself has its own dubs.
         for (tag, voice) in &split.voices {
-            let banks = [open(&split.base), open(voice)];
-            let layers = Layers::new(banks).unwrap();
-            for clip in open(&bank).clips().filter(|clip| clip.original().is_none()) {
-                let expected = clip.in_voice(open(&bank).voice(tag).unwrap());
-                let expected = if expected.spoken == Spoken::Dub { expected.clip.key() } else { clip.key() };
-                let voiced = layers.clip(clip.id()).unwrap().in_voice(&layers.voice(tag).unwrap());
-                prop_assert_eq!(voiced.clip.key(), expected);
-            }
+            with(&[&split.base, voice], |dialogue| {
+                let whole = open(&bank);
+                for clip in whole.clips().filter(|clip| clip.original().is_none()) {
+                    let expected = clip.in_voice(whole.voice(tag).unwrap());
+                    let expected = if expected.spoken == Spoken::Dub { expected.clip.key() } else { clip.key() };
+                    let voiced = dialogue.clip(clip.id()).unwrap().in_voice(dialogue.voice(tag).unwrap());
+                    assert_eq!(voiced.clip.key(), expected);
+                }
+            });
         }
     }
 

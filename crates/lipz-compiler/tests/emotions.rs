@@ -1,7 +1,8 @@
 //! Emotions in texts and events become curves, which programs read as emotions.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Emotion, Emotions, FaceProfile, Fps, LookAt, Micros};
+use lipz_bank::face::{Emotion, Emotions, FaceProfile, LookAt, Who};
+use lipz_bank::{Bank, Fps, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, Options, WordTime, WordTimes};
 
@@ -9,8 +10,7 @@ use lipz_compiler::{Compiler, Input, Options, WordTime, WordTimes};
 const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEO";
 
 fn options(settings: &str) -> Options {
-    let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
-    assert_eq!(report.diagnostics, []);
+    let settings = Settings::parse(settings, "lipz.toml", "").unwrap();
     let voices = settings.voices();
     settings.options.voices(voices)
 }
@@ -139,7 +139,7 @@ fn programs_read_emotions_at_a_time() {
     let bytes = Compiler::default().compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
     let clip = bank.clip_by_key("a").unwrap();
-    let at = |us| clip.emotions_at(Micros(us));
+    let at = |us| clip.emotions_at(Micros(us), Who::Speaker);
     let half = at(200_000);
     assert_eq!((half.get(Emotion::Anger).thousandths(), half.get(Emotion::Fear).thousandths()), (3000, 0));
     assert_eq!((half.strongest().map(|(emotion, _)| emotion), half.sum().thousandths()), (Some(Emotion::Anger), 4000));
@@ -211,10 +211,13 @@ fn without_a_frame_rate_a_face_changes_within_one_frame() {
     let curves: Vec<String> = clip.curves().map(|curve| format!("{} {curve}", curve.name())).collect();
     assert_eq!(curves, ["anger 10:0 11:6", "joy 0:0 1:4 10:4 11:0"]);
     let (time, usual) = (Micros(1_050_000), FaceProfile::DEFAULT);
-    assert_eq!(clip.emotions_at(time), Emotions::default());
-    assert_eq!(clip.face_at(time, &usual, LookAt::AHEAD), usual.idle_at(time, clip.id().get(), LookAt::AHEAD));
+    assert_eq!(clip.emotions_at(time, Who::Speaker), Emotions::default());
+    assert_eq!(
+        clip.face_at(time, Who::Speaker, &usual, LookAt::AHEAD),
+        usual.idle_at(time, clip.id().get(), LookAt::AHEAD)
+    );
     let given = clip.or_fps(Fps::whole(10));
-    let of = |emotion| given.emotions_at(time).get(emotion).thousandths();
+    let of = |emotion| given.emotions_at(time, Who::Speaker).get(emotion).thousandths();
     assert_eq!((of(Emotion::Anger), of(Emotion::Joy)), (3000, 2000));
-    assert_ne!(given.face_at(time, &usual, LookAt::AHEAD).head_yaw.thousandths(), 0);
+    assert_ne!(given.face_at(time, Who::Speaker, &usual, LookAt::AHEAD).head_yaw.thousandths(), 0);
 }

@@ -1,7 +1,9 @@
 //! Faces that move by themselves: how often they blink and where they look, in a thousand clips; profiles of a project.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Clip, CurveValue, Emotion, ErrorKind, Face, FaceProfile, LookAt, Micros, Seconds, Time};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::{Emotion, Face, FaceProfile, LookAt, Who};
+use lipz_bank::{Bank, Clip, ErrorKind, Micros, Seconds, Time};
 use lipz_compiler::face::{SETTINGS, numbers};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input};
@@ -14,8 +16,7 @@ const SECONDS: u32 = 12;
 const COUNT: u32 = 1000;
 
 fn compile(settings: &str, inputs: &[Input]) -> Vec<u8> {
-    let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
-    assert_eq!(report.diagnostics, [], "{settings:?}");
+    let settings = Settings::parse(settings, "lipz.toml", "").unwrap();
     Compiler::new(settings.options).compile(inputs).into_bank().unwrap()
 }
 
@@ -28,8 +29,8 @@ fn clips(emotions: &str) -> Vec<u8> {
     compile("default-locale = \"en-us\"\nemotions.over = 0\n", &inputs)
 }
 
-fn face(clip: &Clip<'_, '_>, time: impl Time) -> Face {
-    clip.face_at(time, &FaceProfile::DEFAULT, LookAt::AHEAD)
+fn face(clip: &Clip<'_>, time: impl Time) -> Face {
+    clip.face_at(time, Who::Speaker, &FaceProfile::DEFAULT, LookAt::AHEAD)
 }
 
 /// Blinks in all clips, and those of them that are double: seconds per blink, and the share of double ones.
@@ -117,7 +118,7 @@ fn a_head_turns_with_segments_and_pauses() {
     let bytes = compile("face.pose = 0.9\n", &[Input::from_bytes("talk", file)]);
     let bank = Bank::open(&bytes).unwrap();
     let (clip, profile) = (bank.clip_by_key("talk").unwrap(), bank.default_face_profile());
-    let yaw = |ms: i64| clip.face_at(Micros(ms * 1000), &profile, LookAt::AHEAD).head_yaw.thousandths();
+    let yaw = |ms: i64| clip.face_at(Micros(ms * 1000), Who::Speaker, &profile, LookAt::AHEAD).head_yaw.thousandths();
     // Slots of 0.9 seconds: segments start at 0.65 and 1.3 seconds, a pause at 2.2. A step takes 0.45.
     for still in [0..650, 1100..1300, 1750..2200] {
         let poses: Vec<i32> = still.clone().map(yaw).collect();
@@ -279,7 +280,7 @@ fn every_change_is_found_or_valid() {
             let clip = bank.clip_by_key("hello").unwrap();
             for profile in bank.face_profiles().chain([bank.default_face_profile()]) {
                 for time in [0, 40_000, 3_999_999, i64::MAX] {
-                    clip.face_at(Micros(time), &profile, LookAt::AHEAD);
+                    clip.face_at(Micros(time), Who::Speaker, &profile, LookAt::AHEAD);
                 }
                 profile.name();
             }

@@ -1,7 +1,9 @@
 //! Faces of those who listen, and of a speaker whose events name them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Clip, CurveValue, Emotion, Face, FaceProfile, LookAt, Micros, Who};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::{Emotion, Face, FaceProfile, LookAt, Who};
+use lipz_bank::{Bank, Clip, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input};
 
@@ -9,8 +11,7 @@ use lipz_compiler::{Compiler, Input};
 const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEO";
 
 fn compile(settings: &str, inputs: &[Input]) -> Vec<u8> {
-    let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
-    assert_eq!(report.diagnostics, []);
+    let settings = Settings::parse(settings, "lipz.toml", "").unwrap();
     Compiler::new(settings.options).compile(inputs).into_bank().unwrap()
 }
 
@@ -20,8 +21,8 @@ fn with_events(events: &str) -> Vec<u8> {
 }
 
 /// The faces of three seconds, and one more.
-fn faces<'n>(clip: &Clip<'_, '_>, who: impl Into<Who<'n>> + Copy) -> Vec<Face> {
-    let at = |ms: i64| clip.face_of(who, Micros(ms * 1000), &FaceProfile::DEFAULT, LookAt::AHEAD);
+fn faces<'n>(clip: &Clip<'_>, who: impl Into<Who<'n>> + Copy) -> Vec<Face> {
+    let at = |ms: i64| clip.face_at(Micros(ms * 1000), who, &FaceProfile::DEFAULT, LookAt::AHEAD);
     (-100..4000).step_by(7).map(at).collect()
 }
 
@@ -30,7 +31,7 @@ fn who_listens_moves_by_their_own_curves_only() {
     let bytes = with_events("feels joy 4, shakes, mara nods 6|mara feels fear 5, mara looks away, mara blinks");
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
     let clip = bank.clip_by_key("line").unwrap();
-    let mara = |ms: i64| clip.face_of("mara", Micros(ms * 1000), &FaceProfile::DEFAULT, LookAt::AHEAD);
+    let mara = |ms: i64| clip.face_at(Micros(ms * 1000), "mara", &FaceProfile::DEFAULT, LookAt::AHEAD);
     let nod = clip.curve("mara.nod").unwrap();
     for ms in (0..1000).step_by(10) {
         let pitch = 2 * (nod.value_at(Micros(ms * 1000)).unwrap().thousandths() - 5000);
@@ -41,7 +42,7 @@ fn who_listens_moves_by_their_own_curves_only() {
     }
     assert!((1000..1400).any(|ms| mara(ms).blink.thousandths() == 1000), "she blinks");
     assert!(mara(1600).head_yaw.thousandths() > 3000, "she looks away");
-    assert_eq!(clip.emotions_of("mara", Micros(2_500_000)).strongest().map(|(leads, _)| leads), Some(Emotion::Fear));
+    assert_eq!(clip.emotions_at(Micros(2_500_000), "mara").strongest().map(|(leads, _)| leads), Some(Emotion::Fear));
     assert_ne!(faces(&clip, "mara"), faces(&clip, "otto"), "each has blinks and eyes of their own");
     // A part of a name is another name.
     assert!(faces(&clip, "mar").iter().all(|face| face.head_pitch.thousandths() == 0));
@@ -60,8 +61,8 @@ fn a_speaker_with_a_name_is_the_speaker() {
     assert_ne!(faces(&named, Who::Speaker), expected);
     for ms in (0..3500).step_by(13) {
         let now = Micros(ms * 1000);
-        assert_eq!(named.emotions_of(Who::SpeakerNamed("mara"), now), without.emotions_at(now));
-        assert_eq!(named.emotions_at(now).sum().thousandths(), 0);
+        assert_eq!(named.emotions_at(now, Who::SpeakerNamed("mara")), without.emotions_at(now, Who::Speaker));
+        assert_eq!(named.emotions_at(now, Who::Speaker).sum().thousandths(), 0);
     }
 }
 
@@ -81,8 +82,8 @@ fn of_two_curves_of_poses_that_of_the_name_counts() {
         let who = Who::SpeakerNamed(name);
         assert_eq!(faces(&both, who), faces(&own, who));
         assert_ne!(faces(&both, Who::Speaker), faces(&own, who));
-        let made = |clip: &Clip<'_, '_>, ms: i64| {
-            clip.generated_of(who, Micros(ms * 1000), &FaceProfile::DEFAULT, LookAt::AHEAD)
+        let made = |clip: &Clip<'_>, ms: i64| {
+            clip.face_at(Micros(ms * 1000), who, &FaceProfile::DEFAULT.without_curves(), LookAt::AHEAD)
         };
         for ms in (0..4000).step_by(7) {
             assert_eq!(made(&both, ms), made(&own, ms));
@@ -97,11 +98,11 @@ fn of_two_curves_for_the_same_the_one_farther_from_neutral_counts() {
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
     let clip = bank.clip_by_key("line").unwrap();
     let speaker = Who::SpeakerNamed("mara");
-    let of = |emotion| clip.emotions_of(speaker, Micros(2_000_000)).get(emotion).thousandths();
+    let of = |emotion| clip.emotions_at(Micros(2_000_000), speaker).get(emotion).thousandths();
     assert_eq!([Emotion::Joy, Emotion::Fear].map(of), [4000, 3000]);
     let pitch = |who: Who<'_>, ms: i64| {
         let profile = FaceProfile::DEFAULT;
-        clip.face_of(who, Micros(ms * 1000), &profile, LookAt::AHEAD).head_pitch.thousandths()
+        clip.face_at(Micros(ms * 1000), who, &profile, LookAt::AHEAD).head_pitch.thousandths()
     };
     // Both nods are seen: half a number below 5, at 2 degrees for 1, and her own not while the other lasts.
     let lowest = |from: i64| (from..from + 600).map(|ms| pitch(speaker, ms) - pitch(Who::Speaker, ms)).min().unwrap();
@@ -121,7 +122,7 @@ fn listeners_blink_in_the_stated_intervals() {
         let mut blinks = 0;
         for clip in bank.clips() {
             let closed =
-                |ms: i64| clip.face_of(who, Micros(ms * 1000), &profile, LookAt::AHEAD).blink.thousandths() == 1000;
+                |ms: i64| clip.face_at(Micros(ms * 1000), who, &profile, LookAt::AHEAD).blink.thousandths() == 1000;
             let shown: Vec<bool> = (0..12_000).step_by(40).map(closed).collect();
             blinks += shown.windows(2).filter(|pair| !pair[0] && pair[1]).count();
         }

@@ -1,7 +1,6 @@
 //! Banks that somebody forged, checksum and all: whatever passes verification, no tool panics on.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::Bank;
 use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{CHECKED_FROM, checksum};
 use lipz_testkit::tools::is_used;
@@ -17,14 +16,16 @@ fn bank() -> Vec<u8> {
         Input::from_bytes("b", r#"{ "visemes": "MA", "text_en-us": " No. ", "Text_en_us": null }"#),
         Input::from_bytes("b_fr", r#"{ "visemes": "EAO", "text_fr-fr": "Non." }"#),
     ];
-    let options = Options::new().default_locale("en-us").voices(Voices::new("en-us").dub("fr-fr", "{key}_fr"));
+    let options = Options::new()
+        .default_locale("en-us")
+        .unwrap()
+        .voices(Voices::new("en-us").unwrap().dub("fr-fr", "{key}_fr").unwrap());
     Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
 }
 
 #[test]
 fn every_forged_byte() {
     let good = bank();
-    let original = Bank::open(&good).and_then(Bank::verify).unwrap();
     let mut used = 0;
     for at in CHECKED_FROM..good.len() {
         for change in [0x01, 0x02, 0x04, 0x40, 0x80, 0xFF] {
@@ -32,7 +33,7 @@ fn every_forged_byte() {
             forged[at] ^= change;
             let sum = checksum(&forged[CHECKED_FROM..]);
             forged[CHECKED_FROM - size_of_val(&sum)..CHECKED_FROM].copy_from_slice(&sum.to_le_bytes());
-            used += usize::from(is_used(&forged, &original));
+            used += usize::from(is_used(&forged, &good));
         }
     }
     // Texts, names of events and source records may say anything.

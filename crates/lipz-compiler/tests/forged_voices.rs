@@ -15,7 +15,7 @@ fn bank() -> Vec<u8> {
     let files = [("aye", "MA|EO"), ("de/aye", "AAA|E"), ("no", "O|O")];
     let file = |codes| format!(r#"{{ "visemes": "{codes}", "viseme_type": "blair", "text_en-us": "Aye|aye" }}"#);
     let inputs = files.map(|(key, codes)| Input::from_bytes(key, file(codes)));
-    let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("de-at", "at/{key}");
+    let voices = Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap().dub("de-at", "at/{key}").unwrap();
     Compiler::new(Options::new().voices(voices)).compile(&inputs).into_bank().unwrap()
 }
 
@@ -44,9 +44,8 @@ fn a_voice_leads_to_its_dub_and_back() {
     let bytes = bank();
     assert_eq!(&bytes[section(&bytes, Tag::VOICES)], TAGS);
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-    let tags: Vec<_> = bank.voices().map(|voice| (voice.tag(), voice.is_original())).collect();
+    let tags: Vec<_> = bank.voices().map(|voice| (bank.voice_tag(voice), voice.is_original())).collect();
     assert_eq!(tags, [("en-us", true), ("de-at", false), ("de-de", false)]);
-    assert_eq!(format!("{:?}", bank.voices()), r#"[Voice("en-us"), Voice("de-at"), Voice("de-de")]"#);
     let played = |key: &str, tag: &str| {
         let voiced = bank.clip_by_key(key).unwrap().in_voice(bank.voice(tag).unwrap());
         (voiced.clip.key(), voiced.spoken)
@@ -58,7 +57,7 @@ fn a_voice_leads_to_its_dub_and_back() {
     }
     assert_eq!(played("no", "de-de"), ("no", Spoken::Original));
     assert!(bank.voice("fr-fr").is_none());
-    assert_eq!(bank.clip_by_key("de/aye").unwrap().voice().unwrap().tag(), "de-de");
+    assert_eq!(bank.clip_by_key("de/aye").unwrap().voice(), bank.voice("de-de"));
 }
 
 #[test]

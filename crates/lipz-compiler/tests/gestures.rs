@@ -1,17 +1,18 @@
 //! Gestures: what faces do while something is said or heard becomes curves.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Clip, FaceProfile, LookAt, Micros};
+use lipz_bank::face::{FaceProfile, LookAt, Who};
+use lipz_bank::{Bank, Clip, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Documents, Input, Options, WordTime, WordTimes};
+use lipz_testkit::dialogue;
 
 /// Eighty frames at 20 a second: two segments of 40. The mouth rests at the end.
 const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEOMAEOMAEO------------";
 const WORDS: &str = "default-locale = \"en-us\"\n[face]\nkeys = \"words\"\n";
 
 fn options(settings: &str) -> Options {
-    let (settings, report) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
-    assert_eq!(report.diagnostics, []);
+    let settings = Settings::parse(settings, "lipz.toml", "").unwrap();
     let voices = settings.voices();
     settings.options.voices(voices)
 }
@@ -21,7 +22,7 @@ fn bank(elements: &str, options: Options) -> Vec<u8> {
     Compiler::new(options).compile(&[Input::from_bytes("a", file)]).into_bank().unwrap()
 }
 
-fn curves_of(clip: &Clip<'_, '_>) -> Vec<String> {
+fn curves_of(clip: &Clip<'_>) -> Vec<String> {
     clip.curves().map(|curve| format!("{} {curve}", curve.name())).collect()
 }
 
@@ -175,7 +176,7 @@ fn who_listens_moves_now_and_then() {
         "shrug 142:0 146:0.3 154:0.3 160:0",
     ];
     assert_eq!(curves_of(&clip), expected);
-    let face = clip.face_at(Micros(1_300_000), &FaceProfile::DEFAULT, LookAt::AHEAD);
+    let face = clip.face_at(Micros(1_300_000), Who::Speaker, &FaceProfile::DEFAULT, LookAt::AHEAD);
     assert_eq!(face.brows.thousandths(), 400);
 }
 
@@ -202,10 +203,10 @@ fn banks_change_only_if_asked() {
 fn gestures_do_not_come_back_as_curves() {
     let text = r#""text_en-us": "Yes, {joy 2} no!|x""#;
     let bytes = bank(text, options(WORDS));
-    let bank_with = Bank::open(&bytes).unwrap().verify().unwrap();
+    dialogue!(bank_with = &bytes);
     let clip = bank_with.clip_by_key("a").unwrap();
     assert!(clip.curves().count() > 2);
-    let documents = Documents::from_bank(&bank_with).unwrap();
+    let documents = Documents::from_dialogue(&bank_with).unwrap();
     let (_, document) = documents.iter().next().unwrap().unwrap();
     let written = lipz_file::write(&document);
     assert!(!written.contains("curves"), "{written}");
@@ -223,7 +224,7 @@ fn settings_of_gestures_are_checked() {
         ("robot = { nods = 1 }", "it is one for all characters: write it in [face]"),
     ];
     for (line, help) in cases {
-        let (_, report) = Settings::parse(format!("[face]\n{line}\n").as_bytes(), "lipz.toml", "".as_ref());
+        let report = Settings::parse(format!("[face]\n{line}\n"), "lipz.toml", "").unwrap_err();
         assert_eq!(report.diagnostics.len(), 1, "{line}");
         assert_eq!(report.diagnostics[0].help.as_deref(), Some(help), "{line}");
     }

@@ -5,9 +5,10 @@
 //! into this test; a compiler of another language that is not on the machine is skipped.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use lipz_bank::{Bank, ClipId};
+use lipz_bank::ClipId;
 use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::{Compiler, Input, Options};
+use lipz_testkit::dialogue;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -52,7 +53,7 @@ fn bank(files: &[(&str, &str)]) -> Vec<u8> {
         format!(r#"{{ "text_en-us": "{text}", "text_de-de": "{german}" }}"#)
     };
     let inputs: Vec<Input> = files.iter().map(|(key, text)| Input::from_bytes(*key, json(text))).collect();
-    let options = Options::new().default_locale("en-us");
+    let options = Options::new().default_locale("en-us").unwrap();
     let compiled = Compiler::new(options.clone()).compile(&inputs);
     compiled.bank.unwrap_or_else(|| panic!("{:?}", compiled.reports))
 }
@@ -74,7 +75,7 @@ fn file(language: Language) -> PathBuf {
 #[test]
 fn hard_keys_give_the_expected_files() {
     let bytes = bank(&HARD);
-    let bank = Bank::open(&bytes).unwrap();
+    dialogue!(bank = &bytes);
     for language in Language::ALL {
         let actual = generate(&bank, language, None).unwrap_or_else(|clashes| panic!("{language:?}: {clashes:?}"));
         let path = file(language);
@@ -120,7 +121,7 @@ fn json_has_the_id_of_every_key() {
 #[test]
 fn a_prefix_replaces_that_of_the_language() {
     let bytes = bank(&HARD);
-    let bank = Bank::open(&bytes).unwrap();
+    dialogue!(bank = &bytes);
     assert!(generate(&bank, Language::C, Some("GAME_")).unwrap().contains("#define GAME_HELLO UINT64_C("));
     assert!(generate(&bank, Language::CSharp, Some("Game.Talk")).unwrap().contains("\nnamespace Game.Talk\n"));
     assert!(!Language::C.accepts_prefix("LIPZ_") && Language::CSharp.accepts_prefix("LIPZ_"));
@@ -133,7 +134,8 @@ fn a_prefix_replaces_that_of_the_language() {
 fn clashes_name_both_keys() {
     let clashes = |files: &[(&str, &str)], language| {
         let bytes = bank(files);
-        let clashes = generate(&Bank::open(&bytes).unwrap(), language, None).err().unwrap_or_default();
+        dialogue!(bank = &bytes);
+        let clashes = generate(&bank, language, None).err().unwrap_or_default();
         clashes.into_iter().map(|found| found.message).collect::<Vec<_>>()
     };
     let files = [("a/mara-aye", ""), ("a/mara_aye", ""), ("a/MaraAye", ""), ("a-mara/aye", "")];

@@ -51,6 +51,6 @@ fn a_text_without_locale_is_kept_for_unpacking_only() {
     let file = br#"{ "text": "Aye.", "text_de-de": "Ja." }"#;
     let bytes = run(&[("aye", file)], &[(Code::TextWithoutLocale, None)]).bank.unwrap();
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
-    let tags: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
+    let tags: Vec<&str> = bank.locales().map(|locale| bank.locale_tag(locale)).collect();
     assert_eq!(tags, ["de-de"]);
 }

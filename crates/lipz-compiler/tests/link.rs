@@ -49,10 +49,16 @@ fn the_drama_in_any_number_of_shards() {
     let inputs = drama();
     let recordings = inputs.iter().step_by(5).map(|input| (input.key.clone(), Recording::new(1_000_000, 7)));
     let variants = [
-        Options::new().default_locale("en-us"),
-        Options::new().default_locale("en-us").pseudo(true).strip(true),
-        Options::new().default_locale("en-us").locales(["de-de", "fr-fr"]).fallback("fr-fr", ["de-de"]),
-        Options::new().default_locale("en-us").babble(BabbleProfiles::default()).recordings(recordings),
+        Options::new().default_locale("en-us").unwrap(),
+        Options::new().default_locale("en-us").unwrap().pseudo(true).strip(true),
+        Options::new()
+            .default_locale("en-us")
+            .unwrap()
+            .locales(["de-de", "fr-fr"])
+            .unwrap()
+            .fallback("fr-fr", ["de-de"])
+            .unwrap(),
+        Options::new().default_locale("en-us").unwrap().babble(BabbleProfiles::default()).recordings(recordings),
     ];
     for options in variants {
         for (turn, shards) in [1, 2, 3, 7, 16, 64, 150].into_iter().enumerate() {
@@ -81,8 +87,9 @@ fn no_clips_and_many_threads() {
 #[test]
 fn dubs_and_their_originals() {
     let clip = |key: &str, file: &str| Input::from_bytes(key, file);
-    let voices = Voices::new("en-us").dub("de-de", "de/{key}.ogg").dub("fr-fr", "fr/{key}.ogg");
-    let options = Options::new().default_locale("en-us").voices(voices);
+    let voices =
+        Voices::new("en-us").unwrap().dub("de-de", "de/{key}.ogg").unwrap().dub("fr-fr", "fr/{key}.ogg").unwrap();
+    let options = Options::new().default_locale("en-us").unwrap().voices(voices);
     let lines: Vec<Input> = (0..20)
         .flat_map(|line| {
             let original = clip(&format!("line-{line}"), r#"{ "visemes": "MA|O", "text_en-us": "Ma!|Oh." }"#);
@@ -139,7 +146,7 @@ fn damaged_objects_are_refused() {
 fn objects_whose_texts_are_not_in_order_are_refused() {
     let (compiler, folder) = (Compiler::default(), tempfile::tempdir().unwrap());
     let file = br#"{ "text_en-us": "One two three. | Four five six. | Seven eight nine." }"#;
-    let paths = objects(&compiler, &[Input::from_bytes("a", file.to_vec())], 1, folder.path());
+    let paths = objects(&compiler, &[Input::from_bytes("a", file)], 1, folder.path());
     let bytes = fs::read(&paths[0]).unwrap();
     let start = |tag: &[u8; 4]| {
         let section = Bank::open(&bytes).unwrap().sections().find(|(found, _)| found == tag).unwrap().1;

@@ -4,10 +4,14 @@
 
 mod support;
 
-use lipz_bank::{Bank, BankSet, BankSetError, Clip, Locale, SetIndex, Spoken, Voice};
+use lipz_bank::files::SetIndex;
+use lipz_bank::{Bank, Dialogue, ErrorKind};
+use lipz_compiler::diff::diff;
+use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::shard::{Link, LinkedSet};
-use lipz_compiler::{Compiler, Input, Options, Voices, coverage};
-use lipz_testkit::stacked::every_set_query;
+use lipz_compiler::{Compiler, Documents, Input, MinCoverage, Options, Stack, Voices, coverage, voice_coverage};
+use lipz_file::write;
+use lipz_testkit::dialogues::{self, with};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::fs;
@@ -37,71 +41,39 @@ fn read(index: &Path) -> (Vec<u8>, Vec<Vec<u8>>) {
     (bytes, banks)
 }
 
-/// All that a clip says: also what stands in for texts, and for mouths in other voices.
-fn said(clip: &Clip<'_, '_>, locales: &[Option<Locale<'_>>], voices: &[Option<Voice<'_>>]) -> Vec<String> {
-    let mut lines = vec![format!("{} {} {:?} {:?}", clip.key(), clip.id(), clip.fps(), clip.viseme_type())];
-    lines.push(format!("{:?} {:?} {:?}", clip.frames(), clip.duration_us(), clip.recording()));
-    for segment in clip.segments() {
-        let events: Vec<String> = segment.events().map(|event| event.to_string()).collect();
-        lines.push(format!("{} {} {events:?}", segment.start_frame(), segment.end_frame()));
-        for locale in locales {
-            let text = locale.and_then(|locale| segment.text(locale));
-            lines.push(format!("{:?}", text.map(|text| (text.as_str().to_owned(), text.is_fallback()))));
+/// Compares the set at `index` with the bank of all, and what is made of both.
+fn assert_answers(index: &Path, whole: &[u8]) {
+    let (index, files) = read(index);
+    let contents: Vec<&[u8]> = [&index].into_iter().chain(&files).map(Vec::as_slice).collect();
+    with(&contents, |set| {
+        let bank = Bank::open(whole).unwrap().verify().unwrap();
+        dialogues::assert_same(set, &bank);
+        let index = set.set_index().unwrap();
+        assert_eq!((set.clip_count(), index.clip_count()), (bank.clip_count(), bank.clip_count() as u64));
+        for clip in bank.clips() {
+            let number = index.bank_of(clip.id());
+            assert_eq!(set.clip(clip.id()).unwrap().file() as usize, number + 1);
         }
-    }
-    lines.extend(clip.curves().map(|curve| {
-        let keys: Vec<String> = curve.keys().map(|key| format!("{key:?}")).collect();
-        format!("{} {keys:?}", curve.name().as_str())
-    }));
-    lines.push(format!("{:?}", clip.original().map(|original| original.key().to_owned())));
-    for voice in voices {
-        let voiced = voice.map(|voice| clip.in_voice(voice));
-        // A bank without dubs has no voices: its clips are played as they are.
-        let (played, spoken) = voiced.map_or((*clip, Spoken::Original), |voiced| (voiced.clip, voiced.spoken));
-        lines.push(format!("{} {spoken:?}", played.key()));
-    }
-    lines
-}
-
-/// Compares the set at `index` with the bank of all.
-fn assert_answers(index: &Path, whole: &Bank<'_>) {
-    let (bytes, files) = read(index);
-    let banks: Vec<Bank<'_>> = files.iter().map(|bytes| Bank::open(bytes).unwrap().verify().unwrap()).collect();
-    let index = SetIndex::open(&bytes).unwrap().verify().unwrap();
-    let set = BankSet::with_index(&banks, &index).unwrap().verify().unwrap();
-    assert_eq!((set.clip_count(), index.clip_count()), (whole.clip_count(), whole.clip_count() as u64));
-    let tags: Vec<&str> = whole.locales().map(|locale| locale.tag()).collect();
-    let locales: Vec<_> = tags.iter().map(|tag| set.locale(tag)).collect();
-    let of_whole: Vec<_> = tags.iter().map(|tag| whole.locale(tag)).collect();
-    let voices = ["en-us", "de-de", "fr-fr"].map(|tag| (whole.voice(tag), set.voice(tag)));
-    for (one, other) in &voices {
-        assert_eq!(one.map(|voice| voice.tag()), other.map(|voice| voice.tag()));
-    }
-    for clip in whole.clips() {
-        let found = set.clip(clip.id()).unwrap();
-        assert_eq!(set.clip_by_key(clip.key()), Some(found));
-        assert_eq!(set.bank_of(clip.id()).unwrap().clip(clip.id()), Some(found));
-        assert_eq!(banks[index.bank_of(clip.id())].clip(clip.id()), Some(found));
-        let own: Vec<_> = locales.iter().map(|locale| locale.and_then(|locale| locale.of(&found))).collect();
-        let own_voices = voices.map(|(_, voice)| voice.and_then(|voice| voice.of(&found)));
-        let whole_voices = voices.map(|(voice, _)| voice);
-        assert_eq!(said(&found, &own, &own_voices), said(&clip, &of_whole, &whole_voices));
-    }
-    for bank in &banks {
-        assert!(bank.locales().map(|locale| locale.tag()).eq(tags.iter().copied()), "each bank has all locales");
-    }
-    let sums = |banks: &[Bank<'_>]| {
-        let mut sums = vec![(0, 0, 0); tags.len()];
-        for bank in banks {
-            for (sum, found) in std::iter::zip(&mut sums, coverage(bank)) {
-                let missing = found.missing.len();
-                *sum = (sum.0 + found.clip_count, sum.1 + found.own_count, sum.2 + missing);
-            }
+        let tags: Vec<&str> = bank.locales().map(|locale| bank.locale_tag(locale)).collect();
+        for number in 1..set.file_count() {
+            let own = set.bank(number).unwrap();
+            let has_all = own.locales().map(|locale| own.locale_tag(locale)).eq(tags.iter().copied());
+            assert!(has_all, "each bank has all locales");
         }
-        sums
-    };
-    assert_eq!(sums(&banks), sums(&[*whole]));
-    assert!(every_set_query(&banks) || index.moved_count() > 0);
+        assert!(Stack::of(set).unwrap().bank() == whole, "the merged set is another bank");
+        with(&[whole], |whole| {
+            assert_eq!(coverage(set), coverage(whole));
+            assert_eq!(voice_coverage(set), voice_coverage(whole));
+            assert!(diff(set, whole).is_empty() && diff(whole, set).is_empty());
+            assert_eq!(generate(set, Language::Json, None), generate(whole, Language::Json, None));
+            let documents = |dialogue: &Dialogue<'_>| {
+                let documents = Documents::from_dialogue(dialogue).unwrap();
+                let files = documents.iter().map(|document| write(&document.unwrap().1));
+                (documents.is_exact(), files.collect::<Vec<String>>())
+            };
+            assert_eq!(documents(set), documents(whole));
+        });
+    });
 }
 
 fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) {
@@ -117,7 +89,7 @@ fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usi
     if shards == 1 {
         assert!(read(&index).1 == [whole.clone()], "the one bank of a set is the bank");
     }
-    assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+    assert_answers(&index, &whole);
 }
 
 fn drama() -> Vec<Input> {
@@ -127,9 +99,15 @@ fn drama() -> Vec<Input> {
 #[test]
 fn the_drama_in_any_number_of_shards() {
     let variants = [
-        Options::new().default_locale("en-us"),
-        Options::new().default_locale("en-us").pseudo(true).strip(true),
-        Options::new().default_locale("en-us").locales(["de-de", "fr-fr"]).fallback("fr-fr", ["de-de"]),
+        Options::new().default_locale("en-us").unwrap(),
+        Options::new().default_locale("en-us").unwrap().pseudo(true).strip(true),
+        Options::new()
+            .default_locale("en-us")
+            .unwrap()
+            .locales(["de-de", "fr-fr"])
+            .unwrap()
+            .fallback("fr-fr", ["de-de"])
+            .unwrap(),
     ];
     for options in variants {
         for (turn, shards) in [1, 2, 7, 64].into_iter().enumerate() {
@@ -149,25 +127,21 @@ fn what_all_shards_decide_together() {
             _ => line(&format!("line-{number}"), r#""text_en-us": "Aye.""#),
         })
         .collect();
-    let english = || Options::new().default_locale("en-us");
-    let coverage = |percent| {
-        let mut options = english();
-        options.min_coverage.all = Some(percent);
-        options
-    };
+    let english = || Options::new().default_locale("en-us").unwrap();
+    let coverage = |percent| english().min_coverage(MinCoverage::new().all(percent));
     let variants = [
         english(),
         coverage(5.0),
         coverage(5.1),
-        english().locales(["en-us", "it-it"]),
-        english().voices(Voices::new("en-us").dub("it-it", "it/{key}")),
+        english().locales(["en-us", "it-it"]).unwrap(),
+        english().voices(Voices::new("en-us").unwrap().dub("it-it", "it/{key}").unwrap()),
     ];
     for options in variants {
         assert_same(&Compiler::new(options), &lines, 8, 3);
     }
     // No voice has a locale: they are told in the same order.
     let foreign = [line("line", r#""text_it-it": "Ciao.""#), line("de/line", ""), line("fr/line", "")];
-    let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("fr-fr", "fr/{key}");
+    let voices = Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap().dub("fr-fr", "fr/{key}").unwrap();
     assert_same(&Compiler::new(english().voices(voices)), &foreign, 3, 1);
     let clash = [line("A/hello", r#""text_en-us": "Hello.""#), line("a/hello", r#""text_en-us": "Hello.""#)];
     assert_same(&Compiler::new(english()), &clash, 64, 0);
@@ -180,7 +154,7 @@ fn a_new_set_takes_the_place_of_the_old_one_and_a_failed_one_does_not() {
     for other in ["d.lipzbank", "d.de-de.lipzbank", "e.0-of-4.0123456789abcdef.lipzbank"] {
         fs::write(folder.path().join(other), "another").unwrap();
     }
-    let compiler = Compiler::new(Options::new().default_locale("en-us"));
+    let compiler = Compiler::new(Options::new().default_locale("en-us").unwrap());
     let old = linked(&compiler, &drama(), 4, 0, &index).files.unwrap();
     assert!(old.index.is_new && old.removed.is_empty() && old.banks.iter().all(|bank| bank.is_new));
     let again = linked(&compiler, &drama(), 4, 1, &index).files.unwrap();
@@ -200,7 +174,7 @@ fn a_new_set_takes_the_place_of_the_old_one_and_a_failed_one_does_not() {
     assert!(gone.contains(&orphan) && gone.len() > 1, "{gone:?}");
     assert_eq!(names(folder.path()).len(), before.len(), "an index, four banks, and three files of others");
     let whole = compiler.compile(&changed).bank.unwrap();
-    assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+    assert_answers(&index, &whole);
 }
 
 /// A link that comes while another one has written banks, but no index: it removes what no index names.
@@ -210,7 +184,7 @@ fn of_two_links_to_one_set_one_comes_after_the_other() {
     let [first_objects, second_objects] = ["1", "2"].map(|name| folder.path().join(name));
     let index = folder.path().join("out/d.lipzset");
     let (first, second) = (drama(), drama().split_off(1));
-    let options = || Options::new().default_locale("en-us").threads(1);
+    let options = || Options::new().default_locale("en-us").unwrap().threads(1);
     let objects = |inputs: &[Input], to: &Path| {
         fs::create_dir(to).unwrap();
         Link::open(&objects(&Compiler::new(options()), inputs, 4, to)).unwrap()
@@ -232,7 +206,7 @@ fn of_two_links_to_one_set_one_comes_after_the_other() {
         assert!(linked.files.is_some(), "{:?}", linked.reports);
     });
     let whole = Compiler::new(options()).compile(&second).bank.unwrap();
-    assert_answers(&index, &Bank::open(&whole).unwrap().verify().unwrap());
+    assert_answers(&index, &whole);
     assert_eq!(names(&folder.path().join("out")).len(), 5, "an index and its banks");
 }
 
@@ -241,15 +215,22 @@ fn of_two_links_to_one_set_one_comes_after_the_other() {
 fn a_set_takes_no_bank_for_another() {
     let folder = tempfile::tempdir().unwrap();
     let index = folder.path().join("d.lipzset");
-    let compiler = Compiler::new(Options::new().default_locale("en-us"));
+    let compiler = Compiler::new(Options::new().default_locale("en-us").unwrap());
     linked(&compiler, &drama(), 2, 0, &index).files.unwrap();
     let (bytes, mut files) = read(&index);
     let expected = files[0][8..16].to_vec();
     files[0] = compiler.compile(&drama()[..2]).bank.unwrap();
     files[0][8..16].copy_from_slice(&expected);
-    let banks: Vec<Bank<'_>> = files.iter().map(|bytes| Bank::open(bytes).unwrap()).collect();
-    let refused = BankSet::with_index(&banks, &SetIndex::open(&bytes).unwrap()).unwrap_err();
-    assert_eq!(refused, BankSetError::OtherBank { bank: 0 });
+    let refused = |files: &[Vec<u8>]| {
+        let mut places = dialogues::places(files.len() + 1);
+        let contents = [&bytes].into_iter().chain(files).map(Vec::as_slice);
+        let error = Dialogue::open_unverified(&mut places, contents).unwrap_err();
+        (error.file(), error.error().kind())
+    };
+    assert_eq!(refused(&files), (1, ErrorKind::OtherBank));
+    files.swap(0, 1);
+    assert_eq!(refused(&files), (1, ErrorKind::OtherBank), "in another order");
+    assert_eq!(refused(&files[..1]), (0, ErrorKind::OtherBank), "one is missing: the index is named");
 }
 
 proptest! {

@@ -61,13 +61,13 @@ impl Model {
 
     /// The texts in a locale, and whether they are those of another one.
     fn texts_in(&self, tag: &str, options: &Options) -> Option<(&Vec<String>, bool)> {
-        let named = options.fallbacks.get(tag).cloned();
-        let chain = named.unwrap_or_else(|| options.default_locale.iter().cloned().collect());
+        let named = options.get_fallbacks().get(tag).cloned();
+        let chain = named.unwrap_or_else(|| options.get_default_locale().map(str::to_owned).into_iter().collect());
         let own = self.texts.get(tag).map(|texts| (texts, false));
         own.or_else(|| chain.iter().find_map(|other| Some((self.texts.get(other)?, true))))
     }
 
-    fn compare(&self, clip: &Clip<'_, '_>, bank: &Bank<'_>, options: &Options) {
+    fn compare(&self, clip: &Clip<'_>, bank: &Bank<'_>, options: &Options) {
         assert_eq!(clip.viseme_type().map(|of| of.name().to_owned()), self.viseme_type);
         assert_eq!(clip.has_visemes(), self.visemes.is_some());
         assert_eq!(clip.has_events(), self.events.is_some());
@@ -96,7 +96,7 @@ impl Model {
         for (index, segment) in clip.segments().enumerate() {
             for locale in bank.locales() {
                 let found = segment.text(locale).map(|text| (text.as_str().to_owned(), text.is_fallback()));
-                let expected = self.texts_in(locale.tag(), options);
+                let expected = self.texts_in(bank.locale_tag(locale), options);
                 assert_eq!(found, expected.map(|(texts, falls_back)| (texts[index].clone(), falls_back)));
             }
             let string = self.events.as_ref().map(|events| events[index].as_str());
@@ -109,7 +109,7 @@ impl Model {
 /// Character, verb and object of each event.
 type Parts<'e> = Vec<(Option<&'e str>, &'static str, Option<&'e str>)>;
 
-fn typed<'d>(segment: &Segment<'d, '_>) -> Parts<'d> {
+fn typed<'d>(segment: &Segment<'d>) -> Parts<'d> {
     let name = |name: Option<EventName<'d>>| name.map(EventName::as_str);
     segment.events().map(|event| (name(event.character), event.command.verb(), name(event.command.object()))).collect()
 }
@@ -128,9 +128,9 @@ fn options() -> impl Strategy<Value = Options> {
     let chain = sample::subsequence(TAGS.to_vec(), 0..4).prop_shuffle();
     let fallbacks = collection::btree_map(sample::select(&TAGS[..]), chain, 0..4);
     (option::of(sample::select(&TAGS[..])), fallbacks, any::<bool>()).prop_map(|(default_locale, fallbacks, strip)| {
-        let mut options = Options::new().strip(strip);
-        options.default_locale = default_locale.map(str::to_owned);
-        fallbacks.into_iter().fold(options, |options, (tag, chain)| options.fallback(tag, chain))
+        let options = Options::new().strip(strip);
+        let options = default_locale.into_iter().fold(options, |options, tag| options.default_locale(tag).unwrap());
+        fallbacks.into_iter().fold(options, |options, (tag, chain)| options.fallback(tag, chain).unwrap())
     })
 }
 

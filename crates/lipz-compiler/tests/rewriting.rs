@@ -9,6 +9,7 @@ use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::format::{LineEnding, Style, format};
 use lipz_file::{Document, Raw, Value, text};
+use lipz_testkit::dialogue;
 use lipz_testkit::documents::document;
 use proptest::prelude::*;
 use unicode_segmentation::UnicodeSegmentation;
@@ -92,8 +93,7 @@ fn columns(formatted: &str) -> Vec<Vec<usize>> {
 /// All segments of a converted clip as code strings.
 fn codes(bytes: &[u8]) -> Vec<String> {
     let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
-    let of =
-        |clip: Clip<'_, '_>| clip.segments().map(|segment| String::from_utf8_lossy(segment.frames()).into()).collect();
+    let of = |clip: Clip<'_>| clip.segments().map(|segment| String::from_utf8_lossy(segment.frames()).into()).collect();
     bank.clip_by_key("clip").map(of).unwrap()
 }
 
@@ -125,14 +125,14 @@ proptest! {
         let elements: Vec<String> = elements.iter().map(|(name, value)| format!("\"{name}\": \"{value}\"")).collect();
         let file = format!("{{ {} }}", elements.join(", "));
         let lowered = Options::new().levels([(Code::SegmentCount, Some(Severity::Warning))]);
-        let options = default.iter().fold(lowered, Options::default_locale);
+        let options = default.iter().fold(lowered, |options, tag| options.default_locale(tag).unwrap());
         prop_assert_eq!(bank(&file, &options), bank(&formatted(&file, Some("en-us")), &options));
         prop_assert_eq!(bank(&file, &options), bank(&formatted(&file, Some("fr-fr")), &options));
     }
 
     #[test]
     fn fixing_keeps_the_meaning(document in document(), has_mark: bool, has_comma: bool) {
-        let options = Options::new().default_locale("de-de");
+        let options = Options::new().default_locale("de-de").unwrap();
         let valid = lipz_file::write(&document);
         let mut file = if has_mark { format!("\u{FEFF}{valid}") } else { valid.clone() };
         if has_comma && !document.elements.is_empty() {
@@ -159,8 +159,8 @@ proptest! {
         let text = converted.text.unwrap_or(file);
         prop_assert_eq!(bank(&text, &Options::default()), bank(&text, &packing));
         // What is unpacked is the converted file, and packs to the same bank without converting.
-        let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();
-        let documents = Documents::from_bank(&bank).unwrap();
+        dialogue!(bank = &bytes);
+        let documents = Documents::from_dialogue(&bank).unwrap();
         let (_, unpacked) = documents.iter().next().unwrap().unwrap();
         prop_assert_eq!(&unpacked, &parsed(&text));
         let again = Compiler::default().compile(&[Input::from_bytes("clip", lipz_file::write(&unpacked))]);
@@ -180,7 +180,7 @@ proptest! {
 
 #[test]
 fn fixing_bad_files_makes_nothing_worse() {
-    let options = Options::new().default_locale("ja-jp");
+    let options = Options::new().default_locale("ja-jp").unwrap();
     let mut mended = 0;
     for (name, bytes) in support::files("bad").into_iter().chain(support::files("spec/as-printed")) {
         let Some(fixed) = Compiler::new(options.clone()).fix(&bytes) else { continue };

@@ -3,16 +3,16 @@
 
 mod support;
 
-use lipz_bank::{Bank, VisemeType};
+use lipz_bank::VisemeType;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Element};
+use lipz_testkit::dialogue;
 use lipz_testkit::documents::document;
 use proptest::prelude::*;
 use proptest::{collection, option, sample};
-use std::collections::BTreeSet;
 
 type Files = Vec<(String, Vec<u8>)>;
 
@@ -23,8 +23,8 @@ fn packed(files: &Files, options: &Options) -> Vec<u8> {
 }
 
 fn unpacked(bytes: &[u8]) -> Files {
-    let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
-    let documents = Documents::from_bank(&bank).unwrap();
+    dialogue!(bank = bytes);
+    let documents = Documents::from_dialogue(&bank).unwrap();
     assert!(documents.is_exact());
     let file = |(key, document): (&str, Document<'_>)| (key.to_owned(), lipz_file::write(&document).into_bytes());
     documents.iter().map(|document| file(document.unwrap())).collect()
@@ -32,10 +32,10 @@ fn unpacked(bytes: &[u8]) -> Files {
 
 /// What a bank keeps of a file: converted codes, and no texts but those of the chosen locales.
 fn kept(file: &[u8], options: &Options) -> Vec<u8> {
-    let converted = options.viseme_type.and_then(|to| Compiler::new(options.clone()).convert(file, to).text);
+    let converted = options.get_viseme_type().and_then(|to| Compiler::new(options.clone()).convert(file, to).text);
     let file = converted.map_or(file.to_vec(), String::into_bytes);
     let mut document = lipz_file::parse(&file).document.unwrap();
-    document.elements.retain(|element| match (&options.locales, text_name(&element.name.text)) {
+    document.elements.retain(|element| match (options.get_locales(), text_name(&element.name.text)) {
         (Some(chosen), Some(TextName::Canonical(tag) | TextName::Misspelt(tag))) => chosen.contains(&tag),
         _ => true,
     });
@@ -50,7 +50,7 @@ fn assert_round_trip(files: &Files, options: &Options) {
     let there = unpacked(&bytes);
     assert_eq!(texts(&there), texts(&expected));
     let again = packed(&there, options);
-    if options.locales.is_none() {
+    if options.get_locales().is_none() {
         assert_eq!(again, bytes);
     } else {
         // Chosen locales no longer find the texts that they fell back to, if those were not packed.
@@ -68,7 +68,7 @@ fn every_good_fixture_comes_back() {
         let files = support::files(folder);
         assert!(!files.is_empty(), "{folder}");
         assert_round_trip(&files, &Options::default());
-        assert_round_trip(&files, &Options::new().default_locale("de-de").threads(2));
+        assert_round_trip(&files, &Options::new().default_locale("de-de").unwrap().threads(2));
     }
 }
 
@@ -95,8 +95,8 @@ fn a_stripped_bank_gives_display_forms() {
     let file = br#"{"text_en-us":" {loud} Hi | you","viseme_type":"blair","visemes":"MA|O-","fps":29.97,"x":1}"#;
     let options = Options::new().strip(true);
     let bytes = Compiler::new(options.clone()).compile(&[Input::from_bytes("a", file)]).bank.unwrap();
-    let bank = Bank::open(&bytes).and_then(Bank::verify).unwrap();
-    let documents = Documents::from_bank(&bank).unwrap();
+    dialogue!(bank = &bytes);
+    let documents = Documents::from_dialogue(&bank).unwrap();
     assert!(!documents.is_exact());
     let (_, document) = documents.iter().next().unwrap().unwrap();
     let expected = "{\n  \"fps\": 29.97,\n  \"viseme_type\": \"blair\",\n  \"visemes\": \"MA|O-\",\n  \"text_en-us\": \"Hi|you\"\n}\n";
@@ -107,7 +107,11 @@ fn a_stripped_bank_gives_display_forms() {
 
 /// Options under which elements may differ in segments.
 fn joining() -> Options {
-    Options::new().levels([(Code::SegmentCount, Some(Severity::Warning))])
+    Options::new().levels(joined_segments())
+}
+
+fn joined_segments() -> [(Code, Option<Severity>); 1] {
+    [(Code::SegmentCount, Some(Severity::Warning))]
 }
 
 /// The texts and events of one document with the other elements of another: segments that differ.
@@ -142,16 +146,12 @@ fn options() -> impl Strategy<Value = Options> {
     let faces = ["", "[face]\nkeys = \"words\"\nblink = 3\n", "face.keys = \"off\"\nemotions.curves = \"values\"\n"];
     (locales, default_locale, viseme_type(), viseme_type(), any::<[bool; 2]>(), sample::select(faces.to_vec()))
         .prop_map(|(locales, default_locale, viseme_type, default_viseme_type, [literal_braces, pseudo], faces)| {
-            let (settings, report) = Settings::parse(faces.as_bytes(), "lipz.toml", "".as_ref());
-            assert_eq!(report.diagnostics, []);
-            let mut options = joining().literal_braces(literal_braces).pseudo(pseudo && default_locale.is_some());
-            options.locales = locales.map(|tags| tags.into_iter().map(str::to_owned).collect::<BTreeSet<_>>());
-            options.default_locale = default_locale.map(str::to_owned);
-            options.viseme_type = viseme_type;
-            options.default_viseme_type = default_viseme_type;
-            (options.faces, options.emotions, options.gestures) =
-                (settings.options.faces, settings.options.emotions, settings.options.gestures);
-            options
+            let settings = Settings::parse(faces, "lipz.toml", "").unwrap();
+            let options = settings.options.levels(joined_segments()).literal_braces(literal_braces);
+            let options = options.pseudo(pseudo && default_locale.is_some());
+            let options = options.viseme_type(viseme_type).default_viseme_type(default_viseme_type);
+            let options = locales.into_iter().fold(options, |options, tags| options.locales(tags).unwrap());
+            default_locale.into_iter().fold(options, |options, tag| options.default_locale(tag).unwrap())
         })
 }
 

@@ -6,10 +6,10 @@ use lipz_compiler::MinCoverage;
 use lipz_compiler::settings::{Settings, template};
 use lipz_diagnostics::{Code, Report, Severity};
 use proptest::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 fn parse(bytes: &[u8]) -> (Settings, Report) {
-    Settings::parse(bytes, "game/lipz.toml", Path::new("game"))
+    Settings::parse_with_report(bytes, "game/lipz.toml", "game")
 }
 
 #[test]
@@ -41,22 +41,27 @@ fn every_setting_is_read() {
     assert_eq!(settings.output, Some("/tmp/b.lipzbank".into()));
     assert!(settings.split_locales && settings.split_voices);
     let options = settings.options;
-    assert!(options.pseudo);
-    assert_eq!(options.min_coverage, MinCoverage::new().all(90.0).locale("de-de", 99.5));
-    assert_eq!(options.default_fps, Fps::new(2997, 125));
-    assert_eq!((options.default_viseme_type, options.viseme_type), (Some(VisemeType::Rms), Some(VisemeType::Blair)));
-    assert!(options.extended_locales && options.strip && options.literal_braces);
-    assert_eq!(options.default_locale.as_deref(), Some("en-us"));
-    assert_eq!(options.locales, Some(["en-us", "zh-hant"].map(str::to_owned).into()));
-    assert_eq!(options.fallbacks["es-419"], ["es-es", "en-us"]);
-    let limits = options.text_limits;
-    assert_eq!((limits.line_columns, limits.lines, limits.characters_per_second), (Some(42), Some(2), Some(17.5)));
-    assert_eq!(options.levels.severity(Code::UnknownEmotion), None, "a lint by itself wins over its group");
-    assert_eq!(options.levels.severity(Code::UnknownLocale), Some(Severity::Error));
-    assert_eq!(options.levels.severity(Code::SegmentCount), Some(Severity::Warning));
-    assert_eq!(options.known_names.characters, Some(["mara".to_owned()].into()));
-    assert_eq!(options.known_names.actions, Some([].into()), "no actions at all");
-    assert_eq!(options.known_names.emotions, ["nervous".to_owned()].into());
+    assert!(options.get_pseudo());
+    assert_eq!(options.get_min_coverage(), &MinCoverage::new().all(90.0).locale("de-de", 99.5).unwrap());
+    assert_eq!(options.get_default_fps(), Fps::new(2997, 125));
+    assert_eq!(
+        (options.get_default_viseme_type(), options.get_viseme_type()),
+        (Some(VisemeType::Rms), Some(VisemeType::Blair))
+    );
+    assert!(options.get_extended_locales() && options.get_strip() && options.get_literal_braces());
+    assert_eq!(options.get_default_locale(), Some("en-us"));
+    assert_eq!(options.get_locales(), Some(&["en-us", "zh-hant"].map(str::to_owned).into()));
+    assert_eq!(options.get_fallbacks()["es-419"], ["es-es", "en-us"]);
+    let limits = options.get_text_limits();
+    assert_eq!((limits.get_line_columns(), limits.get_lines()), (Some(42), Some(2)));
+    assert_eq!(limits.get_characters_per_second(), Some(17.5));
+    assert_eq!(options.get_levels().severity(Code::UnknownEmotion), None, "a lint by itself wins over its group");
+    assert_eq!(options.get_levels().severity(Code::UnknownLocale), Some(Severity::Error));
+    assert_eq!(options.get_levels().severity(Code::SegmentCount), Some(Severity::Warning));
+    let names = options.get_known_names();
+    assert_eq!(names.get_characters(), Some(&["mara".to_owned()].into()));
+    assert_eq!(names.get_actions(), Some(&[].into()), "no actions at all");
+    assert_eq!(names.get_emotions(), &["nervous".to_owned()].into());
 }
 
 #[test]
@@ -72,7 +77,7 @@ fn a_locale_has_one_entry() {
 #[test]
 fn a_byte_order_mark_is_skipped() {
     let (settings, report) = parse(b"\xEF\xBB\xBFstrip = true\nstirp = true");
-    assert!(settings.options.strip);
+    assert!(settings.options.get_strip());
     assert_eq!(report.diagnostics.len(), 1);
     assert_eq!(&report.source.text[report.diagnostics[0].primary.as_ref().unwrap().span.range()], "stirp");
 }
@@ -120,4 +125,19 @@ fn many_faults_take_little_time() {
     let faults = "default-fps = \n[a\n".repeat(50_000) + &"x = y\n".repeat(50_000);
     assert_places_are_in_the_file(faults.as_bytes());
     assert_places_are_in_the_file("x = [".repeat(100_000).as_bytes());
+}
+
+#[test]
+fn a_project_without_lipz_files_is_an_error_unless_it_says_otherwise() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = Settings::parse("", "lipz.toml", folder.path()).unwrap().discover().unwrap_err();
+    assert_eq!(error.reports()[0].diagnostics[0].code, Code::NoSources);
+    let lowered = Settings::parse("[lints]\nno-sources = \"warn\"\n", "lipz.toml", folder.path()).unwrap();
+    let inputs = lowered.discover().unwrap();
+    assert!(inputs.is_empty());
+    assert_eq!(inputs.warnings()[0].diagnostics[0].severity, Severity::Warning);
+    std::fs::write(folder.path().join("aye.lipz"), "{}").unwrap();
+    let inputs = lowered.discover().unwrap();
+    assert_eq!(inputs.warnings(), []);
+    assert_eq!(inputs.into_vec()[0].key, "aye");
 }

@@ -4,12 +4,13 @@
 mod support;
 
 use lipz_bank::Bank;
-use lipz_compiler::{BankWithTexts, Compiler, Options, SplitBank, discover};
+use lipz_compiler::{Compiler, Options, SplitBank, Stack, discover};
+use lipz_testkit::dialogues::with;
 
 #[test]
 fn text_banks_answer_as_the_whole() {
-    let options = Options::new().default_locale("en-us");
-    let (inputs, _) = discover(&[support::folder("drama")], None);
+    let options = Options::new().default_locale("en-us").unwrap();
+    let inputs = discover(&[support::folder("drama")], None).unwrap();
     let whole = Compiler::new(options.clone()).compile(&inputs).bank.unwrap();
     let bank = Bank::open(&whole).unwrap().verify().unwrap();
     let split = SplitBank::from_bytes(&whole).unwrap();
@@ -18,10 +19,11 @@ fn text_banks_answer_as_the_whole() {
     assert_eq!(split.texts.len(), bank.locales().count());
     let mut text_count = 0;
     for ((tag, bytes), locale) in split.texts.iter().zip(bank.locales()) {
-        assert_eq!(tag, locale.tag());
-        let texts = base.open_texts(bytes).unwrap().verify(&base).unwrap();
-        let own = texts.locale(tag).unwrap();
-        assert_eq!((texts.locales().count(), own.is_default()), (1, locale.is_default()));
+        assert_eq!(tag, bank.locale_tag(locale));
+        let base = base.with_texts(bytes).unwrap();
+        let own = base.locale(tag).unwrap();
+        let is_default = base.default_locale() == Some(own);
+        assert_eq!((base.locales().count(), is_default), (1, bank.default_locale() == Some(locale)));
         for (clip, whole_clip) in base.clips().zip(bank.clips()) {
             assert_eq!((clip.key(), clip.frames()), (whole_clip.key(), whole_clip.frames()));
             for (segment, whole_segment) in clip.segments().zip(whole_clip.segments()) {
@@ -37,17 +39,19 @@ fn text_banks_answer_as_the_whole() {
 
 #[test]
 fn what_was_split_is_joined_again() {
-    let options = Options::new().default_locale("en-us").strip(true);
-    let (inputs, _) = discover(&[support::folder("drama")], None);
+    let options = Options::new().default_locale("en-us").unwrap().strip(true);
+    let inputs = discover(&[support::folder("drama")], None).unwrap();
     let whole = Compiler::new(options).compile(&inputs).bank.unwrap();
     let split = SplitBank::from_bytes(&whole).unwrap();
-    let base = Bank::open(&split.base).unwrap().verify().unwrap();
-    let texts: Vec<_> =
-        split.texts.iter().map(|(_, bytes)| base.open_texts(bytes).unwrap().verify(&base).unwrap()).collect();
+    let files: Vec<&[u8]> =
+        std::iter::once(&split.base).chain(split.texts.iter().map(|(_, texts)| texts)).map(Vec::as_slice).collect();
     let whole = Bank::open(&whole).unwrap().verify().unwrap();
-    let joined = BankWithTexts::new(&base, &texts).joined().unwrap();
+    let joined = with(&files, Stack::of).unwrap().into_bank();
     let joined = Bank::open(&joined).unwrap().verify().unwrap();
-    let locales = |bank: &Bank<'_>| bank.locales().map(|at| (at.tag().to_owned(), at.is_default())).collect::<Vec<_>>();
+    let locales = |bank: &Bank<'_>| {
+        let locale = |at| (bank.locale_tag(at).to_owned(), bank.default_locale() == Some(at));
+        bank.locales().map(locale).collect::<Vec<_>>()
+    };
     assert_eq!((joined.fingerprint(), locales(&joined)), (whole.fingerprint(), locales(&whole)));
     let mut fallbacks = 0;
     for (clip, whole_clip) in joined.clips().zip(whole.clips()) {
@@ -55,15 +59,15 @@ fn what_was_split_is_joined_again() {
             assert_eq!(segment.event(), whole_segment.event());
             for (locale, whole_locale) in joined.locales().zip(whole.locales()) {
                 let text = segment.text(locale);
-                assert_eq!(text, whole_segment.text(whole_locale), "{} in {}", clip.key(), locale.tag());
+                assert_eq!(text, whole_segment.text(whole_locale), "{} in {}", clip.key(), joined.locale_tag(locale));
                 fallbacks += usize::from(text.is_some_and(lipz_bank::Text::is_fallback));
             }
         }
     }
     assert!(fallbacks > 50, "{fallbacks}");
-    let some = BankWithTexts::new(&base, &texts[..1]).joined().unwrap();
+    let some = with(&files[..2], Stack::of).unwrap().into_bank();
     let some = Bank::open(&some).unwrap().verify().unwrap();
-    assert!(some.locales().map(|locale| locale.tag()).eq([split.texts[0].0.as_str()]));
+    assert!(some.locales().map(|locale| some.locale_tag(locale)).eq([split.texts[0].0.as_str()]));
 }
 
 #[test]

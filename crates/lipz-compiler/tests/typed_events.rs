@@ -3,7 +3,7 @@
 
 mod support;
 
-use lipz_bank::{Bank, EventName, Segment};
+use lipz_bank::{Bank, EventName, Segment, Strength};
 use lipz_compiler::{Compiler, Input, KnownNames, Options};
 use lipz_file::event;
 use proptest::prelude::*;
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 /// Character, verb and object of an event, from either side.
 type Parts<'e> = (Option<&'e str>, &'static str, Option<&'e str>);
 
-fn stored<'d>(segment: &Segment<'d, '_>) -> Vec<Parts<'d>> {
+fn stored<'d>(segment: &Segment<'d>) -> Vec<Parts<'d>> {
     let name = |name: Option<EventName<'d>>| name.map(EventName::as_str);
     let parts =
         |event: lipz_bank::Event<'d>| (name(event.character), event.command.verb(), name(event.command.object()));
@@ -29,13 +29,28 @@ fn parsed(string: &str) -> Vec<Parts<'_>> {
         .collect()
 }
 
+/// The numbers of gestures as they are written: they have places among the names.
+fn numbers(string: &str) -> impl Iterator<Item = &str> {
+    let events = event::parse(string).into_iter().flatten();
+    events.filter_map(|event| event.command.amount().map(|word| word.text))
+}
+
+/// The same as a bank has them.
+fn strengths(segment: &Segment<'_>) -> Vec<Strength> {
+    segment.events().filter_map(|event| event.command.amount()).collect()
+}
+
 /// Compares all events of a bank with its strings; returns how many there are.
 fn compare(bytes: &[u8]) -> usize {
     let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
     let (mut count, mut names) = (0, BTreeSet::new());
     for segment in bank.clips().flat_map(|clip| clip.segments()) {
         let events = stored(&segment);
-        assert_eq!(events, parsed(segment.event().unwrap_or_default()));
+        let string = segment.event().unwrap_or_default();
+        assert_eq!(events, parsed(string));
+        let of_string = numbers(string).filter_map(|number| Strength::parse(number.as_bytes()));
+        assert_eq!(strengths(&segment), of_string.collect::<Vec<_>>());
+        names.extend(numbers(string));
         count += events.len();
         names.extend(events.iter().flat_map(|(character, _, object)| [*character, *object]).flatten());
     }
@@ -45,7 +60,7 @@ fn compare(bytes: &[u8]) -> usize {
     names.extend(curves.iter().map(String::as_str));
     // Names are numbered in their order, without gaps, and none is there that no event and no curve has.
     for (name, number) in names.iter().zip(0..) {
-        assert_eq!(bank.event_name(name).map(EventName::id), Some(number), "{names:?}");
+        assert_eq!(bank.event_name(name).map(|name| name.to_words()[1]), Some(number), "{names:?}");
     }
     let sections: Vec<_> = bank.sections().filter(|(tag, _)| *tag == lipz_layout::Tag::EVENT_NAMES.0).collect();
     assert_eq!(sections[0].1.len(), names.len() * size_of::<lipz_layout::EventNameRecord>());
@@ -76,10 +91,7 @@ proptest! {
         let file = format!(r#"{{ "events": "{}" }}"#, strings.join("|"));
         let inputs = ["a", "b"].map(|key| Input::from_bytes(key, file.clone()));
         // What the checks say about the events makes no difference to them.
-        let names = |names: &[&str]| Some(names.iter().copied().map(str::to_owned).collect());
-        let (characters, props) = (names(&["amy"]), names(&["door"]));
-        let mut names = KnownNames::new();
-        (names.characters, names.props) = (characters, props);
+        let names = KnownNames::new().characters(["amy"]).props(["door"]);
         let banks = [KnownNames::new(), names].map(|names| {
             Compiler::new(Options::new().known_names(names)).compile(&inputs).bank.unwrap()
         });

@@ -11,7 +11,7 @@ const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 const SUBSTITUTE: char = '\u{1A}';
 
 /// The diagnostics in one file, with its text for showing them.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct Report {
     /// The file.
@@ -83,6 +83,16 @@ impl fmt::Display for Report {
     }
 }
 
+/// The same text, because a `main` that returns the report as an error prints it this way.
+impl fmt::Debug for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.diagnostics.len() {
+            0 => write!(f, "no diagnostics in {:?}", self.source.path),
+            _ => f.write_str(self.to_string().trim_end()),
+        }
+    }
+}
+
 /// A report is also why something could not be done: `?` passes it on, and it prints its diagnostics.
 impl std::error::Error for Report {}
 
@@ -112,5 +122,7 @@ mod tests {
         assert!(!report.has_errors());
         let nowhere = Report::failure("", Code::Usage, "no", "yes");
         assert_eq!(nowhere.to_string(), "error[LZ1601]: no\n  help: yes\n");
+        assert_eq!(format!("{nowhere:?}"), "error[LZ1601]: no\n  help: yes", "what a `main` prints");
+        assert_eq!(format!("{:?}", Report::default()), "no diagnostics in \"\"");
     }
 }

@@ -48,13 +48,13 @@ pub struct Event<'t> {
     /// Who; `None` for the speaker of the clip.
     pub character: Option<Word<'t>>,
     /// What.
-    pub command: Command<Word<'t>>,
+    pub command: Command<Word<'t>, Word<'t>>,
     /// Where the verb is, in bytes of the segment; both words of `stops staring`.
     pub verb: Range<usize>,
 }
 
 /// The command of these two words.
-fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>>> {
+fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>, Word<'t>>> {
     Some(match (verb, object.text) {
         ("feels", _) => Command::Feels(object),
         ("sees", _) => Command::Sees(object),
@@ -68,7 +68,7 @@ fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>>> {
 }
 
 /// The gesture that these words are, and where its verb is.
-fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>>, Range<usize>)> {
+fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>, Word<'t>>, Range<usize>)> {
     let is_number = |word: &Word<'_>| thousandths(word.text).is_ok_and(|number| number >= 0);
     let (verb, number) = match words {
         [verb] if verb.text == BLINKS => return Some((Command::Blinks, verb.range())),
@@ -91,12 +91,7 @@ fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>>, Range<u
 impl Event<'_> {
     /// The number of a gesture in thousandths; `None` if there is none.
     pub fn number(&self) -> Option<i32> {
-        match self.command {
-            Command::Nods(number) | Command::Shakes(number) | Command::Breathes(number) => {
-                thousandths(number?.text).ok()
-            }
-            _ => None,
-        }
+        thousandths(self.command.amount()?.text).ok()
     }
 }
 
@@ -106,8 +101,8 @@ impl fmt::Display for Event<'_> {
             write!(f, "{} ", character.text)?;
         }
         f.write_str(self.command.verb())?;
-        match self.command.object() {
-            Some(object) => write!(f, " {}", object.text),
+        match self.command.object().or(self.command.amount()) {
+            Some(word) => write!(f, " {}", word.text),
             None => Ok(()),
         }
     }
@@ -240,7 +235,7 @@ mod tests {
             [event] => Some((
                 event.character.map(|word| word.text),
                 event.command.verb(),
-                event.command.object().map(|word| word.text),
+                event.command.object().or(event.command.amount()).map(|word| word.text),
             )),
             _ => None,
         }

@@ -11,8 +11,8 @@ use std::path::Path;
 const LONGEST_BANK: u64 = u32::MAX as u64;
 
 /// Where the bytes of a file are.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Backing {
+#[derive(Debug)]
+enum Backing {
     /// In memory of this process: nobody can change the bytes any more.
     Memory,
     /// In the file, which is mapped into the address space.

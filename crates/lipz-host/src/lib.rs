@@ -1,49 +1,53 @@
 //! Dialogue banks as files, for programs with an operating system.
 //!
-//! `lipz-bank` reads a bank from any bytes and knows no files. This crate supplies the bytes:
-//! [`FileBytes`] reads or maps a file, [`OwnedBank`] is a bank together with its bytes, and
-//! [`LiveBank`] switches to a new version of the file while the program runs, for instance when
-//! `lipz watch` has written one. [`OwnedLayers`] and [`LiveLayers`] are the same for a bank with layers over it,
-//! and [`OwnedSet`] is a set of banks.
-//!
-//! A game keeps a version of the bank and what is playing in one struct:
+//! `lipz-bank` answers from any bytes and knows no files. This crate supplies the bytes: a [`Dialogue`] is any number of files
+//! together with their contents. You can keep it, send it to other threads, and refresh it when `lipz watch` or an update has
+//! replaced files.
 //!
 //! ```no_run
-//! use lipz_bank::{ClipId, Cursor, Micros};
-//! use lipz_host::{LiveBank, OpenError, OwnedBank};
-//! use std::sync::Arc;
+//! use lipz_bank::{ClipId, Cursor, Locale, Micros};
+//! use lipz_host::{Dialogue, OpenError};
 //!
 //! struct Game {
-//!     bank: Arc<OwnedBank>,
+//!     dialogue: Dialogue,
+//!     german: Option<Locale>,
 //!     playing: Option<(ClipId, Cursor)>,
 //! }
 //!
 //! impl Game {
 //!     fn start(&mut self, id: ClipId) {
-//!         let cursor = self.bank.bank().clip(id).and_then(|clip| Cursor::new(&clip));
-//!         self.playing = cursor.map(|cursor| (id, cursor));
+//!         let cursor = self.dialogue.clip(id).and_then(|clip| Cursor::new(&clip));
+//!         self.playing = cursor.map(|cursor| (id, cursor.with_speaker(self.dialogue.event_name("mara"))));
 //!     }
 //!
-//!     fn draw(&mut self, sound: Micros) {
+//!     /// Once per rendered frame.
+//!     fn draw(&mut self, audio: Micros) {
 //!         let Some((id, cursor)) = &mut self.playing else { return };
-//!         let Some(clip) = self.bank.bank().clip(*id) else { return };
-//!         for event in cursor.advance_to(&clip, sound).events() {
+//!         let Some(clip) = self.dialogue.clip(*id) else { return };
+//!         for event in cursor.advance_to(&clip, audio).events() {
 //!             println!("{event}");
 //!         }
-//!         println!("{}", cursor.viseme(&clip));
+//!         let text = self.german.and_then(|german| cursor.segment(&clip)?.text(german));
+//!         println!("{} {}", cursor.viseme(&clip), text.map_or("", |text| text.as_str()));
+//!     }
+//!
+//!     /// Now and then, between rendered frames.
+//!     fn refresh(&mut self) {
+//!         match self.dialogue.refresh() {
+//!             Ok(changes) if changes.is_empty() => {}
+//!             Ok(_) => self.german = self.dialogue.locale("de-de"), // the cursor continues with the new version of its clip
+//!             Err(why) => eprintln!("the old dialogue stays in use: {why}"),
+//!         }
 //!     }
 //! }
 //!
 //! # fn main() -> Result<(), OpenError> {
-//! let live = LiveBank::open("dialogue.lipzbank")?;
-//! let mut game = Game { bank: live.current(), playing: None };
+//! // Only this list changes when a patch and the texts of a language come in files of their own.
+//! let dialogue = Dialogue::open(["dialogue.lipzbank", "patch.lipzbank", "dialogue.de-de.lipztexts"])?;
+//! let german = dialogue.locale("de-de");
+//! let mut game = Game { dialogue, german, playing: None };
 //! game.start(ClipId::from_key("act1/mara-good-evening"));
-//! // Now and then, between pictures:
-//! match live.refresh() {
-//!     Ok(true) => game.bank = live.current(), // the cursor goes on with the new version of its clip
-//!     Ok(false) => {}                         // the file is the same
-//!     Err(why) => eprintln!("the old dialogue stays in use: {why}"),
-//! }
+//! game.refresh();
 //! game.draw(Micros(1_500_000));
 //! # Ok(())
 //! # }
@@ -51,37 +55,38 @@
 //!
 //! # Memory or map
 //!
-//! `open` reads the file into memory. What happens to the file afterwards does not matter: what was verified
+//! [`Dialogue::open`] reads the files into memory. What happens to the files afterwards does not matter: what was verified
 //! stays verified.
 //!
-//! `open_mapped` maps the file. That is faster and shares memory between programs, but the bytes are still those
-//! of the file, so it is `unsafe`: the caller guarantees that nobody changes or truncates the file while it is
-//! mapped. Replacing it is fine on Unix: `lipz pack` and `lipz watch` write a new file and rename it over the old
-//! one, and a map of the old file stays whole until it is dropped. *Windows* refuses to replace a file that is
-//! mapped, and the program that writes the new one gets an error. There, do not map banks that change.
+//! [`Dialogue::open_mapped`] maps the files. That shares memory between programs, and reads only the pages that are touched,
+//! but the bytes are still those of the files. So it is `unsafe`: the caller guarantees that no process changes or truncates
+//! the files while they are mapped. Replacing them is fine on Unix: `lipz pack` and `lipz watch` write a new file and rename
+//! it over the old one, and a map of the old file stays whole until it is dropped. *Windows* refuses to replace a file that is
+//! mapped.
 //!
-//! `docs/HOST.md` says more about both, and about text banks.
+//! [HOST.md](https://github.com/lipz/lipz/blob/main/docs/HOST.md) is the manual, and
+//! [DESIGN.md](https://github.com/lipz/lipz/blob/main/docs/DESIGN.md) gives the reasons for this API.
 //!
-//! What is not here: threads, and watching (the program calls [`LiveBank::refresh`] when it suits it).
+//! # Features
+//!
+//! `simdutf8` verifies in half of the time.
 
 #![deny(unsafe_op_in_unsafe_fn)]
 
 mod bytes;
+mod changes;
+mod dialogue;
 mod error;
-mod layers;
-mod live;
-mod live_layers;
-mod owned;
-mod set;
+mod files;
+mod queries;
+mod source;
 mod stamp;
 
 pub use bytes::FileBytes;
+pub use changes::Changes;
+pub use dialogue::Dialogue;
 pub use error::OpenError;
-pub use layers::{LayersOpenError, MAX_LAYERS, OwnedLayers};
-pub use live::LiveBank;
-pub use live_layers::LiveLayers;
-pub use owned::OwnedBank;
-pub use set::OwnedSet;
+pub use source::Source;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

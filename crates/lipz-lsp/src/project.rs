@@ -64,7 +64,7 @@ impl Known {
     fn from_settings(file: PathBuf) -> Known {
         // Before they are read: what changes in between is noticed next time.
         let settings_bytes = std::fs::read(&file).unwrap_or_default();
-        let (settings, report) = Settings::read(&file);
+        let (settings, report) = Settings::read_with_report(&file);
         let settings_report = (!report.diagnostics.is_empty()).then_some(report);
         let project = Project { settings, file: Some(file) };
         Known { project, settings_report, settings_bytes, ..Known::default() }
@@ -96,7 +96,9 @@ impl Known {
     pub(crate) fn discover(&mut self) {
         if !self.is_discovered {
             let settings = &self.project.settings;
-            let (inputs, recordings) = (settings.discover().0, Recordings::discover(settings).0);
+            // What is missing is reported by the check.
+            let (inputs, _) = settings.discover_with_reports();
+            let (recordings, _) = Recordings::discover_with_reports(settings);
             self.discovered(inputs, recordings);
         }
     }
@@ -119,7 +121,7 @@ impl Known {
         unsaved: &HashMap<String, String>,
         work: impl Fn(&str, &[u8]) -> R + Send + Sync,
     ) -> Vec<R> {
-        let (inputs, _) = self.project.settings.discover();
+        let (inputs, _) = self.project.settings.discover_with_reports();
         each_file(&self.project, &inputs, unsaved, work)
     }
 }

@@ -19,7 +19,7 @@ const MOST_ENTRIES: usize = 500;
 pub(crate) fn symbols(document: &Document, known: &project::Known) -> Vec<DocumentSymbol> {
     let parsed = lipz_file::parse(document.text.as_bytes());
     let read = parsed.document.or(parsed.fragment.map(|fragment| fragment.document)).unwrap_or_default();
-    let timing = Timing::of(&read, known.project.settings.options.default_fps);
+    let timing = Timing::of(&read, known.project.settings.options.get_default_fps());
     read.elements.iter().map(|element| symbol(document, element, timing.as_ref())).collect()
 }
 

@@ -63,14 +63,14 @@ impl Words {
 
     /// Those that the project allows, where it has a list; otherwise those that it uses.
     pub(crate) fn allowed(&self, role: Role, names: &KnownNames) -> BTreeSet<String> {
-        let listed = |list: &Option<BTreeSet<String>>, used: &BTreeSet<String>| list.clone().unwrap_or(used.clone());
-        let characters = || listed(&names.characters, &self.characters);
+        let listed = |list: Option<&BTreeSet<String>>, used: &BTreeSet<String>| list.unwrap_or(used).clone();
+        let characters = || listed(names.get_characters(), &self.characters);
         match role {
             Role::Character => characters(),
-            Role::Target => characters().into_iter().chain(listed(&names.props, &self.targets)).collect(),
-            Role::Action => listed(&names.actions, &self.actions),
+            Role::Target => characters().into_iter().chain(listed(names.get_props(), &self.targets)).collect(),
+            Role::Action => listed(names.get_actions(), &self.actions),
             Role::Emotion => {
-                let known = event::EMOTIONS.map(str::to_owned).into_iter().chain(names.emotions.iter().cloned());
+                let known = event::EMOTIONS.map(str::to_owned).into_iter().chain(names.get_emotions().iter().cloned());
                 let attributes = lipz_types::Emotion::ALL.iter().map(|emotion| emotion.name().to_owned());
                 known.chain(attributes).collect()
             }
@@ -151,9 +151,9 @@ mod tests {
             lipz_file::parse(br#"{"events": "mara sees lamp", "text_de-de": "", "text": ""}"#).document.unwrap();
         let words = Words::of(&document);
         assert_eq!(words.locales.iter().collect::<Vec<_>>(), ["de-de"]);
-        let mut names = KnownNames::default();
+        let names = KnownNames::default();
         assert_eq!(words.allowed(Role::Target, &names).into_iter().collect::<Vec<_>>(), ["lamp", "mara"]);
-        names.characters = Some(["otto".to_owned()].into());
+        let names = names.characters(["otto"]);
         assert_eq!(words.allowed(Role::Target, &names).into_iter().collect::<Vec<_>>(), ["lamp", "otto"]);
     }
 }

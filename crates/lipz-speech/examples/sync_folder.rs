@@ -3,14 +3,10 @@
 //! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
 //! A MODEL is a file that `lipz sync --train` made, or one that `lipz recogniser` made.
 
-use lipz_speech::{
-    AlignOptions, Aligner, Language, Model, Pronouncer, Recogniser, RecogniserError, RenderRules, Script, Sound,
-    TrainedModel, render,
-};
-use lipz_types::{Fps, VisemeType};
+use lipz_speech::{Language, LipSync, Model, Recogniser, RecogniserError, TrainedModel};
 use serde_json::{Value, json};
 use std::error::Error;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -57,27 +53,13 @@ fn sync(path: &Path, with: &With<'_>) -> Result<Value, Box<dyn Error>> {
     let without_script = with.locale == "-";
     let locale = facts["lang"].as_str().unwrap_or(with.locale);
     let started = Instant::now();
-    let extension = path.extension().and_then(|extension| extension.to_str());
-    let sound = Sound::read(File::open(path)?, extension)?;
-    let aligner = Aligner::new(with.model, AlignOptions::default());
-    let (script, alignment) = match (without_script, with.recogniser) {
-        (true, None) => (Script::default(), aligner.listen(&sound)),
-        (true, Some(recogniser)) => {
-            let script = recogniser.hear(File::open(path)?, extension)?.script();
-            (Script::default(), aligner.align(&sound, &script))
-        }
-        (false, _) => {
-            let language = Language::from_locale(locale).ok_or("no such language")?;
-            let script = Pronouncer::new(language).script(text.trim());
-            let mut alignment = aligner.align(&sound, &script);
-            if let Some(recogniser) = with.recogniser {
-                let heard = recogniser.hear(File::open(path)?, extension)?;
-                alignment.mismatches = heard.mismatches(&script, &alignment);
-            }
-            (script, alignment)
-        }
-    };
-    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    // Without a script, the language makes no difference.
+    let language = if without_script { Some(Language::ENGLISH) } else { Language::from_locale(locale) };
+    let mut lip_sync = LipSync::new(language.ok_or("no such language")?).model(with.model);
+    if let Some(recogniser) = with.recogniser {
+        lip_sync = lip_sync.recogniser(recogniser);
+    }
+    let line = lip_sync.file(path, if without_script { "" } else { text.trim() })?;
     let wall = started.elapsed().as_secs_f64();
     let seconds = |us: u64| us as f64 / 1e6;
     let phone = |phone: &lipz_speech::AlignedPhone| json!({ "p": phone.phone.name(), "s": seconds(phone.start_us), "e": seconds(phone.end_us), "fit": phone.fit });
@@ -87,9 +69,9 @@ fn sync(path: &Path, with: &With<'_>) -> Result<Value, Box<dyn Error>> {
         json!({ "kind": format!("{:?}", found.kind), "w": words, "s": seconds(found.start_us), "e": seconds(found.end_us) })
     };
     Ok(json!({
-        "visemes": mouth.frames, "viseme_type": "blair", "fps": 24, "phoneset": "arpa",
-        "phones": alignment.phones.iter().map(phone).collect::<Vec<_>>(),
-        "words": script.words.iter().zip(&alignment.words).map(word).collect::<Vec<_>>(),
-        "mismatches": alignment.mismatches.iter().map(mismatch).collect::<Vec<_>>(), "wall": wall,
+        "visemes": line.mouth.frames, "viseme_type": "blair", "fps": 24, "phoneset": "arpa",
+        "phones": line.alignment.phones.iter().map(phone).collect::<Vec<_>>(),
+        "words": line.words().filter(|_| !without_script).map(word).collect::<Vec<_>>(),
+        "mismatches": line.alignment.mismatches.iter().map(mismatch).collect::<Vec<_>>(), "wall": wall,
     }))
 }

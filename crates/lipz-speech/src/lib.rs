@@ -1,8 +1,20 @@
 //! Recordings and their scripts become mouth shapes.
 //!
-//! A [`Script`] is what is said: words with all their pronunciations, made of [`Phone`]s. A [`Pronouncer`] makes it of
-//! a text, and an [`Aligner`] finds when each word and phone of it is said in a [`Sound`].
-//! [`render`] makes a mouth of that, a viseme for every frame; [`rms`] makes one of the loudness alone.
+//! [`LipSync`] does it in one call:
+//!
+//! ```no_run
+//! use lipz_speech::{Language, LipSync};
+//! let line = LipSync::new(Language::ENGLISH).file("mara-hello.wav", "Good evening, Mara.")?;
+//! println!("{}", line.mouth.frames); // a viseme for each frame, 24 per second
+//! # Ok::<(), lipz_speech::SoundError>(())
+//! ```
+//!
+//! # Step by step
+//!
+//! [`Sound::read`] decodes a recording. A [`Pronouncer`] makes a [`Script`] of a text: its words with all their pronunciations,
+//! which consist of [`Phone`]s. An [`Aligner`] finds when each word and phone of the script is said in the sound. [`render`]
+//! makes a mouth of this [`Alignment`], a viseme for every frame; [`rms`] makes one of the loudness alone. Arguments come in
+//! this order: sound, script or alignment, frames per second, viseme type, rules.
 //!
 //! Results are the same on every machine, to the last bit.
 //!
@@ -14,6 +26,7 @@ mod align;
 mod features;
 mod label;
 mod language;
+mod lip_sync;
 mod model;
 mod neural;
 mod phone;
@@ -28,6 +41,8 @@ mod train;
 pub use align::{AlignOptions, AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind};
 pub use label::phones_of_label;
 pub use language::{Language, Reliance};
+pub use lip_sync::{LipSync, SyncedLine};
+pub use lipz_types::{Fps, VisemeType};
 pub use model::Model;
 pub use neural::{Heard, Recogniser, RecogniserError};
 pub use phone::{ParsePhoneError, Phone};

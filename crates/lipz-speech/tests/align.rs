@@ -23,7 +23,7 @@ fn bobby() -> Sound {
 fn three_bobbies() -> Sound {
     let samples = samples();
     let silence = vec![0.0; 24_000];
-    Sound::from_samples(48_000, &[&samples[..], &silence, &samples, &silence, &samples].concat()).unwrap()
+    Sound::from_samples(&[&samples[..], &silence, &samples, &silence, &samples].concat(), 48_000).unwrap()
 }
 
 /// The samples of the recording, which has 48,000 a second of 16 bits.
@@ -64,7 +64,7 @@ fn phones_cover_the_sound_without_gaps() {
 #[test]
 fn the_mouth_closes_for_b_and_p() {
     let alignment = align(&bobby(), "Bobby ripped the ledger.");
-    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let mouth = render(&alignment, Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     assert_eq!(mouth.frames.len(), 29);
     let closed = mouth.frames.as_bytes().chunk_by(|a, b| a == b).filter(|run| run[0] == b'M');
     let closed: Vec<usize> = closed.map(<[u8]>::len).collect();
@@ -75,7 +75,7 @@ fn the_mouth_closes_for_b_and_p() {
 #[test]
 fn the_mouth_moves_for_what_the_script_does_not_say() {
     let alignment = align(&three_bobbies(), "Bobby ripped the ledger. Bobby ripped the ledger.");
-    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default()).frames;
+    let mouth = render(&alignment, Fps::whole(24), VisemeType::Blair, &RenderRules::default()).frames;
     let length_ms = samples().len() / 48;
     for number in 0..3 {
         let start_ms = number * (length_ms + 500);
@@ -91,7 +91,7 @@ fn the_mouth_moves_for_what_the_script_does_not_say() {
 fn the_volume_makes_no_difference() {
     let quiet: Vec<f32> = samples().iter().map(|sample| sample / 16.0).collect();
     let (loud, quiet) = (align(&bobby(), "Bobby ripped the ledger."), {
-        align(&Sound::from_samples(48_000, &quiet).unwrap(), "Bobby ripped the ledger.")
+        align(&Sound::from_samples(&quiet, 48_000).unwrap(), "Bobby ripped the ledger.")
     });
     for (loud, quiet) in loud.words.iter().zip(&quiet.words) {
         assert!(loud.start_us.abs_diff(quiet.start_us) <= 10_000, "{loud:?} {quiet:?}");
@@ -137,17 +137,17 @@ fn without_a_script_most_phones_are_found() {
     let times_us = (0..bobby().duration_us()).step_by(10_000);
     let same = times_us.clone().filter(|&time_us| at(&alignment, time_us) == at(&scripted, time_us)).count();
     assert!(same * 2 > times_us.count(), "{same} of the hundredths of a second: {alignment:?}");
-    assert!(aligner.listen(&Sound::from_samples(16_000, &[0.0; 16_000]).unwrap()).phones.len() == 1);
+    assert!(aligner.listen(&Sound::from_samples(&[0.0; 16_000], 16_000).unwrap()).phones.len() == 1);
 }
 
 #[test]
 fn nothing_is_too_short_or_too_empty() {
     for samples in [vec![0.0; 1], vec![0.0; 160], vec![0.5; 1_000], vec![0.0; 48_000]] {
-        let sound = Sound::from_samples(16_000, &samples).unwrap();
+        let sound = Sound::from_samples(&samples, 16_000).unwrap();
         for text in ["", "Bobby ripped the ledger.", "|||", "Hm"] {
             let alignment = align(&sound, text);
             assert_eq!(alignment.phones.last().unwrap().end_us, sound.duration_us(), "{text}");
-            let mouth = render(&alignment, VisemeType::ToonBoom, Fps::whole(30), &RenderRules::default());
+            let mouth = render(&alignment, Fps::whole(30), VisemeType::ToonBoom, &RenderRules::default());
             assert_eq!(mouth.visemes().matches('|').count(), text.matches('|').count());
         }
     }
@@ -157,7 +157,7 @@ fn nothing_is_too_short_or_too_empty() {
 #[test]
 fn the_bytes_are_the_same_on_every_machine() {
     let alignment = align(&bobby(), "Bobby ripped the ledger.");
-    let mouth = render(&alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let mouth = render(&alignment, Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     assert_eq!(mouth.visemes(), "MMAAMMEESSSMMSSELLLEESEEEEEE-");
     let starts: Vec<u64> = alignment.phones.iter().map(|phone| phone.start_us / 100).collect();
     assert_eq!(starts, [0, 809, 2342, 2912, 3936, 4936, 5286, 5833, 6320, 6858, 7250, 8386, 9078, 9763]);

@@ -93,7 +93,7 @@ fn with_noise(samples: &[f32], noise: Noise) -> Sound {
     let noise = noise(samples.len());
     let gain = 0.1 * (power(&bobby()) / power(&noise)).sqrt();
     let mixed: Vec<f32> = samples.iter().zip(noise).map(|(sample, noise)| (sample + gain * noise) / 2.0).collect();
-    Sound::from_samples(RATE_HZ, &mixed).unwrap()
+    Sound::from_samples(&mixed, RATE_HZ).unwrap()
 }
 
 fn align(sound: &Sound, text: &str) -> Alignment {
@@ -104,7 +104,7 @@ fn align(sound: &Sound, text: &str) -> Alignment {
 /// The frames of a mouth in a pause of a second: from 100 milliseconds after its start to 200 before its end,
 /// when lips may close for the next word.
 fn frames_of_pause(alignment: &Alignment) -> String {
-    let mouth = render(alignment, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let mouth = render(alignment, Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     let start_ms = bobby().len() / 48 + 100;
     mouth.frames[start_ms * 24 / 1_000..(start_ms + 700) * 24 / 1_000].to_owned()
 }
@@ -145,10 +145,10 @@ fn noise_alone_is_no_speech() {
     for (name, noise) in noises {
         for count in [16_000, 144_000] {
             let samples: Vec<f32> = noise(count).iter().map(|sample| sample / 8.0).collect();
-            assert!(Sound::from_samples(RATE_HZ, &samples).unwrap().is_no_speech(), "{name} {count}");
+            assert!(Sound::from_samples(&samples, RATE_HZ).unwrap().is_no_speech(), "{name} {count}");
         }
     }
-    let none = Sound::from_samples(RATE_HZ, &vec![0.0; 48_000]).unwrap();
+    let none = Sound::from_samples(&vec![0.0; 48_000], RATE_HZ).unwrap();
     assert!(none.is_silent() && !none.is_no_speech());
 }
 
@@ -156,6 +156,6 @@ fn noise_alone_is_no_speech() {
 fn a_sentence_is_speech_whole_and_in_parts() {
     let samples = bobby();
     for part in [&samples[..], &samples[..30_000], &samples[20_000..], &with_pause(3_000)] {
-        assert!(!Sound::from_samples(RATE_HZ, part).unwrap().is_no_speech(), "{}", part.len());
+        assert!(!Sound::from_samples(part, RATE_HZ).unwrap().is_no_speech(), "{}", part.len());
     }
 }

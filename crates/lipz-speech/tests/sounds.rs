@@ -66,7 +66,7 @@ fn every_kind_of_wav_and_aiff_at_every_rate_is_read() {
 fn a_file_gives_what_its_samples_give() {
     let samples = tone(22_050, 500);
     let file = Sound::from_bytes(&wav(Samples::F32, 1, 22_050, &samples), None).unwrap();
-    let direct = Sound::from_samples(22_050, &samples).unwrap();
+    let direct = Sound::from_samples(&samples, 22_050).unwrap();
     assert_eq!((mouth(&file), file.duration_us()), (mouth(&direct), direct.duration_us()));
 }
 
@@ -88,8 +88,8 @@ fn a_recording_that_is_too_loud_says_where() {
 #[test]
 fn what_has_no_sound_is_an_error() {
     assert!(matches!(Sound::from_bytes(b"", None), Err(SoundError::Empty)));
-    assert!(matches!(Sound::from_samples(16_000, &[]), Err(SoundError::NoSound)));
-    assert!(matches!(Sound::from_samples(0, &[0.0]), Err(SoundError::Rate { rate_hz: 0 })));
+    assert!(matches!(Sound::from_samples(&[], 16_000), Err(SoundError::NoSound)));
+    assert!(matches!(Sound::from_samples(&[0.0], 0), Err(SoundError::Rate { rate_hz: 0 })));
     assert!(matches!(Sound::from_bytes(&wav(Samples::S16, 1, 16_000, &[]), None), Err(SoundError::NoSound)));
     let rate = Sound::from_bytes(&wav(Samples::S16, 1, 3, &[0.0; 100]), None);
     assert!(matches!(rate, Err(SoundError::Rate { rate_hz: 3 })), "{rate:?}");

@@ -12,7 +12,7 @@ fn small_voice() -> Sound {
     let data = BOBBY.windows(4).position(|window| window == b"data").unwrap() + 8;
     let samples: Vec<f32> =
         BOBBY[data..].chunks_exact(2).map(|two| f32::from(i16::from_le_bytes([two[0], two[1]])) / 32_768.0).collect();
-    Sound::from_samples(58_000, &samples).unwrap()
+    Sound::from_samples(&samples, 58_000).unwrap()
 }
 
 fn script(text: &str) -> Script {

@@ -9,7 +9,7 @@ use crate::spoken_now::SpokenNow;
 use crate::{Recordings, Spoken, SyncRecord, threads};
 use lipz_compiler::Input;
 use lipz_compiler::settings::Settings;
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{DiagnosticsError, Report};
 use std::fs::File;
 use std::path::PathBuf;
 
@@ -32,7 +32,25 @@ pub struct Unaccepted {
 ///
 /// `is_meant` says whether a clip is asked for, by its key and the locale that is spoken, if it is that of a voice; `progress` is
 /// called for each clip. Both are called from several threads.
+///
+/// # Errors
+/// A diagnostic for each recording or folder that cannot be read.
 pub fn unaccepted(
+    settings: &Settings,
+    inputs: &[Input],
+    record: &SyncRecord,
+    is_meant: &(dyn Fn(&str, Option<&str>) -> bool + Sync),
+    progress: &(dyn Fn() + Sync),
+) -> Result<Vec<Unaccepted>, DiagnosticsError> {
+    let (unaccepted, reports) = unaccepted_with_reports(settings, inputs, record, is_meant, progress);
+    Ok(DiagnosticsError::check(unaccepted, reports)?.0)
+}
+
+/// The same of the recordings that can be read, and reports about the others.
+///
+/// For tools that report everything at once, such as the command `lipz`. All other programs call [`unaccepted`].
+#[must_use = "the reports say whether recordings are missing"]
+pub fn unaccepted_with_reports(
     settings: &Settings,
     inputs: &[Input],
     record: &SyncRecord,
@@ -42,9 +60,9 @@ pub fn unaccepted(
     if settings.audio.folder.is_none() {
         return Default::default();
     }
-    let (recordings, mut reports) = Recordings::discover(settings);
+    let (recordings, mut reports) = Recordings::discover_with_reports(settings);
     let originals = Originals::new(recordings.voices(), inputs);
-    let found = threads::map(inputs, settings.options.threads, |input| {
+    let found = threads::map(inputs, settings.options.get_threads(), |input| {
         let is_meant = is_meant(&input.key, recordings.locale(&input.key));
         let found = if is_meant { one(settings, &recordings, &originals, record, input) } else { Ok(None) };
         progress();

@@ -26,7 +26,7 @@ impl<'d> Clip<'d> {
             Some(Value::Number(number)) => {
                 rate::parse(&number.text).and_then(|rate| Fps::new(rate.numerator, rate.denominator))
             }
-            _ => options.default_fps,
+            _ => options.get_default_fps(),
         };
         Clip { visemes, codes: visemes.map(codes).unwrap_or_default(), fps }
     }

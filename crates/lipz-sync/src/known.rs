@@ -4,7 +4,7 @@ use crate::{Facts, Recordings, threads};
 use lipz_bank::Recording;
 use lipz_compiler::Input;
 use lipz_compiler::settings::Settings;
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{DiagnosticsError, Report};
 use std::collections::{BTreeMap, HashMap};
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
@@ -43,16 +43,37 @@ struct Look {
 
 impl KnownRecordings {
     /// Does what [`in_bank`](crate::in_bank()) does, and reads only recordings that changed since the last call.
-    pub fn in_bank(&mut self, settings: &Settings, inputs: &[Input]) -> (BTreeMap<String, Recording>, Vec<Report>) {
+    ///
+    /// # Errors
+    /// A diagnostic for each recording or folder that cannot be read.
+    pub fn in_bank(
+        &mut self,
+        settings: &Settings,
+        inputs: &[Input],
+    ) -> Result<BTreeMap<String, Recording>, DiagnosticsError> {
+        let (recordings, reports) = self.in_bank_with_reports(settings, inputs);
+        Ok(DiagnosticsError::check(recordings, reports)?.0)
+    }
+
+    /// Does the same for the recordings that can be read, and reports the others.
+    ///
+    /// For tools that report everything at once, such as the command `lipz`. All other programs call
+    /// [`in_bank`](KnownRecordings::in_bank).
+    #[must_use = "the reports say whether recordings are missing"]
+    pub fn in_bank_with_reports(
+        &mut self,
+        settings: &Settings,
+        inputs: &[Input],
+    ) -> (BTreeMap<String, Recording>, Vec<Report>) {
         if !settings.audio.in_bank {
             self.files.clear();
             self.read_count = 0;
             return Default::default();
         }
-        let (recordings, mut reports) = Recordings::discover(settings);
+        let (recordings, mut reports) = Recordings::discover_with_reports(settings);
         let found: Vec<_> =
             inputs.iter().filter_map(|input| Some((&input.key, recordings.find(&input.key)?))).collect();
-        let looked_at = threads::map(&found, settings.options.threads, |(_, path)| self.look_at(path));
+        let looked_at = threads::map(&found, settings.options.get_threads(), |(_, path)| self.look_at(path));
         let (mut in_bank, mut files) = (BTreeMap::new(), HashMap::with_capacity(found.len()));
         self.read_count = 0;
         for ((key, path), looked_at) in found.into_iter().zip(looked_at) {
@@ -148,12 +169,8 @@ mod tests {
         }
         let mut known = KnownRecordings::default();
         let mut run = |settings: &Settings| {
-            let (recordings, reports) = known.in_bank(settings, &inputs);
-            assert_eq!(
-                (reports, &recordings),
-                (vec![], &crate::in_bank(settings, &inputs).0),
-                "as if it were all read"
-            );
+            let recordings = known.in_bank(settings, &inputs).unwrap();
+            assert_eq!(recordings, crate::in_bank(settings, &inputs).unwrap(), "as if it were all read");
             (recordings.len(), known.read_count())
         };
         assert_eq!(run(&settings), (2, 2));
@@ -165,6 +182,11 @@ mod tests {
         assert_eq!(run(&settings), (3, 2));
         fs::remove_file(path("a.wav")).unwrap();
         assert_eq!(run(&settings), (2, 2));
+        fs::write(path("b.wav"), "no sound").unwrap();
+        let error = crate::in_bank(&settings, &inputs).unwrap_err();
+        assert!(error.to_string().contains("error[LZ1704]"), "{error}");
+        let (recordings, reports) = KnownRecordings::default().in_bank_with_reports(&settings, &inputs);
+        assert_eq!((recordings.len(), reports.as_slice()), (1, error.reports()), "the others are read");
         settings.audio.in_bank = false;
         assert_eq!(run(&settings), (0, 0));
     }

@@ -78,13 +78,14 @@ impl<'p> Place<'p, '_> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
     fn places(locale: Option<&str>, voices: &[(&str, &str)]) -> Places {
         let mut original = Voices::default();
         original.original = locale.map(str::to_owned);
-        let voices = voices.iter().fold(original, |voices, (locale, pattern)| voices.dub(*locale, *pattern));
+        let voices = voices.iter().fold(original, |voices, (locale, pattern)| voices.dub(locale, *pattern).unwrap());
         Places { pattern: None, voices }
     }
 

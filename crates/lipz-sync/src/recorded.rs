@@ -6,7 +6,7 @@ use crate::lints::{bytes_of, is_unrecorded};
 use crate::{Recordings, SyncRecord, record_place, threads};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{DiagnosticsError, Report};
 use std::path::Path;
 
 /// How much of the dialogue of a project is recorded, and what its mouths were made from.
@@ -23,7 +23,7 @@ pub struct Recorded {
     pub missing: usize,
     /// Recordings that no clip uses (LZ1702).
     pub unused: usize,
-    /// Clips whose mouths [`sync`](crate::sync()) made.
+    /// Clips whose mouths a [`SyncRun`](crate::SyncRun) made.
     pub synced: usize,
     /// Words of those clips that were not clearly heard.
     pub doubtful_words: usize,
@@ -31,21 +31,35 @@ pub struct Recorded {
 
 impl Recorded {
     /// Counts the recordings of a project with these Lipz files; nothing if it has no folder of recordings. Of each recording,
-    /// only what tells its length is read. Reports those of which nothing does: they count with a length of 0.
-    pub fn count(settings: &Settings, inputs: &[Input]) -> (Option<Recorded>, Vec<Report>) {
+    /// only what tells its length is read.
+    ///
+    /// # Errors
+    /// A diagnostic for each recording or folder that cannot be read, and for the record.
+    pub fn count(settings: &Settings, inputs: &[Input]) -> Result<Option<Recorded>, DiagnosticsError> {
+        let (recorded, reports) = Recorded::count_with_reports(settings, inputs);
+        Ok(DiagnosticsError::check(recorded, reports)?.0)
+    }
+
+    /// Counts the recordings that can be read, and reports the others, which count with a length of 0.
+    ///
+    /// For tools that report everything at once, such as the command `lipz`. All other programs call
+    /// [`count`](Recorded::count).
+    #[must_use = "the reports say whether recordings are missing"]
+    pub fn count_with_reports(settings: &Settings, inputs: &[Input]) -> (Option<Recorded>, Vec<Report>) {
         if settings.audio.folder.is_none() {
             return (None, Vec::new());
         }
-        let (recordings, mut reports) = Recordings::discover(settings);
-        let record = SyncRecord::read(&record_place(settings)).map(|(record, _)| record);
+        let (recordings, mut reports) = Recordings::discover_with_reports(settings);
+        let record = SyncRecord::read(&record_place(settings));
         let record = record.unwrap_or_else(|report| {
             reports.push(report);
             SyncRecord::default()
         });
         let unused = recordings.without_clip(inputs).len() + recordings.beside_others().count();
         let mut all = Recorded { unused, ..Recorded::default() };
-        let found =
-            threads::map(inputs, settings.options.threads, |input| of_clip(settings, &recordings, &record, input));
+        let found = threads::map(inputs, settings.options.get_threads(), |input| {
+            of_clip(settings, &recordings, &record, input)
+        });
         for (one, of_clip) in found {
             all.add(one);
             reports.extend(of_clip);

@@ -84,11 +84,12 @@ impl RecordedClip {
     /// # Errors
     /// If the recording, or the record of what mouths were made from, cannot be read.
     pub fn find(settings: &Settings, inputs: &[Input], key: &str) -> Result<Option<RecordedClip>, Report> {
-        let (recordings, _) = Recordings::discover(settings);
+        // Folders that cannot be read are for `check`.
+        let (recordings, _) = Recordings::discover_with_reports(settings);
         let (Some(path), Some(input)) = (recordings.find(key), inputs.iter().find(|input| input.key == key)) else {
             return Ok(None);
         };
-        let (record, _) = SyncRecord::read(&record_place(settings))?;
+        let record = SyncRecord::read(&record_place(settings))?;
         let length_us = length_us(path)?;
         let (state, doubtful) = state(settings, (inputs, input), &recordings, path, &record)?;
         let dubs = recordings.dubs(key).into_iter().map(|(locale, path)| (locale.to_owned(), path.map(shown)));
@@ -120,7 +121,7 @@ fn state(
         return Ok((SyncState::NoMouth, Vec::new()));
     }
     let own_type = document.string("viseme_type").and_then(|name| name.parse::<VisemeType>().ok());
-    let mouth = mouth_hash(&clip.codes, clip.fps, own_type.or(settings.options.default_viseme_type));
+    let mouth = mouth_hash(&clip.codes, clip.fps, own_type.or(settings.options.get_default_viseme_type()));
     let (sound, text) =
         (File::open(path).and_then(content_hash).map_err(|error| unreadable(path, &error))?, text_hash(spoken));
     let known: Vec<Line> = record.lines_for(&lipz_file).iter().map(|line| line.renewed(spoken)).collect();

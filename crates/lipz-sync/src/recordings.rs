@@ -4,7 +4,7 @@ use crate::places::{Place, Places};
 use crate::record_place;
 use lipz_compiler::settings::{Settings, sound_rank};
 use lipz_compiler::{Content, Input, Voices};
-use lipz_diagnostics::{Code, Report, escape};
+use lipz_diagnostics::{Code, DiagnosticsError, Report, escape};
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
@@ -23,8 +23,21 @@ pub struct Recordings {
 }
 
 impl Recordings {
-    /// The recordings of a project, and what could not be looked at. None if it has no folder of recordings.
-    pub fn discover(settings: &Settings) -> (Recordings, Vec<Report>) {
+    /// The recordings of a project. There are none if it has no folder of recordings.
+    ///
+    /// # Errors
+    /// A diagnostic for each folder or file that cannot be read.
+    pub fn discover(settings: &Settings) -> Result<Recordings, DiagnosticsError> {
+        let (recordings, reports) = Recordings::discover_with_reports(settings);
+        Ok(DiagnosticsError::check(recordings, reports)?.0)
+    }
+
+    /// The recordings of a project that could be found, and what cannot be read.
+    ///
+    /// For tools that report everything at once, such as the command `lipz`. All other programs call
+    /// [`discover`](Recordings::discover).
+    #[must_use = "the reports say whether recordings are missing"]
+    pub fn discover_with_reports(settings: &Settings) -> (Recordings, Vec<Report>) {
         match &settings.audio.folder {
             Some(folder) => Recordings::at(Places::new(settings), folder),
             None => Default::default(),
@@ -32,7 +45,16 @@ impl Recordings {
     }
 
     /// The recordings in `folder` and below, whose paths are keys. Links are followed.
-    pub fn below(folder: &Path) -> (Recordings, Vec<Report>) {
+    ///
+    /// # Errors
+    /// A diagnostic for each folder or file that cannot be read.
+    pub fn below(folder: &Path) -> Result<Recordings, DiagnosticsError> {
+        let (recordings, reports) = Recordings::below_with_reports(folder);
+        Ok(DiagnosticsError::check(recordings, reports)?.0)
+    }
+
+    /// The recordings in `folder` and below that could be found, and what cannot be read.
+    pub(crate) fn below_with_reports(folder: &Path) -> (Recordings, Vec<Report>) {
         Recordings::at(Places::default(), folder)
     }
 
@@ -158,7 +180,8 @@ pub fn dependencies(settings: &Settings) -> Vec<PathBuf> {
     let record = Some(record_place(settings)).filter(|record| record.is_file());
     let mut paths = Vec::from_iter(record);
     if let Some(folder) = audio.folder.as_ref().filter(|_| audio.in_bank) {
-        let (recordings, _) = Recordings::discover(settings);
+        // Folders that cannot be read are for `check`.
+        let (recordings, _) = Recordings::discover_with_reports(settings);
         paths.push(folder.clone());
         paths.extend(recordings.iter().map(|(_, path)| path.to_owned()));
     }
@@ -238,7 +261,7 @@ mod tests {
     #[test]
     fn recordings_that_no_clip_has() {
         let folder = folder(&["a.wav", "a.ogg", "b.wav", "c/d.mp3"]);
-        let (recordings, _) = Recordings::below(folder.path());
+        let recordings = Recordings::below(folder.path()).unwrap();
         let inputs = [Input::from_bytes("a", ""), Input::from_bytes("z", "")];
         assert_eq!(recordings.without_clip(&inputs), [folder.path().join("b.wav"), folder.path().join("c/d.mp3")]);
     }
@@ -248,10 +271,10 @@ mod tests {
     fn links_that_lead_back_and_missing_folders_are_reported() {
         let folder = folder(&["a.wav"]);
         std::os::unix::fs::symlink(folder.path(), folder.path().join("again")).unwrap();
-        let (recordings, reports) = Recordings::below(folder.path());
+        let (recordings, reports) = Recordings::below_with_reports(folder.path());
         assert_eq!((recordings.iter().count(), reports.len()), (1, 1));
         assert!(reports[0].to_string().contains("is a link that leads back to"), "{}", reports[0]);
-        let (_, reports) = Recordings::below(&folder.path().join("nowhere"));
-        assert_eq!(reports.len(), 1);
+        let error = Recordings::below(&folder.path().join("nowhere")).unwrap_err();
+        assert_eq!(error.reports().len(), 1);
     }
 }

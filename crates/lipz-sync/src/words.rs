@@ -13,8 +13,7 @@ use std::collections::BTreeMap;
 /// # Errors
 /// If the record cannot be read. What is odd about its lines is for [`check`](crate::check()).
 pub fn word_times(settings: &Settings, inputs: &[Input]) -> Result<BTreeMap<String, WordTimes>, Report> {
-    let (record, _) = SyncRecord::read(&record_place(settings))?;
-    Ok(word_times_of(&record, inputs))
+    Ok(word_times_of(&SyncRecord::read(&record_place(settings))?, inputs))
 }
 
 /// The same, as this record tells.

@@ -4,7 +4,8 @@
 //! they give the same answers as the machine that the dumps were written on.
 
 use core::fmt::{self, Debug, Display, Write};
-use lipz_bank::{Bank, Clip, Emotion, FaceProfile, Fps, LookAt, Micros, Segment, Spoken, Text, Viseme};
+use lipz_bank::face::{Emotion, FaceProfile, LookAt, Who};
+use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Spoken, Text, Viseme};
 
 /// Strings longer than this are shown by their length, their hash and their start.
 const LONGEST_BYTES: usize = 400;
@@ -20,10 +21,11 @@ pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
     let (major, _) = bank.format_version();
     writeln!(out, "format {major}, {} clips", bank.clip_count())?;
     for locale in bank.locales() {
-        writeln!(out, "locale {}{}", locale.tag(), if locale.is_default() { " default" } else { "" })?;
+        let is_default = bank.default_locale() == Some(locale);
+        writeln!(out, "locale {}{}", bank.locale_tag(locale), if is_default { " default" } else { "" })?;
     }
     for voice in bank.voices() {
-        writeln!(out, "voice {}{}", voice.tag(), if voice.is_original() { " original" } else { "" })?;
+        writeln!(out, "voice {}{}", bank.voice_tag(voice), if voice.is_original() { " original" } else { "" })?;
     }
     bank.face_profiles().try_for_each(|profile| write_profile(out, &profile))?;
     bank.clips().try_for_each(|clip| write_clip(out, bank, &clip))
@@ -41,15 +43,15 @@ pub(crate) fn write_profile(out: &mut impl Write, profile: &FaceProfile<'_>) -> 
     writeln!(out, ", glances {} %, fixation {} ms", profile.glance_percent(), profile.fixation_ms())
 }
 
-fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt::Result {
+fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_>) -> fmt::Result {
     write_mouth(out, clip)?;
     if let Some(original) = clip.original() {
-        writeln!(out, "  dub of {} in {}", original.key(), clip.voice().map_or("", |voice| voice.tag()))?;
+        writeln!(out, "  dub of {} in {}", original.key(), clip.voice().map_or("", |voice| bank.voice_tag(voice)))?;
     }
     for voice in bank.voices().filter(|_| clip.original().is_none()) {
         let voiced = clip.in_voice(voice);
         if voiced.spoken != Spoken::Original {
-            writeln!(out, "  in {} {} ({:?})", voice.tag(), voiced.clip.key(), voiced.spoken)?;
+            writeln!(out, "  in {} {} ({:?})", bank.voice_tag(voice), voiced.clip.key(), voiced.spoken)?;
         }
     }
     write_curves(out, clip)?;
@@ -61,7 +63,7 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_, '_>) -> fmt
 }
 
 /// The mouth of a clip.
-pub(crate) fn write_mouth(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Result {
+pub(crate) fn write_mouth(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result {
     writeln!(out, "\nclip {} {}", clip.key(), clip.id())?;
     writeln!(out, "  rate {}, type {}", OrUnknown(clip.fps()), OrUnknown(clip.viseme_type()))?;
     writeln!(out, "  visemes {}, events {}", clip.has_visemes(), clip.has_events())?;
@@ -76,13 +78,13 @@ pub(crate) fn write_mouth(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Res
 }
 
 /// The recording and the curves of a clip.
-pub(crate) fn write_curves(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Result {
+pub(crate) fn write_curves(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result {
     if let Some(recording) = clip.recording() {
         writeln!(out, "  recording {} us, content {:016x}", recording.length_us(), recording.content_hash())?;
     }
     for curve in clip.curves() {
         write!(out, "  curve {} {curve}, each 50 ms:", Quoted(curve.name().as_str()))?;
-        let curve = clip.or_fps(Fps::whole(24)).curve_named(curve.name()).unwrap_or(curve);
+        let curve = clip.or_fps(Fps::whole(24)).curve(curve.name()).unwrap_or(curve);
         for value in (0..20).filter_map(|step| curve.value_at(Micros(step * 50_000))) {
             write!(out, " {value}")?;
         }
@@ -93,23 +95,23 @@ pub(crate) fn write_curves(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Re
 
 /// The face every 150 ms, for ten seconds: lids; pitch, yaw and roll of the head; pitch and yaw of the eyes; brows, shrug and
 /// breath.
-pub(crate) fn write_faces(out: &mut impl Write, clip: &Clip<'_, '_>, profile: &FaceProfile<'_>) -> fmt::Result {
+pub(crate) fn write_faces(out: &mut impl Write, clip: &Clip<'_>, profile: &FaceProfile<'_>) -> fmt::Result {
     write!(out, "  face {}, each 150 ms", Quoted(profile.name()))?;
     for step in 0..67 {
-        let face = clip.face_at(Micros(step * 150_000), profile, LookAt::AHEAD);
+        let face = clip.face_at(Micros(step * 150_000), Who::Speaker, profile, LookAt::AHEAD);
         write!(out, ": {} {} {} {}", face.blink, face.head_pitch, face.head_yaw, face.head_roll)?;
         write!(out, " {} {} {} {} {}", face.eye_pitch, face.eye_yaw, face.brows, face.shrug, face.breath)?;
     }
     out.write_str("\n")
 }
 
-fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_, '_>) -> fmt::Result {
+fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_>) -> fmt::Result {
     write_events(out, segment)?;
-    bank.locales().try_for_each(|locale| write_text(out, locale.tag(), segment.text(locale)))
+    bank.locales().try_for_each(|locale| write_text(out, bank.locale_tag(locale), segment.text(locale)))
 }
 
 /// The frames and events of a segment.
-pub(crate) fn write_events(out: &mut impl Write, segment: &Segment<'_, '_>) -> fmt::Result {
+pub(crate) fn write_events(out: &mut impl Write, segment: &Segment<'_>) -> fmt::Result {
     let (start, end) = (segment.start_frame(), segment.end_frame());
     write!(out, "  segment {} frames {start}..{end}", segment.index())?;
     writeln!(out, " us {:?}..{:?}", segment.start_us(), segment.end_us())?;
@@ -132,7 +134,7 @@ pub(crate) fn write_text(out: &mut impl Write, tag: &str, text: Option<Text<'_>>
 }
 
 /// The viseme and the segment every 50 ms, for at most 200 of them.
-fn write_sampled(out: &mut impl Write, clip: &Clip<'_, '_>) -> fmt::Result {
+fn write_sampled(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result {
     let mut before = None;
     for time_us in (0..200).map(|step| step * 50_000) {
         let segment = clip.segment_at(Micros(time_us)).map(|segment| segment.index());

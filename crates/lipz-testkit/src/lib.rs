@@ -10,6 +10,8 @@
 #![allow(clippy::missing_panics_doc, reason = "all of them do")]
 
 pub mod answers;
+#[cfg(feature = "std")]
+pub mod dialogues;
 #[cfg(feature = "tools")]
 pub mod documents;
 #[cfg(feature = "std")]
@@ -20,8 +22,8 @@ pub mod forge;
 pub mod fuzz;
 #[cfg(feature = "std")]
 pub mod golden;
-#[cfg(feature = "std")]
-pub mod layered;
+#[cfg(feature = "tools")]
+pub mod layouts;
 #[cfg(feature = "std")]
 mod said;
 #[cfg(feature = "std")]
@@ -37,6 +39,16 @@ pub mod tools;
 #[doc = include_str!("../../../docs/LAYERS.md")]
 #[doc = include_str!("../../../docs/LOCALISATION.md")]
 struct Pages;
+
+/// The programs of the page on lip sync compile.
+#[cfg(all(doctest, feature = "tools"))]
+#[doc = include_str!("../../../docs/LIP-SYNC.md")]
+struct LipSync;
+
+/// The build scripts compile. The program on the page is that of `examples/dialogue-player/examples`.
+#[cfg(all(doctest, feature = "tools"))]
+#[doc = include_str!("../../../docs/BUILD-SCRIPTS.md")]
+struct BuildScripts;
 
 /// The example of the project's README, run as a test.
 #[cfg(all(doctest, feature = "tools"))]

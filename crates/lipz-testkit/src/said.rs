@@ -1,9 +1,10 @@
 //! What a bank, damaged or not, says of rates, mouths and events, passed on to the functions that take such values.
 
-use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, CurveCursor, CurveValue, Emotion, Event, FaceCurve, FaceProfile, Fps,
-    Lead, LookAt, Micros, Time, Viseme, VisemeType, Voice, VoiceLevel, Weight, Who,
-};
+use lipz_bank::babble::{Babble, VoiceLevel, Weight};
+use lipz_bank::curve::{CurveCursor, CurveValue};
+use lipz_bank::face::{Emotion, FaceCurve, FaceProfile, LookAt, Who};
+use lipz_bank::playback::{ConsonantHold, Lead};
+use lipz_bank::{Bank, Clip, ClipId, Event, EventName, Fps, Micros, Time, Viseme, VisemeType, Voice};
 use std::hint::black_box;
 
 /// Every function of a frame rate, and every function that takes one.
@@ -22,7 +23,7 @@ fn of_fps(fps: Fps) {
 }
 
 /// What a clip says of its mouth.
-pub(crate) fn of_clip(clip: &Clip<'_, '_>) {
+pub(crate) fn of_clip(clip: &Clip<'_>) {
     if let Some(fps) = clip.fps() {
         of_fps(fps);
     }
@@ -35,14 +36,14 @@ pub(crate) fn of_clip(clip: &Clip<'_, '_>) {
 }
 
 /// The curves of a clip: a cursor says what a search says.
-pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
+pub(crate) fn of_curves(clip: &Clip<'_>, limit: usize) {
     let curves = clip.curves();
     let most = curves.size_hint().1.unwrap_or(usize::MAX);
     let curves: Vec<_> = curves.take(limit + 1).collect();
     assert!(curves.len() <= most.min(limit));
     let mut cursor = CurveCursor::new();
     for curve in &curves {
-        black_box((clip.curve(curve.name().as_str()), curve.name().id()));
+        black_box((clip.curve(curve.name().as_str()), curve.name().to_words()));
         assert!(curve.keys().take(limit + 1).count() <= limit.min(curve.key_count() as usize));
         assert!(clip.curve_in_place(curve.place()).as_ref() == Some(curve), "the place of a curve leads to it");
         assert_eq!(CurveCursor::from_word(cursor.to_word()), cursor);
@@ -55,23 +56,23 @@ pub(crate) fn of_curves(clip: &Clip<'_, '_>, limit: usize) {
         }
     }
     for time in [-1, 0, 500_000, i64::MAX] {
-        let emotions = clip.emotions_at(Micros(time));
+        let emotions = clip.emotions_at(Micros(time), Who::Speaker);
         let most = emotions.strongest().map(|(emotion, value)| (Emotion::from_name(emotion.name()), value));
         assert!(most.is_none_or(|(emotion, value)| emotion.is_some_and(|emotion| emotions.get(emotion) == value)));
-        black_box((emotions.sum(), emotions.iter().count(), clip.emotions_of("amy", Micros(time)).strongest()));
+        black_box((emotions.sum(), emotions.iter().count(), clip.emotions_at(Micros(time), "amy").strongest()));
         let named =
-            [Who::Speaker, Who::SpeakerNamed("amy"), Who::Other("")].map(|who| clip.emotions_of(who, Micros(time)));
+            [Who::Speaker, Who::SpeakerNamed("amy"), Who::Other("")].map(|who| clip.emotions_at(Micros(time), who));
         assert_eq!(named[0], emotions);
         black_box(named);
     }
     black_box((clip.curve_in_place(u32::MAX), clip.curves().nth(usize::MAX), clip.curves().nth(1)));
-    let named = curves.first().and_then(|curve| clip.curve_named(curve.name()));
+    let named = curves.first().and_then(|curve| clip.curve(curve.name()));
     let way = |value: CurveValue| value.towards(CurveValue::from_thousandths(i32::MIN), 1, 3).thousandths();
     black_box((clip.curve("joy"), named.map(|curve| way(curve.value(0)))));
 }
 
 /// How the mouth is at a time.
-pub(crate) fn of_mouth(clip: &Clip<'_, '_>, time: impl Time) {
+pub(crate) fn of_mouth(clip: &Clip<'_>, time: impl Time) {
     let shape = Viseme::from_code(clip.viseme_at(time).code());
     black_box((shape.to_char(), shape.is_rest(), VisemeType::ALL.map(|kind| shape.openness(kind))));
     black_box((Weight::from_digit(shape.code()), Weight::from_digits(shape.code(), b'9').ten_thousandths()));
@@ -116,42 +117,41 @@ pub(crate) fn of_faces(bank: &Bank<'_>, limit: usize) -> bool {
 }
 
 /// The face at a time.
-pub(crate) fn of_face(clip: &Clip<'_, '_>, profile: &FaceProfile<'_>, time: impl Time) {
+pub(crate) fn of_face(clip: &Clip<'_>, profile: &FaceProfile<'_>, time: impl Time) {
     for (curve, name) in FaceCurve::ALL.iter().map(|curve| (curve, curve.name())) {
         assert_eq!(FaceCurve::from_name(name), Some(*curve));
     }
     let low = CurveValue::from_thousandths(i32::MIN);
-    let face = clip.face_at(time, profile, LookAt::person(low, low));
-    assert_eq!(clip.face_of(Who::Speaker, time, profile, LookAt::person(low, low)), face);
-    let generated = clip.generated_at(time, profile, LookAt::person(low, low));
-    assert_eq!(clip.generated_of(Who::Speaker, time, profile, LookAt::person(low, low)), generated);
-    black_box(clip.generated_of("amy", time, profile, LookAt::AHEAD));
-    black_box([Who::from("amy"), Who::SpeakerNamed("amy")].map(|who| clip.face_of(who, time, profile, LookAt::AHEAD)));
+    for profile in [*profile, profile.without_curves()] {
+        black_box(clip.face_at(time, Who::Speaker, &profile, LookAt::person(low, low)));
+        let named = [Who::from("amy"), Who::SpeakerNamed("amy")];
+        black_box(named.map(|who| clip.face_at(time, who, &profile, LookAt::AHEAD)));
+    }
 }
 
 /// What is done by whom to whom.
 pub(crate) fn of_events<'data>(events: impl Iterator<Item = Event<'data>>) {
-    let mut state = lipz_bank::CharacterState::default();
+    let mut state = lipz_bank::playback::CharacterState::default();
     for event in events.take(1000) {
         state.apply(event.command);
-        black_box((event.command.verb(), event.command.object().map(|name| (name.id(), name.as_str()))));
+        black_box((event.command.verb(), event.command.object().map(EventName::as_str), event.command.amount()));
     }
     black_box((state, ClipId::from_key("a").get()));
 }
 
 /// The voices of a bank.
-pub(crate) fn of_voices<'data>(bank: &Bank<'data>, limit: usize) -> Vec<Voice<'data>> {
-    let voices: Vec<Voice<'_>> = bank.voices().take(limit + 1).collect();
+pub(crate) fn of_voices(bank: &Bank<'_>, limit: usize) -> Vec<Voice> {
+    let voices: Vec<Voice> = bank.voices().take(limit + 1).collect();
     assert!(voices.len() <= limit);
     for voice in &voices {
-        assert!(voice.is_of(bank));
-        black_box((bank.voice(voice.tag()).is_some(), voice.is_original()));
+        assert_eq!(Voice::from_words(voice.to_words()), *voice);
+        black_box((bank.voice(bank.voice_tag(*voice)).is_some(), voice.is_original()));
     }
     voices
 }
 
 /// A clip in each of these voices.
-pub(crate) fn of_dubs(clip: &Clip<'_, '_>, voices: &[Voice<'_>]) {
+pub(crate) fn of_dubs(clip: &Clip<'_>, voices: &[Voice]) {
     black_box((clip.voice(), clip.original().map(|original| original.slot())));
     for voice in voices {
         let voiced = clip.in_voice(*voice);

@@ -1,115 +1,146 @@
-//! Every query of a stack of banks that may be damaged.
+//! Every query of a dialogue of files that may be damaged.
 
-use lipz_bank::{Bank, BankSet, BankSetError, ClipId, EventName, Layers, LayersError, SetIndex};
+use lipz_bank::files::{DialogueError, DialogueFile, Files, SetIndex};
+use lipz_bank::{Bank, ClipId, Dialogue, EventName, Locale, Voice};
 use std::hint::black_box;
 
-/// The most banks that are stacked.
-pub const MOST: usize = 4;
-
-/// Makes a stack of banks and asks it everything; whether they fit. Panics only if an iterator gives more than it can have.
-pub fn every_query(banks: &[Bank<'_>]) -> bool {
-    for bank in banks {
-        let limit = bank.length_bytes();
-        let Some(layer) = bank.layer() else { continue };
-        let counts = [layer.made_over().count(), layer.removed_clips().count(), layer.removed_locales().count()];
-        assert!(counts.iter().sum::<usize>() <= limit, "{layer:?}");
-        black_box((
-            layer.may_have(ClipId::from_u64(1)),
-            layer.removes(ClipId::from_u64(1)),
-            layer.removes_locale("de-de"),
-            layer.stand_in(0),
-        ));
-        black_box((layer.parts(0), layer.parts(u32::MAX), layer.has_babble(), layer.has_default_locale()));
-        black_box((layer.has_faces(), layer.has_voices(), layer.voices().count()));
-        black_box((layer.has_texts_of_original(0), layer.borrows(0, 0), layer.borrows(u32::MAX, usize::MAX)));
-        assert!(layer.dub_count() <= limit);
-        if let Ok(verified) = bank.verified_layer() {
-            assert!(verified.is_some() && layer.removed_clips().all(|id| layer.removes(id) && bank.clip(id).is_none()));
+/// Makes a dialogue of these files without verifying them, and asks it everything; whether they fit. Panics only if an iterator
+/// gives more than it can have.
+pub fn every_query(contents: &[&[u8]]) -> bool {
+    let mut files = crate::dialogues::places(contents.len());
+    match Dialogue::open_unverified(&mut files, contents.iter().copied()) {
+        Ok(dialogue) => {
+            every_query_of(&dialogue);
+            true
         }
-    }
-    let layers = match Layers::<MOST>::from_slice(banks) {
-        Ok(layers) => layers,
         Err(error) => {
-            assert!(error.layer() <= banks.len(), "{error}");
-            assert_eq!(LayersError::new(error.layer(), error.error()), error);
-            return false;
-        }
-    };
-    if let Ok(same) = <[Bank<'_>; MOST]>::try_from(banks) {
-        assert!(Layers::new(same).is_ok());
-    }
-    assert_eq!(layers.layer_count(), banks.len());
-    assert!(layers.bank(banks.len()).is_none() && layers.of_babble().is_some());
-    black_box((layers.face_profile("robot"), layers.default_face_profile(), layers.of_faces().is_some()));
-    black_box((layers.babble("robot").is_some(), layers.default_babble().name().len()));
-    let limit: usize = banks.iter().map(Bank::length_bytes).sum();
-    let tags: Vec<&str> = layers.locale_tags().take(limit + 1).collect();
-    assert!(tags.len() <= limit);
-    let locales: Vec<_> = tags.iter().take(8).filter_map(|tag| layers.locale(tag)).collect();
-    black_box(layers.default_locale().and_then(|tag| layers.locale_in(tag, &[])));
-    let voices: Vec<&str> = lipz_bank::voice_tags(&layers).take(limit + 1).collect();
-    assert!(voices.len() <= limit);
-    let named = layers.event_name("amy");
-    let mut count = 0;
-    for clip in layers.clips().take(limit + 1) {
-        count += 1;
-        black_box((clip.clip().key(), clip.layer(), layers.clip(clip.id()).is_some()));
-        black_box((layers.clip_by_key(clip.key()).is_some(), named.and_then(|name| name.of(&clip)).is_some()));
-        assert!(clip.texts_layer().is_none_or(|layer| layers.bank(layer).is_some()));
-        black_box((clip.texts().map(|texts| texts.slot()), lipz_bank::original_of(&layers, clip.id())));
-        black_box(voices.iter().find_map(|voice| lipz_bank::played_in(&layers, clip.id(), voice)));
-        for locale in &locales {
-            black_box((locale.tag(), locale.tag_in(clip.layer())));
-            for segment in [0, 1, clip.segment_count(), u32::MAX] {
-                let (text, bytes) = (clip.text(segment, locale), clip.text_bytes(segment, locale));
-                assert!(text.is_none_or(|text| Some(text.as_str().as_bytes()) == bytes));
-            }
-        }
-    }
-    assert!(count <= limit && layers.clips_under("act1/").take(limit + 1).count() <= limit);
-    true
-}
-
-/// Asks these banks everything as a set, whether or not their clips are where they belong; whether they are.
-pub fn every_set_query(banks: &[Bank<'_>]) -> bool {
-    let set = match BankSet::new(banks) {
-        Ok(set) => set,
-        Err(error) => {
-            assert_eq!((error, banks.is_empty() || banks.len() > 4096), (BankSetError::Count, true));
-            return false;
-        }
-    };
-    every_query_of_set(&set);
-    match set.verify() {
-        Ok(_) => true,
-        Err(error) => {
-            assert!(matches!(error, BankSetError::OtherShard { bank } if bank < banks.len()), "{error}");
+            assert!(error.file() <= contents.len(), "{error}");
+            assert_eq!(DialogueError::new(error.file(), error.error()), error);
             false
         }
     }
 }
 
-/// Asks a set everything, whether or not its clips are where they belong.
-pub fn every_query_of_set(set: &BankSet<'_, '_>) {
-    let limit: usize = set.banks().iter().map(Bank::length_bytes).sum();
-    assert!(set.clip_count() <= limit && set.clips().take(limit + 1).count() <= limit);
-    let locale = set.default_locale().or_else(|| set.locale("de-de"));
-    let name = set.event_name("amy");
-    for clip in set.clips().chain(set.clips_under("act1/")) {
-        assert!(set.clip(clip.id()).is_none_or(|found| found.id() == clip.id()));
-        assert!(set.clip_by_key(clip.key()).is_none_or(|found| found.key() == clip.key()));
-        black_box(set.bank_of(clip.id()).map(Bank::checksum));
-        black_box(name.and_then(|name| name.of(&clip)).map(EventName::id));
-        let Some(of_clip) = locale.and_then(|locale| locale.of(&clip)) else { continue };
-        assert_eq!(locale.map(|locale| locale.tag()), Some(of_clip.tag()));
-        black_box(clip.segments().filter_map(|segment| segment.text_bytes(of_clip)).count());
-        let voice = set.voice("de-de").filter(|voice| voice.tag() == "de-de").and_then(|voice| voice.of(&clip));
-        black_box(voice.map(|voice| clip.in_voice(voice).clip.key()));
+/// Whether these files fit, after verifying all of them; asks them everything then.
+pub fn every_query_verified(contents: &[&[u8]]) -> bool {
+    let one_by_one = OneByOne::open(contents);
+    let version = one_by_one.as_ref().and_then(|files| Some(Dialogue::with_files(files).ok()?.version()));
+    let mut files = crate::dialogues::places(contents.len());
+    let utf8 = |bytes| std::str::from_utf8(bytes).ok();
+    let opened = Dialogue::open_with(&mut files, contents.iter().copied(), utf8);
+    let Ok(dialogue) = opened else {
+        assert!(version.is_none(), "verified one by one, the files fit");
+        return false;
+    };
+    assert_eq!(version, Some(dialogue.version()));
+    every_query_of(&dialogue);
+    true
+}
+
+/// Files as a program opens and verifies them one after the other.
+struct OneByOne<'data>(Vec<DialogueFile<'data>>);
+
+impl<'data> OneByOne<'data> {
+    /// Empty bytes stand for a file that is not there.
+    fn open(contents: &[&'data [u8]]) -> Option<OneByOne<'data>> {
+        let mut files = Vec::new();
+        for (number, bytes) in contents.iter().enumerate() {
+            let file = if bytes.is_empty() { DialogueFile::ABSENT } else { DialogueFile::open(bytes, number).ok()? };
+            let index = file.set_index().map(SetIndex::bank_count);
+            assert!(index.is_none_or(|count| count > 0) && file.length_bytes() == bytes.len());
+            files.push(file.verify_in(files.as_slice(), number, |bytes| std::str::from_utf8(bytes).ok()).ok()?);
+        }
+        Some(OneByOne(files))
     }
 }
 
+impl Files for OneByOne<'_> {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn file(&self, number: usize) -> Option<&DialogueFile<'_>> {
+        self.0.get(number)
+    }
+}
+
+/// Asks a patch what it says about the banks below it.
+fn every_query_of_layer(bank: &Bank<'_>) {
+    let limit = bank.length_bytes();
+    let Some(layer) = bank.layer() else { return };
+    let counts = [layer.made_over().count(), layer.removed_clips().count(), layer.removed_locales().count()];
+    assert!(counts.iter().sum::<usize>() <= limit, "{layer:?}");
+    black_box((
+        layer.may_have(ClipId::from_u64(1)),
+        layer.removes(ClipId::from_u64(1)),
+        layer.removes_locale("de-de"),
+        layer.stand_in(0),
+    ));
+    black_box((layer.parts(0), layer.parts(u32::MAX), layer.has_babble(), layer.has_default_locale()));
+    black_box((layer.has_faces(), layer.has_voices(), layer.voices().count()));
+    black_box((layer.has_texts_of_original(0), layer.borrows(0, 0), layer.borrows(u32::MAX, usize::MAX)));
+    assert!(layer.dub_count() <= limit);
+    if let Ok(verified) = bank.verified_layer() {
+        assert!(verified.is_some() && layer.removed_clips().all(|id| layer.removes(id) && bank.clip(id).is_none()));
+    }
+}
+
+/// Asks a dialogue everything.
+pub fn every_query_of(dialogue: &Dialogue<'_>) {
+    let banks = || (0..dialogue.file_count()).filter_map(|number| dialogue.bank(number));
+    banks().for_each(every_query_of_layer);
+    let limit: usize = banks().map(Bank::length_bytes).sum();
+    assert!(dialogue.bank(usize::MAX).is_none() && dialogue.clip_at(u32::MAX, 0).is_none());
+    black_box((dialogue.face_profile("robot"), dialogue.default_face_profile()));
+    black_box((dialogue.babble("robot").is_some(), dialogue.default_babble().name().len()));
+    assert!(
+        dialogue.babbles().take(limit + 1).count() <= limit
+            && dialogue.face_profiles().take(limit + 1).count() <= limit
+    );
+    let locales: Vec<Locale> = dialogue.locales().take(8).collect();
+    for locale in &locales {
+        assert_eq!(Locale::from_words(locale.to_words()), *locale);
+        black_box(dialogue.locale(dialogue.locale_tag(*locale)).is_some());
+    }
+    let foreign = [Locale::from_words([1, u32::MAX]), Locale::from_words([u32::MAX, 0])];
+    assert!(foreign.iter().all(|locale| dialogue.locale_tag(*locale).is_empty()));
+    black_box(dialogue.default_locale().map(|locale| dialogue.locale_tag(locale)));
+    let voices: Vec<Voice> = dialogue.voices().take(8).collect();
+    for voice in &voices {
+        assert_eq!(Voice::from_words(voice.to_words()), *voice);
+        black_box(dialogue.voice(dialogue.voice_tag(*voice)));
+    }
+    let name = dialogue.event_name("amy");
+    assert_eq!(name.and_then(|name| dialogue.event_name_of_words(name.to_words())), name);
+    assert_eq!(dialogue.event_name_of_words([u32::MAX; 2]).map(EventName::as_str), None);
+    let (mut count, mut position) = (0, 0);
+    for clip in dialogue.clips().take(limit + 1) {
+        count += 1;
+        let walked = dialogue.clip_behind(position, "").expect("as many clips");
+        assert!(walked.0 == clip && walked.1 > position);
+        position = walked.1;
+        black_box((clip.key(), dialogue.clip_at(clip.file(), clip.slot()).is_some()));
+        let of_texts = dialogue.slot_of_texts(clip.id());
+        assert!(of_texts.is_none_or(|(file, slot)| dialogue.clip_at(file, slot).is_some()));
+        black_box((dialogue.clip_by_key(clip.key()).is_some(), clip.voice(), clip.original().is_some()));
+        for voice in voices.iter().chain([&Voice::from_words([u32::MAX; 2])]) {
+            black_box(clip.in_voice(*voice).clip.key());
+        }
+        for locale in locales.iter().chain(&foreign) {
+            for segment in clip.segments().take(3) {
+                let (text, bytes) = (segment.text(*locale), segment.text_bytes(*locale));
+                assert!(text.is_none_or(|text| Some(text.as_str().as_bytes()) == bytes));
+                black_box(segment.has_own_text(*locale));
+            }
+        }
+        black_box(clip.segments().flat_map(|segment| segment.events()).filter(|event| event.character == name).count());
+    }
+    assert!(count <= limit && dialogue.clips_under("act1/").take(limit + 1).count() <= limit);
+    black_box(dialogue.clip_behind(u64::MAX, "").is_some());
+}
+
 /// Asks the bytes everything as the index of a set, of these banks or of others; the index, if it passes `verify`.
-pub fn every_query_of_index<'data>(bytes: &'data [u8], banks: &[Bank<'data>]) -> Option<SetIndex<'data>> {
+pub fn every_query_of_index<'data>(bytes: &'data [u8], banks: &[&'data [u8]]) -> Option<SetIndex<'data>> {
     let opened = SetIndex::open(bytes).ok()?;
     let limit = bytes.len();
     assert_eq!(opened.length_bytes(), limit);
@@ -117,13 +148,20 @@ pub fn every_query_of_index<'data>(bytes: &'data [u8], banks: &[Bank<'data>]) ->
     assert_eq!(opened.banks().count(), opened.bank_count());
     assert!(opened.bank_at(opened.bank_count()).is_none() && opened.bank_at(0).is_some());
     black_box((opened.fingerprint(), opened.checksum(), opened.clip_count()));
+    for (number, bank) in banks.iter().enumerate().filter_map(|(number, bytes)| Some((number, Bank::open(bytes).ok()?)))
+    {
+        let is_named = opened.bank_at(number).is_some_and(|named| named.is_of(&bank));
+        assert!(opened.check_bank(number, &bank).is_ok() == is_named);
+        assert!(is_named || opened.verify_bank(number, &bank).is_err());
+    }
     let ids = ["a", "de/a", "nobody"].map(ClipId::from_key);
     black_box(ids.map(|id| opened.bank_of(id)));
-    match BankSet::with_index(banks, &opened) {
-        Ok(set) => every_query_of_set(&set),
-        Err(BankSetError::OtherBank { bank }) => assert!(bank < banks.len()),
-        Err(error) => assert_eq!((error, banks.len() == opened.bank_count()), (BankSetError::Count, false)),
-    }
+    let contents: Vec<&[u8]> = [bytes].into_iter().chain(banks.iter().copied()).collect();
+    let fits = every_query(&contents);
+    assert!(!fits || banks.len() >= opened.bank_count());
+    // Without its banks, a set has no clips.
+    let absent: Vec<&[u8]> = [bytes].into_iter().chain((0..opened.bank_count()).map(|_| &[][..])).collect();
+    assert!(every_query(&absent));
     let verified = opened.verify().ok()?;
     let is_beside = |name: &str| std::path::Path::new(name).file_name().is_some_and(|file| file == name);
     assert!(verified.banks().all(|bank| is_beside(bank.file_name)), "a name leads elsewhere");

@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
 
-use lipz_bank::{Bank, CurveCursor, Fps, LookAt, Micros, Samples, Seconds};
+use lipz_bank::curve::CurveCursor;
+use lipz_bank::face::{LookAt, Who};
+use lipz_bank::{Bank, Fps, Micros, Samples, Seconds};
 use lipz_layout::{
     CurveClipRecord, CurveKeyRecord, CurveRecord, EventNameRecord, EventRecord, FaceRecord, Tag, TypedEventRecord, U32,
     VERB_DOES,
@@ -82,31 +84,31 @@ queries! {
     nth_curve: Logarithmic = |bank| the(bank).curves().nth(7).is_some();
     curve_tick: Constant = |bank| CurveCursor::from_word(5).value_at(&first(bank), Micros(250_000));
     curve_value: Logarithmic = |bank| longest(bank).value_at(Micros(i64::MAX));
-    emotions_at: Linear = |bank| the(bank).emotions_at(Micros(1));
-    emotions_of: Linear = |bank| the(bank).emotions_of("amy", Micros(1));
+    emotions_at: Linear = |bank| the(bank).emotions_at(Micros(1), Who::Speaker);
+    emotions_of: Linear = |bank| the(bank).emotions_at(Micros(1), "amy");
     face_profile: Linear = |bank| bank.face_profile("zz").is_some();
-    face_at: Linear = |bank| the(bank).face_at(Micros(1), &bank.default_face_profile(), LookAt::AHEAD);
-    face_of: Linear = |bank| the(bank).face_of("amy", Micros(1), &bank.default_face_profile(), LookAt::AHEAD);
+    face_at: Linear = |bank| the(bank).face_at(Micros(1), Who::Speaker, &bank.default_face_profile(), LookAt::AHEAD);
+    face_of: Linear = |bank| the(bank).face_at(Micros(1), "amy", &bank.default_face_profile(), LookAt::AHEAD);
     verify: Linear = |bank| bank.verify().is_err();
 }
 
 /// The one clip.
-fn the<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Clip<'data, 'bank> {
+fn the<'a>(bank: &'a Bank<'a>) -> lipz_bank::Clip<'a> {
     bank.clip_at(0).unwrap().or_fps(Fps::whole(24))
 }
 
-fn last<'data, 'bank>(bank: &'bank Bank<'data>) -> lipz_bank::Segment<'data, 'bank> {
+fn last<'a>(bank: &'a Bank<'a>) -> lipz_bank::Segment<'a> {
     let clip = the(bank);
     clip.segment(clip.segment_count() - 1).unwrap()
 }
 
 /// The same, found without a search.
-fn first<'data>(bank: &Bank<'data>) -> lipz_bank::Curve<'data> {
+fn first<'a>(bank: &'a Bank<'a>) -> lipz_bank::curve::Curve<'a> {
     the(bank).curve_in_place(0).unwrap()
 }
 
 /// The curve of most keys.
-fn longest<'data>(bank: &Bank<'data>) -> lipz_bank::Curve<'data> {
+fn longest<'a>(bank: &'a Bank<'a>) -> lipz_bank::curve::Curve<'a> {
     the(bank).curve("joy").unwrap()
 }
 

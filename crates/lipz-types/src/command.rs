@@ -1,8 +1,11 @@
 //! The verbs of Character Event Syntax (Lipz specification, "Character Event Syntax"), and those that lipz adds.
 
-/// What a character does, with the `Name` of an emotion, target or action.
+use crate::Strength;
+
+/// What a character does: a verb with the `Name` of an emotion, target or action, or with the `Amount` of a gesture.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Command<Name> {
+#[non_exhaustive]
+pub enum Command<Name, Amount = Strength> {
     /// `feels emotion`: lasts until changed.
     Feels(Name),
     /// `sees target`, a character or a prop: for a moment.
@@ -17,19 +20,19 @@ pub enum Command<Name> {
     StopsPointing,
     /// `does action`: an action of the game.
     Does(Name),
-    /// `nods`, `nods 4`: once, so far as the number says, 0 to 10.
-    Nods(Option<Name>),
-    /// `shakes`, `shakes 4`: the head, so far as the number says, 0 to 10.
-    Shakes(Option<Name>),
+    /// `nods`, `nods 4`: once, as far as the number says, 0 to 10.
+    Nods(Option<Amount>),
+    /// `shakes`, `shakes 4`: the head, as far as the number says, 0 to 10.
+    Shakes(Option<Amount>),
     /// `breathes`, `breathes 6`: once, as deep as the number says, 0 to 10.
-    Breathes(Option<Name>),
+    Breathes(Option<Amount>),
     /// `blinks`: once.
     Blinks,
     /// `looks away`: for a moment.
     LooksAway,
 }
 
-impl<Name> Command<Name> {
+impl<Name, Amount> Command<Name, Amount> {
     /// The verb as it is written: `feels`, `stops staring`.
     pub const fn verb(&self) -> &'static str {
         match self {
@@ -48,7 +51,7 @@ impl<Name> Command<Name> {
         }
     }
 
-    /// The emotion, target or action, or the number of a gesture, as it is written; `None` where there is none.
+    /// The emotion, target or action; `None` for verbs without one.
     pub fn object(self) -> Option<Name> {
         match self {
             Command::Feels(object)
@@ -56,8 +59,15 @@ impl<Name> Command<Name> {
             | Command::Stares(object)
             | Command::Points(object)
             | Command::Does(object) => Some(object),
-            Command::Nods(number) | Command::Shakes(number) | Command::Breathes(number) => number,
-            Command::StopsStaring | Command::StopsPointing | Command::Blinks | Command::LooksAway => None,
+            _ => None,
+        }
+    }
+
+    /// The number of a gesture; `None` for other verbs, and for a gesture without a number.
+    pub fn amount(self) -> Option<Amount> {
+        match self {
+            Command::Nods(amount) | Command::Shakes(amount) | Command::Breathes(amount) => amount,
+            _ => None,
         }
     }
 }

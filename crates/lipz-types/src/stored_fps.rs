@@ -84,6 +84,7 @@ impl StoredFps {
         if cfg!(target_pointer_width = "64") && self.denominator() == 1 {
             return time_us.wrapping_mul(u64::from(self.numerator())) / MICROS_PER_SECOND;
         }
+        seldom();
         let wide = u128::from(time_us).wrapping_mul(u128::from(self.frames_per_micro_q64));
         let estimate = (wide >> 64) as u64;
         let micros = u64::from(self.denominator()).wrapping_mul(MICROS_PER_SECOND);
@@ -133,6 +134,10 @@ impl StoredFps {
         seconds.checked_mul(MICROS_PER_SECOND).and_then(|us| us.checked_add(rounded_up)).unwrap_or(u64::MAX)
     }
 }
+
+/// Says that a path is seldom taken: few rates are not whole numbers. It is laid out behind the others, and is as fast as them.
+#[cold]
+const fn seldom() {}
 
 /// The frame, if it is one of the first `frame_count`.
 #[inline]

@@ -3,7 +3,8 @@
 
 mod support;
 
-use lipz_bank::{Babble, Bank, Fps};
+use lipz_bank::babble::Babble;
+use lipz_bank::{Bank, Fps};
 use support::{Scene, lipz};
 
 /// What a viewer writes about a setting.

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(unsafe_code, reason = "an allocator that counts")]
 
-use lipz_bank::{Bank, VisemeType};
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Dialogue, VisemeType};
 use lipz_compiler::diff::diff;
 use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::inspect::{ClipDetails, Timeline};
@@ -101,6 +102,7 @@ fn run(file: &str) -> Vec<Report> {
     let options = Options::new()
         .threads(1)
         .default_locale("aa-aa")
+        .unwrap()
         .levels([(lipz_diagnostics::Code::SegmentCount, Some(Severity::Warning))]);
     Compiler::new(options).compile(&[Input::from_bytes("a", file)]).reports
 }
@@ -137,7 +139,7 @@ fn time_and_memory_are_linear_whatever_is_in_a_file() {
 
 /// What commands do with files and with their bank, if there is one, by the names of the commands.
 fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
-    let compiler = Compiler::new(Options::new().threads(1).default_locale("aa-aa"));
+    let compiler = Compiler::new(Options::new().threads(1).default_locale("aa-aa").unwrap());
     let inputs = [Input::from_bytes("a", file), Input::from_bytes("b", r#"{"text_aa-aa":"x"}"#)];
     each("fix", &mut || drop(compiler.fix(file.as_bytes())));
     each("fmt", &mut || {
@@ -154,17 +156,21 @@ fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
     each("pack", &mut || bank = compiler.compile(&inputs).bank);
     let Some(bytes) = bank else { return };
     let other = compiler.compile(&inputs[1..]).bank.unwrap();
-    let open = |bytes| Bank::open(bytes).and_then(Bank::verify).unwrap();
-    let (bank, other) = (open(&bytes), open(&other));
+    let (mut files, mut other_files) = ([DialogueFile::ABSENT], [DialogueFile::ABSENT]);
+    let bank = Dialogue::open(&mut files, [bytes.as_slice()]).unwrap();
+    let other = Dialogue::open(&mut other_files, [other.as_slice()]).unwrap();
     let locales: Vec<_> = bank.locales().collect();
     let clip = bank.clip_by_key("a").unwrap();
-    each("stats", &mut || drop(Stats::from_bank(&bank)));
+    each("stats", &mut || drop(Stats::from_dialogue(&bank)));
     each("coverage", &mut || drop(coverage(&bank)));
     each("diff", &mut || drop((diff(&bank, &other), diff(&bank, &bank))));
-    each("inspect", &mut || drop((ClipDetails::new(&clip, &locales), Timeline::default().render(&clip, &locales))));
+    each("inspect", &mut || {
+        let details = ClipDetails::new(&bank, &clip, &locales);
+        drop((details, Timeline::default().render(&bank, &clip, &locales)));
+    });
     each("ids", &mut || drop(generate(&bank, Language::C, None)));
     each("unpack", &mut || {
-        let documents = Documents::from_bank(&bank).unwrap();
+        let documents = Documents::from_dialogue(&bank).unwrap();
         documents.iter().for_each(|document| drop(lipz_file::write(&document.unwrap().1)));
     });
     each("split", &mut || drop(SplitBank::from_bytes(&bytes)));

@@ -92,9 +92,15 @@ fn each_voice_has_a_bank_of_its_own() {
     let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(read("merged.lipzbank") == read("whole.lipzbank"));
     assert_eq!(lipz(scene.path(), ["diff", stack, "whole.lipzbank"]).code, 0);
-    for command in [&["coverage", "--voices"][..], &["stats"], &["inspect"]] {
-        let of = |bank: &str| lipz(scene.path(), [command, &[bank]].concat()).stdout.replace(stack, "whole.lipzbank");
-        assert_eq!(of(stack), of("whole.lipzbank"), "{command:?}");
+    let of = |bank: &str| lipz(scene.path(), ["coverage", "--voices", bank]).stdout.replace(stack, "whole.lipzbank");
+    assert_eq!(of(stack), of("whole.lipzbank"));
+    for command in ["stats", "inspect"] {
+        let voices = |bank: &str| -> serde_json::Value {
+            let json: serde_json::Value =
+                serde_json::from_str(&lipz(scene.path(), [command, bank, "--json"]).stdout).unwrap();
+            json["voices"].clone()
+        };
+        assert_eq!(voices(stack), voices("whole.lipzbank"), "{command}");
     }
     // By the settings, too; and each voice is patched by itself, over the banks that its players have.
     scene.write("lipz.toml", format!("split-voices = true\n{SETTINGS}"));

@@ -43,14 +43,30 @@ fn a_patch_and_its_base_are_the_bank_of_the_new_sources() {
     assert_eq!(differ.code, 0, "{differ:?}");
     let differ = lipz(scene.path(), ["diff", "base.lipzbank", stack]);
     assert!(differ.code == 1 && differ.stdout.contains("yes"), "{differ:?}");
-    for command in ["inspect", "coverage", "stats", "verify"] {
-        let [of_stack, of_whole] = [stack, "whole.lipzbank"].map(|bank| lipz(scene.path(), [command, bank]));
-        assert_eq!(
-            (of_stack.code, of_stack.stdout.replace(stack, "whole.lipzbank")),
-            (0, of_whole.stdout),
-            "{command}"
-        );
+    let coverage = [stack, "whole.lipzbank"].map(|bank| lipz(scene.path(), ["coverage", bank]));
+    let [of_stack, of_whole] = coverage.map(|run| (run.code, run.stdout.replace(stack, "whole.lipzbank")));
+    assert_eq!((of_stack.0, &of_stack), (0, &of_whole));
+    // These show the files that there are.
+    let bytes = read("base.lipzbank").len() + read("patch.lipzbank").len();
+    for command in ["inspect", "stats"] {
+        let json = |bank: &str| -> serde_json::Value {
+            serde_json::from_str(&lipz(scene.path(), [command, bank, "--json"]).stdout).unwrap()
+        };
+        let (mut of_stack, mut of_whole) = (json(stack), json("whole.lipzbank"));
+        assert_eq!(of_stack["bytes"], bytes, "{command}");
+        if command == "inspect" {
+            assert_eq!(of_stack["checksum"], json("patch.lipzbank")["checksum"]);
+            assert_eq!(of_stack["layer"], json("patch.lipzbank")["layer"]);
+        }
+        for json in [&mut of_stack, &mut of_whole] {
+            let members = json.as_object_mut().unwrap();
+            members
+                .retain(|name, _| !["bytes", "sections", "fingerprint", "checksum", "layer"].contains(&name.as_str()));
+        }
+        assert_eq!(of_stack, of_whole, "{command}");
     }
+    let verified = lipz(scene.path(), ["verify", stack]);
+    assert!(verified.code == 0 && verified.stdout.contains("no fault (2 clips, "), "{verified:?}");
     scene.prepare(&["unpack", stack, "-o", "out", "--quiet"]);
     assert_eq!(tree(&scene.path().join("out")), tree(&scene.path().join("new")));
 }

@@ -241,7 +241,7 @@ fn of_a_clip_with_errors_what_is_right_is_shown() {
     let (document, bank) = drafted(&answer);
     assert_eq!(document["diagnostics"][0]["code"], "LZ0601", "{document}");
     let bank = lipz_bank::Bank::open(bank).unwrap();
-    let tags: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
+    let tags: Vec<&str> = bank.locales().map(|locale| bank.locale_tag(locale)).collect();
     assert_eq!(tags, ["en-us", "fr-fr"], "a text with too few parts is left out");
     assert_eq!(bank.clip_by_key("act1/mayor").unwrap().segments().count(), 2);
     let answer = preview.post("api/draft", &change("{ \"visemes\": 1 ", &json!({})));

@@ -84,6 +84,115 @@ fn a_set_is_linked_verified_inspected_and_unpacked() {
     assert!(one == other, "what is unpacked is the project");
 }
 
+const SET: &str = "out/dialogue.lipzset";
+
+/// What a command prints about a set and about the bank of all, the same but for the name.
+fn prints_the_same(scene: &Scene, set: &str, command: &[&str]) {
+    let of = |bank: &str| {
+        let arguments: Vec<&str> = command.iter().map(|word| if *word == "BANK" { bank } else { word }).collect();
+        let run = lipz(scene.path(), arguments);
+        (run.code, run.stdout.replace(bank, "BANK"), run.stderr.replace(bank, "BANK"))
+    };
+    let (one, other) = (of(set), of("whole.lipzbank"));
+    assert_eq!(one, other, "{command:?}");
+    assert_eq!(one.0, 0, "{command:?}: {one:?}");
+}
+
+#[test]
+fn tools_read_a_set_as_the_bank_of_all() {
+    let scene = scene();
+    pack(&scene);
+    scene.prepare(&LINK);
+    scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
+    for command in [
+        &["coverage", "BANK"][..],
+        &["coverage", "BANK", "--json"],
+        &["coverage", "BANK", "--voices"],
+        &["coverage", "BANK", "--missing", "de-de"],
+        &["inspect", "BANK", "--list"],
+        &["inspect", "BANK", "--list", "de/", "--json"],
+        &["ids", "BANK", "--lang", "json"],
+        &["ids", "BANK", "--lang", "rust"],
+        &["diff", "BANK", "whole.lipzbank", "--quiet"],
+        &["diff", "whole.lipzbank", "BANK", "--quiet"],
+    ] {
+        prints_the_same(&scene, SET, command);
+    }
+    let json = |bank: &str| -> serde_json::Value {
+        serde_json::from_str(&lipz(scene.path(), ["stats", bank, "--json"]).stdout).unwrap()
+    };
+    let (mut one, mut other) = (json(SET), json("whole.lipzbank"));
+    let of_files = |json: &mut serde_json::Value| {
+        let members = json.as_object_mut().unwrap();
+        members.remove("sections");
+        members.remove("bytes").unwrap().as_u64()
+    };
+    let (bytes, _) = (of_files(&mut one), of_files(&mut other));
+    assert_eq!(one, other);
+    let on_disk =
+        banks(&scene).iter().chain([&scene.path().join(SET)]).map(|path| path.metadata().unwrap().len()).sum::<u64>();
+    assert_eq!(bytes, Some(on_disk));
+    let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    let merged = lipz(scene.path(), ["merge", SET, "-o", "merged.lipzbank"]);
+    assert!(merged.stdout.starts_with("4 banks merged into merged.lipzbank (25 clips, "), "{merged:?}");
+    assert!(read("merged.lipzbank") == read("whole.lipzbank"));
+    let unpacked = lipz(scene.path(), ["unpack", SET, "-o", "again"]);
+    assert_eq!(unpacked.stdout, "25 files unpacked into again\n", "one summary: {unpacked:?}");
+    let refused = lipz(scene.path(), ["unpack", SET, "-o", "again"]);
+    assert!(refused.code == 1 && refused.stderr.contains("exists already"), "{refused:?}");
+    scene.prepare(&["preview", SET, "--export", "site"]);
+    assert!(scene.path().join("site/data/clips.js").is_file());
+}
+
+#[test]
+fn a_set_is_patched() {
+    let scene = scene();
+    pack(&scene);
+    scene.prepare(&LINK);
+    scene.write("voices/act/line-3.lipz", r#"{ "fps": 24, "visemes": "OOO-", "text_en-us": "Nay, 3." }"#);
+    scene.write("voices/act/line-20.lipz", r#"{ "text_en-us": "A new line.", "text_de-de": "Neu." }"#);
+    fs::remove_file(scene.path().join("voices/act/line-7.lipz")).unwrap();
+    let packed = lipz(scene.path(), ["pack", "--over", SET, "-o", "patch.lipzbank"]);
+    assert!(
+        packed.stdout.starts_with("2 new or changed clips and 1 removal packed into patch.lipzbank ("),
+        "{packed:?}"
+    );
+    scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
+    let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    scene.prepare(&["merge", SET, "patch.lipzbank", "-o", "merged.lipzbank", "--quiet"]);
+    assert!(read("merged.lipzbank") == read("whole.lipzbank"));
+    // The patch knows the set by its index.
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        serde_json::from_str(&lipz(scene.path(), arguments).stdout).unwrap()
+    };
+    let over = json(&["inspect", "patch.lipzbank", "--json"])["layer"]["over"].clone();
+    assert_eq!(over, serde_json::json!([json(&["inspect", SET, "--json"])["checksum"]]));
+    let stack = &format!("{SET}+patch.lipzbank");
+    for command in [
+        &["coverage", "BANK"][..],
+        &["inspect", "BANK", "--list"],
+        &["inspect", "BANK", "act/line-3"],
+        &["inspect", "BANK", "de/act/line-8"],
+        &["ids", "BANK", "--lang", "c"],
+        &["diff", "BANK", "whole.lipzbank", "--quiet"],
+    ] {
+        prints_the_same(&scene, stack, command);
+    }
+    assert_eq!(lipz(scene.path(), ["verify", stack]).code, 0);
+    assert_eq!(lipz(scene.path(), ["diff", SET, stack]).code, 1);
+    scene.prepare(&["unpack", stack, "-o", "again", "--quiet"]);
+    assert_eq!(support::tree(&scene.path().join("again")), support::tree(&scene.path().join("voices")));
+    // The next patch goes over both.
+    scene.write("voices/act/line-4.lipz", r#"{ "fps": 24, "visemes": "AA-", "text_en-us": "Aye, 4." }"#);
+    scene.write("voices/de/act/line-4.lipz", r#"{ "fps": 24, "visemes": "AA-" }"#);
+    scene.prepare(&["pack", "--over", SET, "--over", "patch.lipzbank", "-o", "next.lipzbank", "--quiet"]);
+    scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
+    scene.prepare(&["merge", stack, "next.lipzbank", "-o", "merged.lipzbank", "--quiet"]);
+    assert!(read("merged.lipzbank") == read("whole.lipzbank"));
+    let alone = lipz(scene.path(), ["merge", SET, "next.lipzbank", "-o", "x.lipzbank"]);
+    assert!(alone.code == 1 && alone.stderr.contains("LZ2102") && alone.stderr.contains("next.lipzbank"), "{alone:?}");
+}
+
 /// The set of the fixtures is what is linked now, byte for byte.
 #[test]
 fn the_golden_set_is_linked_again() {
@@ -122,7 +231,8 @@ fn what_is_wrong_with_a_set_is_reported() {
     let mut scene = scene();
     pack(&scene);
     scene.prepare(&LINK);
-    scene.expect("LZ0902-bank-refused-set", &["stats", "out/dialogue.lipzset"]);
+    scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
+    scene.expect("LZ0902-bank-refused-set", &["stats", "whole.lipzbank+out/dialogue.lipzset"]);
     let files = banks(&scene);
     let whole = fs::read(&files[1]).unwrap();
     let verify = ["verify", "out/dialogue.lipzset"];

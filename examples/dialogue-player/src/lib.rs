@@ -5,7 +5,8 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-use lipz_bank::{Bank, ClipId, Cursor, Event, Lead, Locale, Micros, Viseme};
+use lipz_bank::playback::{DueSegments, Lead};
+use lipz_bank::{ClipId, Cursor, Dialogue, Event, Locale, Micros, Viseme};
 
 /// The bank: here part of the program, elsewhere a file in memory or a piece of ROM.
 pub static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
@@ -19,26 +20,26 @@ pub mod dialogue {
     include!(concat!(env!("OUT_DIR"), "/dialogue.rs"));
 }
 
-/// A bank and the clip that is playing: what a game keeps from one picture to the next.
+/// A dialogue and the clip that is playing: what a game keeps from one rendered frame to the next.
 #[derive(Debug)]
-pub struct Player<'data> {
-    bank: Bank<'data>,
-    locale: Locale<'data>,
+pub struct Player<'a> {
+    dialogue: Dialogue<'a>,
+    locale: Locale,
     playing: Option<(ClipId, Cursor)>,
 }
 
-impl<'data> Player<'data> {
-    /// A player of the clips of `bank`, with subtitles in `locale`, one of [`dialogue::locales`]; `None` if the
-    /// bank has no such locale.
-    pub fn new(bank: Bank<'data>, locale: &str) -> Option<Self> {
-        Some(Player { bank, locale: bank.locale(locale)?, playing: None })
+impl<'a> Player<'a> {
+    /// Returns a player of the clips of `dialogue`, with subtitles in `locale`, one of [`dialogue::locales`]; `None` if
+    /// the dialogue has no such locale.
+    pub fn new(dialogue: Dialogue<'a>, locale: &str) -> Option<Self> {
+        Some(Player { locale: dialogue.locale(locale)?, dialogue, playing: None })
     }
 
-    /// Starts a clip: whether the bank has it, with a frame rate.
+    /// Starts a clip, and returns whether the dialogue has it, with a frame rate.
     ///
-    /// Mouths are a frame ahead of the sound: a sound is made with the mouth in its shape already.
+    /// Visemes are a frame ahead of the audio, because a mouth takes its shape before the sound.
     pub fn start(&mut self, id: ClipId) -> bool {
-        let cursor = self.bank.clip(id).and_then(|clip| {
+        let cursor = self.dialogue.clip(id).and_then(|clip| {
             let lead = Lead::one_frame(clip.fps()?);
             Some(Cursor::new(&clip)?.with_lead(lead))
         });
@@ -46,30 +47,31 @@ impl<'data> Player<'data> {
         self.playing.is_some()
     }
 
-    /// The audio engine has played the clip up to `sound`: returns the events that have become due, each
-    /// once, however long a picture took. They do not come again.
-    #[must_use = "the events do not come again"]
-    pub fn advance_to(&mut self, sound: Micros) -> impl Iterator<Item = Event<'data>> {
-        let due = self.playing.as_mut().and_then(|(id, cursor)| {
-            let clip = self.bank.clip(*id)?;
-            Some(cursor.advance_to(&clip, sound))
+    /// The audio engine has played the clip up to `audio`: returns the events that have become due, each
+    /// once, however long a rendered frame took. They are not returned again.
+    #[must_use = "the events are not returned again"]
+    pub fn advance_to(&mut self, audio: Micros) -> impl Iterator<Item = Event<'_>> {
+        let Player { dialogue, playing, .. } = self;
+        let due = playing.as_mut().and_then(|(id, cursor)| {
+            let clip = dialogue.clip(*id)?;
+            Some(cursor.advance_to(&clip, audio))
         });
-        due.into_iter().flat_map(lipz_bank::DueSegments::events)
+        due.into_iter().flat_map(DueSegments::events)
     }
 
-    /// The mouth shape to draw now; rest when nobody speaks.
-    pub fn mouth(&self) -> Viseme {
-        let shape = self.playing.and_then(|(id, cursor)| Some(cursor.viseme(&self.bank.clip(id)?)));
-        shape.unwrap_or(Viseme::REST)
+    /// The viseme to draw now; rest when no clip plays.
+    pub fn viseme(&self) -> Viseme {
+        let viseme = self.playing.and_then(|(id, cursor)| Some(cursor.viseme(&self.dialogue.clip(id)?)));
+        viseme.unwrap_or(Viseme::REST)
     }
 
-    /// The subtitle to show now; empty when nobody speaks.
-    pub fn subtitle(&self) -> &'data str {
-        let segment = self.playing.and_then(|(id, cursor)| cursor.segment(&self.bank.clip(id)?));
+    /// The subtitle to show now; empty when no clip plays.
+    pub fn subtitle(&self) -> &str {
+        let segment = self.playing.and_then(|(id, cursor)| cursor.segment(&self.dialogue.clip(id)?));
         segment.and_then(|segment| segment.text(self.locale)).map_or("", |text| text.as_str())
     }
 
-    /// Whether nothing is playing: no clip was started, or the sound is past its last frame.
+    /// Whether no clip plays: none was started, or the audio is past the last frame.
     pub fn is_over(&self) -> bool {
         self.playing.is_none_or(|(_, cursor)| cursor.is_over())
     }

@@ -1,27 +1,29 @@
 //! Plays a clip in the terminal: `cargo run -p dialogue-player -- de-de`.
 
 use dialogue_player::{BANK, Player, dialogue};
-use lipz_bank::{Bank, Micros};
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Dialogue, Micros};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Time between two pictures: about 24 a second.
-const PICTURE: Duration = Duration::from_millis(42);
+/// Time between two rendered frames: about 24 a second.
+const RENDERED_FRAME: Duration = Duration::from_millis(42);
 
 fn main() -> Result<(), String> {
     let locale = std::env::args().nth(1).unwrap_or_else(|| dialogue::locales::EN_US.into());
-    let bank = Bank::open(BANK).and_then(Bank::verify).map_err(|error| error.to_string())?;
-    let mut player = Player::new(bank, &locale).ok_or("no such locale")?;
+    let mut files = [DialogueFile::ABSENT; 1]; // more, for patches and text banks
+    let dialogue = Dialogue::open(&mut files, [BANK]).map_err(|error| error.to_string())?;
+    let mut player = Player::new(dialogue, &locale).ok_or("no such locale")?;
     player.start(dialogue::act1::MARA_GOOD_EVENING);
     // A game asks its audio engine how much it has played.
     let start = Instant::now();
     while !player.is_over() {
-        let sound = Micros(i64::try_from(start.elapsed().as_micros()).unwrap_or(i64::MAX));
-        for event in player.advance_to(sound) {
+        let audio = Micros(i64::try_from(start.elapsed().as_micros()).unwrap_or(i64::MAX));
+        for event in player.advance_to(audio) {
             println!("* {event}");
         }
-        println!("{}  {}", player.mouth(), player.subtitle());
-        thread::sleep(PICTURE);
+        println!("{}  {}", player.viseme(), player.subtitle());
+        thread::sleep(RENDERED_FRAME);
     }
     Ok(())
 }

@@ -6,15 +6,31 @@
 
 #![no_std]
 
+use core::hash::{Hash, Hasher};
 use core::panic::PanicInfo;
+use lipz_bank::babble::{Babble, VoiceLevel, Weight};
+use lipz_bank::curve::{CurveCursor, CurveValue};
+use lipz_bank::face::{Emotion, Face, FaceCurve, FaceProfile, LookAt, Who};
+use lipz_bank::files::{DialogueError, DialogueFile, Files, Layer, SetIndex};
+use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{
-    Babble, Bank, BankSet, BankSetError, Clip, ClipId, Command, ConsonantHold, Cursor, CurveCursor, CurveValue, Emotion, Error, Event, EventName,
-    Face, FaceCurve, FaceProfile, Fps, Layers, LayersError, Lead, Locale, LookAt, Micros, Places, Samples, Seconds, Segment,
-    SetIndex, Spoken, TextBank, Time, Viseme, VisemeType, VoiceLevel, Weight, Who,
+    Bank, Clip, ClipId, Command, Cursor, Dialogue, Error, Event, EventName, Fps, Locale, Micros, Samples, Seconds,
+    Segment, Spoken, Time, Viseme, VisemeType, Voice,
 };
 
 /// Takes what was answered, so that no question is left out as useless.
 type See = fn(u64);
+
+/// What clips are asked with.
+#[derive(Clone, Copy)]
+struct Asked<'a> {
+    name: &'a str,
+    number: u32,
+    locale: Locale,
+    voice: Voice,
+    named: Option<EventName<'a>>,
+    profile: FaceProfile<'a>,
+}
 
 fn see_bytes(see: See, bytes: &[u8]) {
     see(bytes.len() as u64);
@@ -26,37 +42,43 @@ fn see_error(see: See, error: Error) {
     see(u64::from(error.kind().number()) << 32 | u64::from(error.offset_bytes()));
 }
 
-/// Asks two files everything, before and after they are verified.
+fn see_dialogue_error(see: See, error: DialogueError) {
+    let error = DialogueError::new(error.file(), error.error());
+    see(error.file() as u64);
+    see_error(see, error.error());
+}
+
+fn core_utf8(bytes: &[u8]) -> Option<&str> {
+    core::str::from_utf8(bytes).ok()
+}
+
+/// Asks files everything, before and after they are verified: each as a bank and as the index of a set, two of them as a bank and
+/// its texts, and all of them as a dialogue, of which any can be patches, text banks, or the banks of a set.
 #[no_mangle]
-fn proof_every_function(bytes: &[u8], texts: &[u8], name: &str, number: u32, see: See) {
-    let bank = match Bank::open(bytes) {
-        Ok(bank) => bank,
-        Err(error) => return see_error(see, error),
-    };
-    bank_asked(&bank, name, number, see);
-    if let Ok(places) = Places::find(bytes) {
-        let mut words = places.to_words();
-        words[2] ^= number;
-        if let Some(bank) = Bank::open_at(bytes, &Places::from_words(words)) {
-            bank_asked(&bank, name, number, see);
+fn proof_every_function(contents: &[&[u8]], name: &str, number: u32, see: See) {
+    let mut before = None;
+    for bytes in contents {
+        index_asked(bytes, before, name, number, see);
+        let bank = match Bank::open(bytes) {
+            Ok(bank) => bank,
+            Err(error) => {
+                see_error(see, error);
+                continue;
+            }
+        };
+        bank_asked(&bank, name, number, see);
+        texts_asked(bank, before.unwrap_or(bytes), name, number, see);
+        before = Some(bytes);
+        layers_asked(&bank, name, number, see);
+        if let Err(error) = bank.verify_tables() {
+            see_error(see, error);
+        }
+        match bank.verify_lines().and_then(Bank::verify).and_then(|bank| bank.verify_with(core_utf8)) {
+            Ok(bank) => bank_asked(&bank, name, number, see),
+            Err(error) => see_error(see, error),
         }
     }
-    if let Ok(above) = Bank::open(texts) {
-        layers_asked([bank, above], name, see);
-        banks_asked(&[bank, above], name, see);
-        index_asked(texts, &[bank, above], name, see);
-    }
-    match bank.open_texts(texts) {
-        Ok(texts) => texts_asked(&bank, &texts, name, see),
-        Err(error) => see_error(see, error),
-    }
-    if let Err(error) = bank.verify_tables() {
-        see_error(see, error);
-    }
-    match bank.verify_lines().and_then(Bank::verify).and_then(|bank| bank.verify_with(|bytes| core::str::from_utf8(bytes).ok())) {
-        Ok(bank) => bank_asked(&bank, name, number, see),
-        Err(error) => see_error(see, error),
-    }
+    dialogues_asked(contents, name, number, see);
 }
 
 fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
@@ -64,146 +86,178 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     let (major, minor) = bank.format_version();
     see(u64::from(major) << 16 | u64::from(minor) | u64::from(bank.is_verified()) << 32);
     bank.sections().for_each(|(tag, contents)| see_bytes(see, if tag == *b"CLIP" { contents } else { &[] }));
+    let mut asked = asked(name, number, bank.event_name(name));
     for locale in bank.locales().chain(bank.locale(name)).chain(bank.default_locale()) {
-        see(u64::from(locale.is_default()) | u64::from(locale.is_of(bank)) << 1);
-        see_bytes(see, locale.tag().as_bytes());
+        see_bytes(see, bank.locale_tag(locale).as_bytes());
+        asked.locale = locale;
     }
     for voice in bank.voices().chain(bank.voice(name)) {
-        see(u64::from(voice.is_original()) | u64::from(voice.is_of(bank)) << 1);
-        see_bytes(see, voice.tag().as_bytes());
+        see(u64::from(voice.is_original()));
+        see_bytes(see, bank.voice_tag(voice).as_bytes());
+        asked.voice = voice;
     }
     for babble in bank.babbles().chain(bank.babble(name)).chain([bank.default_babble()]) {
         babble_asked(&babble, number, see);
     }
     for profile in bank.face_profiles().chain(bank.face_profile(name)).chain([bank.default_face_profile()]) {
         profile_asked(&profile, name, number, see);
+        asked.profile = profile;
     }
-    let named = bank.event_name(name).or(bank.event_name_at(number));
     let id = ClipId::from_u64(u64::from(number) ^ ClipId::from_key(name).get());
     let found = [bank.clip(id), bank.clip_by_key(name), bank.clip_at(number)];
     for clip in bank.clips().chain(bank.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
-        clip_asked(bank, &clip, number, see);
-        see_face(see, clip.face_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
-        see_face(see, clip.generated_at(Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
-        see_face(see, clip.generated_of(name, Micros(i64::from(number)), &bank.default_face_profile(), look(number)));
-        for who in [Who::from("amy"), Who::SpeakerNamed("amy")] {
-            let now = Micros(i64::from(number));
-            see_face(see, clip.face_of(who, now, &bank.default_face_profile(), look(number)));
-        }
-        play(&clip, named, number, see);
-        // A rate of the program's own.
-        if let Some(fps) = Fps::new(number, number >> 5) {
-            play(&clip.or_fps(fps).or_viseme_type(VisemeType::Blair), named, number, see);
+        clip_asked(&clip, &asked, see);
+    }
+}
+
+/// What clips are asked with: handles made of any number.
+fn asked<'a>(name: &'a str, number: u32, named: Option<EventName<'a>>) -> Asked<'a> {
+    let words = [number, number >> 3];
+    let profile = FaceProfile::DEFAULT;
+    Asked { name, number, locale: Locale::from_words(words), voice: Voice::from_words(words), named, profile }
+}
+
+fn texts_asked(bank: Bank<'_>, texts: &[u8], name: &str, number: u32, see: See) {
+    for with_texts in [bank.with_texts_unverified(texts), bank.with_texts(texts)] {
+        match with_texts {
+            Ok(bank) => bank_asked(&bank, name, number, see),
+            Err(error) => see_error(see, error),
         }
     }
 }
 
-fn layers_asked(banks: [Bank<'_>; 2], name: &str, see: See) {
-    if let Ok(Some(layer)) = banks[1].verified_layer().map(|layer| layer.or_else(|| banks[0].layer())) {
-        layer.made_over().chain(layer.removed_clips().map(ClipId::get)).for_each(see);
-        layer.removed_locales().for_each(|tag| see_bytes(see, tag.as_bytes()));
-        let number = name.len() as u32;
-        let (has_clip, has_texts) = layer.parts(number);
-        see(u64::from(has_clip) | u64::from(has_texts) << 1 | u64::from(layer.has_babble()) << 2);
-        see(u64::from(layer.has_default_locale()) | u64::from(layer.removes_locale(name)) << 1);
-        see(u64::from(layer.may_have(ClipId::from_key(name))));
-        see(u64::from(layer.has_faces()) | u64::from(layer.has_voices()) << 1);
-        see(u64::from(layer.has_texts_of_original(number)) | u64::from(layer.borrows(number, name.len())) << 1);
-        see(layer.dub_count() as u64);
-        see(u64::from(layer.removes(ClipId::from_key(name))) | layer.stand_in(name.len()).unwrap_or(0) as u64);
-    }
-    let layers = match Layers::new(banks).or_else(|_| Layers::<2>::from_slice(&banks[..1])) {
-        Ok(layers) => layers,
-        Err(error) => {
-            let error = LayersError::new(error.layer(), error.error());
-            see(error.layer() as u64);
-            return see_error(see, error.error());
-        }
-    };
-    see(layers.layer_count() as u64 ^ layers.bank(1).map_or(0, Bank::checksum));
-    layers.locale_tags().chain(layers.default_locale()).for_each(|tag| see_bytes(see, tag.as_bytes()));
-    for babble in layers.babble(name).iter().chain([&layers.default_babble()]) {
-        see_bytes(see, babble.name().as_bytes());
-    }
-    for profile in layers.face_profile(name).iter().chain([&layers.default_face_profile()]) {
-        see_bytes(see, profile.name().as_bytes());
-    }
-    see(layers.of_babble().map_or(0, Bank::checksum) ^ layers.of_faces().map_or(0, Bank::checksum));
-    lipz_bank::voice_tags(&layers).for_each(|tag| see_bytes(see, tag.as_bytes()));
-    see(lipz_bank::original_of(&layers, ClipId::from_key(name)).map_or(0, |(tag, id)| id.get() ^ tag.len() as u64));
-    see(lipz_bank::played_in(&layers, ClipId::from_key(name), name).map_or(0, |(id, _)| id.get()));
-    let locale = layers.locale(name).or_else(|| layers.locale_in(name, &[]));
-    let named = layers.event_name(name);
-    let found = [layers.clip(ClipId::from_key(name)), layers.clip_by_key(name)];
-    for clip in layers.clips().chain(layers.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
-        see_bytes(see, clip.clip().key().as_bytes());
-        see(clip.layer() as u64 ^ clip.texts_layer().unwrap_or(0) as u64);
-        see(clip.texts().map_or(0, |texts| u64::from(texts.slot())));
-        see(named.and_then(|name| name.of(&clip)).map_or(0, |name| u64::from(name.id())));
-        if let Some(locale) = &locale {
-            see_bytes(see, locale.tag().as_bytes());
-            see_bytes(see, locale.tag_in(clip.layer()).unwrap_or("").as_bytes());
-            see_bytes(see, clip.text_bytes(0, locale).unwrap_or(&[]));
-            see_bytes(see, clip.text(0, locale).map_or("", |text| text.as_str()).as_bytes());
-        }
+fn layers_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
+    match bank.verified_layer() {
+        Ok(layer) => layer.or_else(|| bank.layer()).iter().for_each(|layer| layer_asked(layer, name, number, see)),
+        Err(error) => see_error(see, error),
     }
 }
 
-fn index_asked<'data>(bytes: &'data [u8], banks: &[Bank<'data>], name: &str, see: See) {
+fn layer_asked(layer: &Layer<'_>, name: &str, number: u32, see: See) {
+    let id = ClipId::from_key(name);
+    layer.made_over().chain(layer.removed_clips().map(ClipId::get)).for_each(see);
+    layer.removed_locales().chain(layer.voices()).for_each(|tag| see_bytes(see, tag.as_bytes()));
+    let (has_clip, has_texts) = layer.parts(number);
+    see(u64::from(has_clip) | u64::from(has_texts) << 1 | u64::from(layer.has_babble()) << 2);
+    see(u64::from(layer.has_default_locale()) | u64::from(layer.removes_locale(name)) << 1);
+    see(u64::from(layer.has_faces()) | u64::from(layer.has_voices()) << 1);
+    see(u64::from(layer.has_texts_of_original(number)) | u64::from(layer.borrows(number, name.len())) << 1);
+    see(layer.dub_count() as u64 ^ layer.stand_in(name.len()).unwrap_or(0) as u64);
+    see(u64::from(layer.removes(id)) | u64::from(layer.may_have(id)) << 1);
+}
+
+/// Asks the bytes as the index of a set, of which the bank before them is one.
+fn index_asked(bytes: &[u8], bank: Option<&[u8]>, name: &str, number: u32, see: See) {
     let index = match SetIndex::open(bytes).and_then(SetIndex::verify).or_else(|_| SetIndex::open(bytes)) {
         Ok(index) => index,
         Err(error) => return see_error(see, error),
     };
     see(index.fingerprint() ^ index.checksum() ^ index.clip_count() ^ index.length_bytes() as u64);
     see((index.bank_count() ^ index.moved_count() ^ index.bank_of(ClipId::from_key(name))) as u64);
-    for bank in index.banks().chain(index.bank_at(name.len())) {
-        see_bytes(see, bank.file_name.as_bytes());
+    let bank = bank.and_then(|bytes| Bank::open(bytes).ok());
+    for named in index.banks().chain(index.bank_at(number as usize)) {
+        see_bytes(see, named.file_name.as_bytes());
+        see(u64::from(bank.map_or(false, |bank| named.is_of(&bank))));
     }
-    match BankSet::with_index(banks, &index) {
-        Ok(set) => set_asked(set, name, see),
-        Err(_) => see(0),
+    if let Some(bank) = bank {
+        let number = number as usize;
+        if let Err(error) = index.check_bank(number, &bank).and_then(|()| index.verify_bank(number, &bank)) {
+            see_error(see, error);
+        }
     }
 }
 
-fn banks_asked(banks: &[Bank<'_>], name: &str, see: See) {
-    let set = match BankSet::new(banks).and_then(BankSet::verify).or_else(|_| BankSet::new(banks)) {
-        Ok(set) => set,
-        Err(BankSetError::OtherShard { bank }) => return see(bank as u64),
-        Err(_) => return,
+/// Room for the files of a dialogue: the contents may be more.
+const FILES: usize = 8;
+
+/// Files as a program keeps them that opens them when they are asked for.
+struct Given<'a>(&'a [DialogueFile<'a>]);
+
+impl Files for Given<'_> {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn file(&self, number: usize) -> Option<&DialogueFile<'_>> {
+        self.0.get(number)
+    }
+}
+
+fn dialogues_asked(contents: &[&[u8]], name: &str, number: u32, see: See) {
+    let see_opened = |opened: Result<Dialogue<'_>, DialogueError>| match opened {
+        Ok(dialogue) => dialogue_asked(&dialogue, name, number, see),
+        Err(error) => see_dialogue_error(see, error),
     };
-    set_asked(set, name, see);
+    see_opened(Dialogue::open(&mut [DialogueFile::ABSENT; FILES], contents.iter().copied()));
+    see_opened(Dialogue::open_with(&mut [DialogueFile::ABSENT; FILES], contents.iter().copied(), core_utf8));
+    see_opened(Dialogue::open_unverified(&mut [DialogueFile::ABSENT; FILES], contents.iter().copied()));
+    let mut files = [DialogueFile::ABSENT; FILES];
+    for at in 0..FILES.min(contents.len()) {
+        let opened = contents.get(at).map(|bytes| DialogueFile::open(bytes, at));
+        let file = match opened {
+            Some(Ok(file)) => file,
+            Some(Err(error)) => return see_error(see, error),
+            None => DialogueFile::ABSENT,
+        };
+        let file = match file.verify_in(&files[..], at, core_utf8) {
+            Ok(verified) => verified,
+            Err(error) => {
+                see_error(see, error);
+                file
+            }
+        };
+        if let Some(place) = files.get_mut(at) {
+            *place = file;
+        }
+    }
+    let files = files.get(..contents.len()).unwrap_or(&files);
+    see_opened(Dialogue::new(files));
+    see_opened(Dialogue::with_files(&Given(files)));
 }
 
-fn set_asked(set: BankSet<'_, '_>, name: &str, see: See) {
+fn dialogue_asked(dialogue: &Dialogue<'_>, name: &str, number: u32, see: See) {
+    see(dialogue.clip_count() as u64 ^ u64::from(dialogue.version()));
+    see(dialogue.set_index().map_or(0, |index| index.checksum()));
+    for at in (0..dialogue.file_count()).chain([number as usize]) {
+        if let Some(file) = dialogue.file(at) {
+            see(file.length_bytes() as u64 ^ file.checksum() ^ file.kind() as u64);
+            see(u64::from(file.bank().is_some()) | u64::from(file.set_index().is_some()) << 1);
+        }
+        if let Some(bank) = dialogue.bank(at) {
+            see(bank.checksum());
+        }
+    }
+    let named = dialogue.event_name(name).or_else(|| dialogue.event_name_of_words([number, number >> 3]));
+    let mut asked = asked(name, number, named);
+    for locale in dialogue.locales().chain(dialogue.locale(name)).chain(dialogue.default_locale()).chain([asked.locale])
+    {
+        see_bytes(see, dialogue.locale_tag(locale).as_bytes());
+        locale.to_words().iter().for_each(|word| see(u64::from(*word)));
+        asked.locale = locale;
+    }
+    for voice in dialogue.voices().chain(dialogue.voice(name)).chain([asked.voice]) {
+        see_bytes(see, dialogue.voice_tag(voice).as_bytes());
+        voice.to_words().iter().for_each(|word| see(u64::from(*word)));
+        asked.voice = voice;
+    }
+    for babble in dialogue.babbles().chain(dialogue.babble(name)).chain([dialogue.default_babble()]) {
+        see_bytes(see, babble.name().as_bytes());
+    }
+    let profiles = dialogue.face_profiles().chain(dialogue.face_profile(name));
+    for profile in profiles.chain([dialogue.default_face_profile()]) {
+        see_bytes(see, profile.name().as_bytes());
+        asked.profile = profile;
+    }
     let id = ClipId::from_key(name);
-    see(set.clip_count() as u64 ^ set.banks().len() as u64 ^ set.bank_of(id).map_or(0, Bank::checksum));
-    let locale = set.locale(name).or_else(|| set.default_locale());
-    let named = set.event_name(name);
-    let found = [set.clip(id), set.clip_by_key(name)];
-    for clip in set.clips().chain(set.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
-        see_bytes(see, clip.key().as_bytes());
-        see(named.and_then(|name| name.of(&clip)).map_or(0, |name| u64::from(name.id())));
-        if let Some(voice) = set.voice(name) {
-            see_bytes(see, voice.tag().as_bytes());
-            see(u64::from(voice.of(&clip).is_some()));
-        }
-        if let Some(locale) = locale {
-            see_bytes(see, locale.tag().as_bytes());
-            see(u64::from(locale.of(&clip).is_some()));
-        }
-    }
-}
-
-fn texts_asked(bank: &Bank<'_>, texts: &TextBank<'_>, name: &str, see: See) {
-    see(texts.length_bytes() as u64 ^ texts.checksum());
-    texts.sections().for_each(|(_, contents)| see_bytes(see, contents));
-    for locale in texts.locales().chain(texts.locale(name)) {
-        see_bytes(see, locale.tag().as_bytes());
-    }
-    let verified = texts.verify(bank);
-    let verified = verified.and_then(|texts| texts.verify_with(bank, |bytes| core::str::from_utf8(bytes).ok()));
-    if let Err(error) = verified {
-        see_error(see, error);
+    see(dialogue.slot_of_texts(id).map_or(0, |(file, slot)| u64::from(file) << 32 | u64::from(slot)));
+    let behind = dialogue.clip_behind(u64::from(number) << 32 | u64::from(number >> 3), name);
+    let behind = behind.map(|(clip, position)| {
+        see(position);
+        clip
+    });
+    let found = [dialogue.clip(id), dialogue.clip_by_key(name), dialogue.clip_at(number, number >> 3), behind];
+    for clip in dialogue.clips().chain(dialogue.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
+        clip_asked(&clip, &asked, see);
     }
 }
 
@@ -232,7 +286,9 @@ fn profile_asked(profile: &FaceProfile<'_>, name: &str, number: u32, see: See) {
     see(u64::from(profile.head_motion_thousandths()) ^ u64::from(profile.head_follows_thousandths()));
     see(u64::from(profile.pose_ms()) ^ u64::from(profile.fixation_ms()));
     see_bytes(see, FaceCurve::from_name(name).map_or("", FaceCurve::name).as_bytes());
-    see_face(see, profile.idle_at(Micros(i64::from(number)), u64::from(number), look(number)));
+    for profile in [*profile, profile.without_curves()] {
+        see_face(see, profile.idle_at(Micros(i64::from(number)), u64::from(number), look(number)));
+    }
 }
 
 /// Somebody, or something, in a direction of which nothing is known.
@@ -259,20 +315,24 @@ fn fps_asked(fps: Fps, number: u32, see: See) {
     see(u64::from(holds[0] == holds[1]) | u64::from(holds[1] < holds[2]) | u64::from(holds[0].frame_count()) << 8);
 }
 
-fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
+fn clip_asked(clip: &Clip<'_>, asked: &Asked<'_>, see: See) {
+    let number = asked.number;
     see_bytes(see, clip.key().as_bytes());
     see_bytes(see, clip.frames());
     see(clip.id().get() ^ u64::from(clip.slot()) ^ clip.duration_us().unwrap_or(0));
-    see(u64::from(clip.has_visemes()) | u64::from(clip.has_events()) << 1);
+    see(u64::from(clip.has_visemes()) | u64::from(clip.has_events()) << 1 | u64::from(clip.file()) << 32);
     if let Some(kind) = clip.viseme_type() {
         see(u64::from(kind.contains_all(clip.frames())) | u64::from(kind.contains(number as u8)) << 1);
         see_bytes(see, kind.name().as_bytes());
         see_bytes(see, kind.codes().as_bytes());
     }
-    curves_asked(bank, clip, number, see);
-    see(clip.original().map_or(0, |original| u64::from(original.slot())));
-    for voice in bank.voices().chain(clip.voice()) {
-        let voiced = clip.in_voice(voice);
+    curves_asked(clip, asked, see);
+    faces_asked(clip, asked, see);
+    if let Some(original) = clip.original() {
+        see(u64::from(original.slot()) << 1 | u64::from(original == *clip));
+    }
+    for voice in [Some(asked.voice), clip.voice()].iter().flatten() {
+        let voiced = clip.in_voice(*voice);
         see(u64::from(voiced.clip.slot()) << 1 | u64::from(voiced.spoken == Spoken::Dub));
     }
     see(clip.recording().map_or(0, |recording| recording.length_us() ^ recording.content_hash()));
@@ -291,27 +351,45 @@ fn clip_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
     time_asked(clip, Seconds(seconds), see);
     time_asked(clip, Seconds(f64::from(seconds)), see);
     for segment in clip.segments().chain(clip.segment(clip.segment_count().wrapping_sub(1))) {
-        segment_asked(bank, &segment, see);
+        segment_asked(&segment, asked, see);
+    }
+    play(clip, asked.named, number, see);
+    // A rate of the program's own.
+    if let Some(fps) = Fps::new(number, number >> 5) {
+        play(&clip.or_fps(fps).or_viseme_type(VisemeType::Blair), asked.named, number, see);
     }
 }
 
-fn curves_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
+fn faces_asked(clip: &Clip<'_>, asked: &Asked<'_>, see: See) {
+    let Asked { name, number, .. } = *asked;
+    for profile in [asked.profile, asked.profile.without_curves()] {
+        for who in [Who::Speaker, Who::SpeakerNamed(name), Who::from(name)] {
+            see_face(see, clip.face_at(Micros(i64::from(number)), who, &profile, look(number)));
+            see_face(see, clip.face_at(Seconds(number as f32), who, &profile, look(number)));
+        }
+    }
+}
+
+fn curves_asked(clip: &Clip<'_>, asked: &Asked<'_>, see: See) {
+    let Asked { name, number, named, .. } = *asked;
     let mut cursor = CurveCursor::new();
-    let emotions = clip.emotions_at(Micros(i64::from(number)));
+    let emotions = clip.emotions_at(Micros(i64::from(number)), Who::Speaker);
     let strongest = emotions.strongest().map(|(emotion, _)| emotion);
-    for emotion in strongest.into_iter().chain(Emotion::from_name("joy")) {
+    for emotion in strongest.into_iter().chain(Emotion::from_name(name)) {
         see_bytes(see, emotion.name().as_bytes());
         see(emotions.get(emotion).thousandths() as u64);
     }
     see(emotions.sum().thousandths() as u64 ^ emotions.iter().count() as u64);
-    for who in [Who::from("amy"), Who::SpeakerNamed("amy")] {
-        see(clip.emotions_of(who, Micros(i64::from(number))).sum().thousandths() as u64);
+    for who in [Who::from(name), Who::SpeakerNamed(name)] {
+        see(clip.emotions_at(Micros(i64::from(number)), who).sum().thousandths() as u64);
     }
-    let named = bank.event_name("joy").and_then(|name| clip.curve_named(name));
-    for curve in clip.curves().chain(clip.curve("anger")).chain(named) {
+    let named = named.and_then(|name| clip.curve(name));
+    for curve in clip.curves().chain(clip.curve(name)).chain(named) {
         see_bytes(see, curve.name().as_str().as_bytes());
         cursor = CurveCursor::from_word(cursor.to_word() ^ number);
-        see(clip.curve_in_place(curve.place()).map_or(0, |same| u64::from(same.key_count())));
+        see(clip
+            .curve_in_place(curve.place())
+            .map_or(0, |same| u64::from(same.key_count()) << 1 | u64::from(same == curve)));
         see(u64::from(curve.key_count()) | curve.key(number).map_or(0, |key| u64::from(key.frame)));
         let value_see = |value: CurveValue| see(value.thousandths() as u64 ^ u64::from(value.to_f32().to_bits()));
         curve.keys().for_each(|key| value_see(key.value));
@@ -327,7 +405,7 @@ fn curves_asked(bank: &Bank<'_>, clip: &Clip<'_, '_>, number: u32, see: See) {
     }
 }
 
-fn viseme_asked(clip: &Clip<'_, '_>, viseme: Viseme, see: See) {
+fn viseme_asked(clip: &Clip<'_>, viseme: Viseme, see: See) {
     let weight = clip.viseme_type().map(|kind| Viseme::from_code(viseme.code()).openness(kind));
     see(u64::from(viseme.to_char()) | u64::from(viseme.is_rest()) << 32);
     let weights =
@@ -335,7 +413,7 @@ fn viseme_asked(clip: &Clip<'_, '_>, viseme: Viseme, see: See) {
     weights.iter().for_each(|weight| see(u64::from(weight.ten_thousandths())));
 }
 
-fn time_asked(clip: &Clip<'_, '_>, time: impl Time, see: See) {
+fn time_asked(clip: &Clip<'_>, time: impl Time, see: See) {
     viseme_asked(clip, clip.viseme_at(time), see);
     see(u64::from(clip.frame_at(time).unwrap_or(0)));
     see(clip.segment_at(time).map_or(0, |segment| u64::from(segment.clip().slot())));
@@ -344,32 +422,53 @@ fn time_asked(clip: &Clip<'_, '_>, time: impl Time, see: See) {
     see(u64::from(open ^ babbled.ten_thousandths()));
 }
 
-fn segment_asked(bank: &Bank<'_>, segment: &Segment<'_, '_>, see: See) {
+fn segment_asked(segment: &Segment<'_>, asked: &Asked<'_>, see: See) {
     see(u64::from(segment.start_frame()) << 32 | u64::from(segment.end_frame()));
     see(segment.start_us().unwrap_or(0) ^ segment.end_us().unwrap_or(0));
+    see(u64::from(segment.clip().segment(asked.number).map_or(false, |other| other == *segment)));
     see_bytes(see, segment.frames());
     see_bytes(see, segment.event().unwrap_or("").as_bytes());
-    segment.events().for_each(|event| event_asked(bank, event, see));
-    bank.locales().for_each(|locale: Locale<'_>| {
+    segment.events().for_each(|event| event_asked(event, asked, see));
+    for locale in [asked.locale, Locale::from_words([asked.number; 2])] {
         see_bytes(see, segment.text_bytes(locale).unwrap_or(&[]));
         see(segment.has_own_text(locale).into());
         if let Some(text) = segment.text(locale) {
             see_bytes(see, text.as_str().as_bytes());
             see(u64::from(text.is_fallback()));
         }
-    });
-}
-
-fn event_asked(bank: &Bank<'_>, event: Event<'_>, see: See) {
-    let command: Command<EventName<'_>> = event.command;
-    see_bytes(see, command.verb().as_bytes());
-    for name in [event.character, command.object()].iter().flatten() {
-        see(u64::from(name.id()) | u64::from(name.is_of(bank)) << 32);
-        see_bytes(see, name.as_str().as_bytes());
     }
 }
 
-fn play(clip: &Clip<'_, '_>, speaker: Option<EventName<'_>>, number: u32, see: See) {
+fn event_asked(event: Event<'_>, asked: &Asked<'_>, see: See) {
+    let command: Command<EventName<'_>, _> = event.command;
+    see_bytes(see, command.verb().as_bytes());
+    see(command.amount().map_or(0, |strength| strength.thousandths() as u64));
+    for name in [event.character, command.object()].iter().flatten() {
+        let [origin, id] = name.to_words();
+        see(u64::from(origin) << 32 | u64::from(id));
+        see_bytes(see, name.as_str().as_bytes());
+        see(u64::from(*name == asked.name) | u64::from(*name == *asked.name) << 1);
+        if let Some(named) = asked.named {
+            see(u64::from(*name == named) | u64::from(*name < named) << 1);
+        }
+        name.hash(&mut Sum(see));
+    }
+}
+
+/// Sees what is hashed.
+struct Sum(See);
+
+impl Hasher for Sum {
+    fn finish(&self) -> u64 {
+        0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        see_bytes(self.0, bytes);
+    }
+}
+
+fn play(clip: &Clip<'_>, speaker: Option<EventName<'_>>, number: u32, see: See) {
     let (cursor, fps) = match (Cursor::new(clip), clip.fps()) {
         (Some(cursor), Some(fps)) => (cursor, fps),
         _ => return,
@@ -391,12 +490,13 @@ fn play(clip: &Clip<'_, '_>, speaker: Option<EventName<'_>>, number: u32, see: S
         for event in due.events() {
             let mut state = cursor.state(clip, event.character);
             state.apply(event.command);
-            characters ^= state.emotion.map_or(0, EventName::id);
+            characters ^= state.emotion.map_or(0, |name| name.to_words()[1]);
         }
         for (_, state) in cursor.characters(clip) {
-            characters ^= state.stares_at.map_or(0, EventName::id);
+            characters ^= state.stares_at.map_or(0, |name| name.to_words()[1]);
         }
         viseme_asked(clip, cursor.viseme(clip), see);
+        see(u64::from(cursor.openness(clip).map_or(0, |weight| weight.ten_thousandths())));
         cursor.to_words().iter().for_each(|word| see(u64::from(*word)));
         see(u64::from(characters) | u64::from(cursor.is_over()) << 32);
         see(u64::from(cursor.frame().unwrap_or(0)) ^ cursor.segment(clip).map_or(0, |segment| segment.index().into()));

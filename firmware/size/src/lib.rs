@@ -10,9 +10,11 @@ mod controls;
 
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
-use lipz_bank::{
-    Babble, Bank, Clip, ClipId, ConsonantHold, Cursor, CurveCursor, CurveValue, Error, Event, EventName, Face, Lead, Locale, LookAt, Micros, TextBank, VoiceLevel,
-};
+use lipz_bank::babble::{Babble, VoiceLevel};
+use lipz_bank::curve::{CurveCursor, CurveValue};
+use lipz_bank::face::{Face, LookAt, Who};
+use lipz_bank::playback::{ConsonantHold, Lead};
+use lipz_bank::{Bank, Clip, ClipId, Cursor, Error, Event, EventName, Locale, Micros};
 
 /// A bank, as an entry point returns it: in memory of its caller.
 type Place<T> = MaybeUninit<T>;
@@ -80,24 +82,24 @@ fn size_segment_at(bank: &Bank<'_>, slot: u32, time_us: i64) -> u32 {
 }
 
 #[no_mangle]
-fn size_locale<'a>(bank: &Bank<'a>, tag: &str, place: &mut Place<Locale<'a>>) -> bool {
+fn size_locale(bank: &Bank<'_>, tag: &str, place: &mut Place<Locale>) -> bool {
     answer(bank.locale(tag), place)
 }
 
 #[no_mangle]
-fn size_text_bytes<'a>(bank: &Bank<'_>, slot: u32, index: u32, of: &Locale<'a>, place: &mut Place<&'a [u8]>) -> bool {
+fn size_text_bytes<'a>(bank: &'a Bank<'a>, slot: u32, index: u32, of: &Locale, place: &mut Place<&'a [u8]>) -> bool {
     let segment = bank.clip_at(slot).and_then(|clip| clip.segment(index));
     answer(segment.and_then(|segment| segment.text_bytes(*of)), place)
 }
 
 #[no_mangle]
-fn size_text<'a>(bank: &Bank<'_>, slot: u32, index: u32, of: &Locale<'a>, place: &mut Place<&'a str>) -> bool {
+fn size_text<'a>(bank: &'a Bank<'a>, slot: u32, index: u32, of: &Locale, place: &mut Place<&'a str>) -> bool {
     let segment = bank.clip_at(slot).and_then(|clip| clip.segment(index));
     answer(segment.and_then(|segment| segment.text(*of)).map(|text| text.as_str()), place)
 }
 
 #[no_mangle]
-fn size_event<'a>(bank: &Bank<'a>, slot: u32, index: u32, place: &mut Place<&'a str>) -> bool {
+fn size_event<'a>(bank: &'a Bank<'a>, slot: u32, index: u32, place: &mut Place<&'a str>) -> bool {
     let segment = bank.clip_at(slot).and_then(|clip| clip.segment(index));
     answer(segment.and_then(|segment| segment.event()), place)
 }
@@ -111,22 +113,17 @@ fn size_events(bank: &Bank<'_>, slot: u32, index: u32, each: fn(Event<'_>)) {
 
 #[no_mangle]
 fn size_event_name(bank: &Bank<'_>, name: &str) -> u32 {
-    bank.event_name(name).map_or(u32::MAX, EventName::id)
+    bank.event_name(name).map_or(u32::MAX, |name| name.to_words()[1])
 }
 
 #[no_mangle]
-fn size_open_texts<'a>(bank: &Bank<'_>, bytes: &'a [u8], place: &mut Place<TextBank<'a>>) -> u32 {
-    status(bank.open_texts(bytes), place)
+fn size_open_texts<'a>(bank: &Bank<'a>, bytes: &'a [u8], place: &mut Place<Bank<'a>>) -> u32 {
+    status(bank.with_texts_unverified(bytes), place)
 }
 
 #[no_mangle]
-fn size_verify_texts(texts: &TextBank<'_>, bank: &Bank<'_>) -> u32 {
-    texts.verify(bank).map_or_else(|error| error.kind() as u32 | error.offset_bytes() << 8, |_| 0)
-}
-
-#[no_mangle]
-fn size_text_bank_locale<'a>(texts: &TextBank<'a>, tag: &str, place: &mut Place<Locale<'a>>) -> bool {
-    answer(texts.locale(tag), place)
+fn size_verify_texts<'a>(bank: &Bank<'a>, bytes: &'a [u8], place: &mut Place<Bank<'a>>) -> u32 {
+    status(bank.with_texts(bytes), place)
 }
 
 #[no_mangle]
@@ -136,19 +133,19 @@ fn size_play(bank: &Bank<'_>, slot: u32, place: &mut Place<Cursor>) -> bool {
 }
 
 #[no_mangle]
-fn size_advance(clip: &Clip<'_, '_>, cursor: &mut Cursor, time_us: i64, each: fn(Event<'_>)) -> u8 {
+fn size_advance(clip: &Clip<'_>, cursor: &mut Cursor, time_us: i64, each: fn(Event<'_>)) -> u8 {
     cursor.advance_to(clip, Micros(time_us)).events().for_each(each);
     cursor.viseme(clip).code()
 }
 
 #[no_mangle]
-fn size_seek(clip: &Clip<'_, '_>, cursor: &mut Cursor, time_us: i64) {
+fn size_seek(clip: &Clip<'_>, cursor: &mut Cursor, time_us: i64) {
     cursor.seek(clip, Micros(time_us));
 }
 
 #[no_mangle]
-fn size_state(clip: &Clip<'_, '_>, cursor: &Cursor, of: &EventName<'_>) -> u32 {
-    cursor.state(clip, Some(*of)).emotion.map_or(u32::MAX, EventName::id)
+fn size_state(clip: &Clip<'_>, cursor: &Cursor, of: &EventName<'_>) -> u32 {
+    cursor.state(clip, Some(*of)).emotion.map_or(u32::MAX, |name| name.to_words()[1])
 }
 
 #[no_mangle]
@@ -157,31 +154,31 @@ fn size_babble(bank: &Bank<'_>, name: &str, time_us: i64) -> u16 {
 }
 
 #[no_mangle]
-fn size_curve_cursor(clip: &Clip<'_, '_>, name: &EventName<'_>, cursor: &mut CurveCursor, time_us: i64) -> i32 {
-    let value = clip.curve_named(*name).and_then(|curve| cursor.value_at(&curve, Micros(time_us)));
+fn size_curve_cursor(clip: &Clip<'_>, name: &EventName<'_>, cursor: &mut CurveCursor, time_us: i64) -> i32 {
+    let value = clip.curve(*name).and_then(|curve| cursor.value_at(&curve, Micros(time_us)));
     value.map_or(0, CurveValue::thousandths)
 }
 
 #[no_mangle]
-fn size_curves(clip: &Clip<'_, '_>, time_us: i64, each: fn(EventName<'_>, i32)) {
+fn size_curves(clip: &Clip<'_>, time_us: i64, each: fn(EventName<'_>, i32)) {
     for curve in clip.curves() {
         each(curve.name(), curve.value_at(Micros(time_us)).map_or(0, CurveValue::thousandths));
     }
 }
 
 #[no_mangle]
-fn size_face(bank: &Bank<'_>, clip: &Clip<'_, '_>, time_us: i64, face: &mut Face) {
-    *face = clip.face_at(Micros(time_us), &bank.default_face_profile(), LookAt::AHEAD);
+fn size_face(bank: &Bank<'_>, clip: &Clip<'_>, time_us: i64, face: &mut Face) {
+    *face = clip.face_at(Micros(time_us), Who::Speaker, &bank.default_face_profile(), LookAt::AHEAD);
 }
 
 #[no_mangle]
-fn size_emotions(clip: &Clip<'_, '_>, time_us: i64) -> i32 {
-    clip.emotions_at(Micros(time_us)).strongest().map_or(0, |(_, value)| value.thousandths())
+fn size_emotions(clip: &Clip<'_>, time_us: i64) -> i32 {
+    clip.emotions_at(Micros(time_us), Who::Speaker).strongest().map_or(0, |(_, value)| value.thousandths())
 }
 
 #[no_mangle]
-fn size_face_of(bank: &Bank<'_>, clip: &Clip<'_, '_>, name: &str, time_us: i64, face: &mut Face) {
-    *face = clip.face_of(name, Micros(time_us), &bank.default_face_profile(), LookAt::AHEAD);
+fn size_face_of(bank: &Bank<'_>, clip: &Clip<'_>, name: &str, time_us: i64, face: &mut Face) {
+    *face = clip.face_at(Micros(time_us), name, &bank.default_face_profile(), LookAt::AHEAD);
 }
 
 extern "C" {

@@ -1,9 +1,9 @@
-// Opening files that are dropped on the page, or chosen: a bank, and text banks beside it.
+// Opening files that are dropped on the page, or chosen: banks, patches over them, and text banks.
 
-import { LipzError, open } from "../lipz.js";
+import { LipzError, openDialogue } from "../lipz.js";
 
-/** The status of a file that has texts only (lipz.h). */
-const TEXTS_ONLY = 29;
+/** The statuses of files that need a bank below them (lipz.h): texts, and patches. */
+const [TEXTS_ONLY, OTHER_BASE] = [29, 37];
 
 /** Calls `use` with the files that are dropped on the page or chosen in `input`. */
 export function onFiles(input, use) {
@@ -31,30 +31,27 @@ export function onFiles(input, use) {
   });
 }
 
-/** The bank of some files; texts alone are put beside `bank`. Throws an error that names the file. */
-export async function opened(files, bank) {
-  const texts = [];
-  let found;
-  for (const file of files) {
-    const bytes = await file.arrayBuffer();
-    try {
-      found = (await open(bytes)).verify();
-    } catch (error) {
-      if (!(error instanceof LipzError) || error.status !== TEXTS_ONLY) throw named(file, error);
-      texts.push([file, bytes]);
-    }
-  }
-  const result = found ?? bank;
-  for (const [file, bytes] of texts) {
-    try {
-      result.useTexts(bytes).verify();
-    } catch (error) {
-      throw named(file, error);
-    }
-  }
-  return result;
+/**
+ * Opens files: a bank with what is over it, or what goes over those that are open, `below`. Returns the dialogue and its
+ * files, and whether it has those of `below`. Throws an error that names the file.
+ */
+export async function opened(dropped, below) {
+  const files = await Promise.all(dropped.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() })));
+  const [bases, patches, texts] = [[], [], []];
+  for (const file of files) (await kindOf(file, { bases, patches, texts })).push(file);
+  const all = [...(bases.length > 0 ? bases : below), ...patches, ...texts];
+  return { dialogue: await openDialogue(all), files: all, isAdded: bases.length === 0 };
 }
 
-function named(file, error) {
-  return new Error(`${file.name}: ${error.message}`, { cause: error });
+/** Which of these a file belongs to: opened by itself, it is a bank or says what it is. */
+async function kindOf(file, { bases, patches, texts }) {
+  try {
+    await openDialogue([file], { verify: false });
+    return bases;
+  } catch (error) {
+    if (!(error instanceof LipzError)) throw error;
+    if (error.status === OTHER_BASE) return patches;
+    if (error.status === TEXTS_ONLY) return texts;
+    throw error;
+  }
 }

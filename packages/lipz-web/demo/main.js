@@ -1,7 +1,7 @@
 // Plays the clips of a bank: index.html?clip=act1/mara-good-evening&locale=de-de&at=1.5
 
 import { FaceDrawing, VISEMES } from "../face.js";
-import { open } from "../lipz.js";
+import { openDialogue } from "../lipz.js";
 import { asked, follow, forget } from "./address.js";
 import { Clips } from "./clips.js";
 import { Clock } from "./clock.js";
@@ -27,7 +27,9 @@ const curves = new Curves($("curves"), scrub);
 const timeline = new Timeline($("timeline"), scrub, (view) => curves.look(view));
 const clips = new Clips($("clip"), $("clips"), (key) => choose(key));
 
-let bank;
+let dialogue;
+/** The files of the dialogue. */
+let sources = [];
 let clip;
 let cursor;
 /** The face at a time. */
@@ -42,16 +44,26 @@ let wasPlaying;
 /** Shows a clip from its start, or at a time. */
 function choose(key, time = 0) {
   clock.pause(0);
-  clip = withType(bank.clip(key).orFps(FRAMES_PER_SECOND));
+  clip = clipOf(key);
   clips.chosen = key;
   cursor = clip.cursor();
   settle();
   poseAt = posesOf(clip);
   const levels = levelsOf(clip);
   clock.load(clip.duration, levels);
-  timeline.show(clip, levels, $("locale").value);
+  timeline.show(clip, levels, locale());
   curves.show(clip);
   seek(time);
+}
+
+/** The clip with this key, as it is drawn. */
+function clipOf(key) {
+  return withType(dialogue.clip(key).orFps(FRAMES_PER_SECOND));
+}
+
+/** The locale that is chosen. */
+function locale() {
+  return dialogue.locale($("locale").value);
 }
 
 /** Lead and hold, as they are set on the page. */
@@ -107,7 +119,7 @@ function show() {
   const { time } = clock;
   happen(cursor.advanceTo(time).events);
   const { viseme, segment } = cursor;
-  const text = segment?.text($("locale").value);
+  const text = segment?.text(locale());
   const feeling = felt(clip.emotionsAt(time));
   face.show(poseAt(cursor, time));
   timeline.mark(time, segment, text?.text, feeling);
@@ -134,9 +146,9 @@ function felt({ values }) {
 
 /** Shows events as they happen, and what they leave behind. */
 function happen(events) {
-  for (const { character, verb, object } of events) {
+  for (const { character, verb, object, strength } of events) {
     const item = document.createElement("li");
-    item.textContent = [character, verb, object].filter(Boolean).join(" ");
+    item.textContent = [character, verb, object, strength].filter((word) => word !== undefined).join(" ");
     $("due").append(item);
   }
   while ($("due").children.length > MOST_DUE) $("due").firstChild.remove();
@@ -153,10 +165,10 @@ function address() {
   if (isAddressed) follow(bank, clip.key, $("locale").value, clock.playing ? 0 : clock.time);
 }
 
-/** Plays the clips of a bank; what was asked for and is not there, the page says. */
+/** Plays the clips of a dialogue; what was asked for and is not there, the page says. */
 function use(found, { clip: key, locale, at } = {}, missing = []) {
-  bank = found;
-  const keys = bank.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key);
+  ({ dialogue, files: sources } = found);
+  const keys = dialogue.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key);
   if (keys.length === 0) throw new Error("No clip of this bank has mouth shapes");
   const usual = BANKS[$("bank").value];
   const first = keys.includes(usual) ? usual : keys[0];
@@ -170,9 +182,10 @@ function use(found, { clip: key, locale, at } = {}, missing = []) {
 
 /** Fills the choice of locales; what to say if the one that was asked for is not there. */
 function languages(locale) {
-  const kept = bank.locales.find((tag) => tag === locale);
-  const chosen = kept ?? bank.defaultLocale ?? bank.locales[0];
-  $("locale").replaceChildren(...bank.locales.map((tag) => new Option(tag, tag, false, tag === chosen)));
+  const tags = dialogue.locales.map(({ tag }) => tag).sort();
+  const kept = tags.find((tag) => tag === locale);
+  const chosen = kept ?? dialogue.defaultLocale?.tag ?? tags[0];
+  $("locale").replaceChildren(...tags.map((tag) => new Option(tag, tag, false, tag === chosen)));
   if (locale === undefined || kept !== undefined) return [];
   return [`There are no subtitles in “${locale}” in this bank${chosen ? `: these are ${chosen}` : ""}.`];
 }
@@ -190,28 +203,39 @@ function fail(error) {
 async function drop(files) {
   if (files.length === 0) return;
   try {
-    const found = await opened(files, bank);
+    const found = await opened(files, sources);
     $("failure").hidden = true;
-    if (found === bank) {
-      notice(languages(bank.locales[0]));
-      timeline.texts($("locale").value);
-      return show();
-    }
     isAddressed = false;
-    $("bank").value = "";
     forget();
+    if (found.isAdded && found.dialogue.clip(clip.key)) return replace(found);
+    $("bank").value = "";
     use(found);
   } catch (error) {
     fail(error);
   }
 }
 
+/** Goes on with the same clip in a dialogue that has more files; new texts show. */
+function replace(found) {
+  const before = new Set(dialogue.locales.map(({ tag }) => tag));
+  const shown = $("locale").value;
+  ({ dialogue, files: sources } = found);
+  clip = clipOf(clip.key);
+  cursor = clip.resume(cursor);
+  poseAt = posesOf(clip);
+  notice(languages(dialogue.locales.map(({ tag }) => tag).find((tag) => !before.has(tag)) ?? (shown || undefined)));
+  clips.keys = dialogue.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key);
+  const levels = levelsOf(clip);
+  clock.load(clip.duration, levels);
+  timeline.update(clip, levels, locale());
+  curves.show(clip);
+  show();
+}
+
 /** Shows a bank that is beside the page. */
 async function load(name, wanted, missing) {
-  const url = new URL(`${name}.lipzbank`, import.meta.url);
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url} cannot be loaded (HTTP ${response.status})`);
-  const found = (await open(await response.arrayBuffer())).verify();
+  const files = [new URL(`${name}.lipzbank`, import.meta.url)];
+  const found = { dialogue: await openDialogue(files), files };
   isAddressed = true;
   $("bank").value = name;
   $("failure").hidden = true;
@@ -231,7 +255,7 @@ async function start() {
   $("play").onclick = toggle;
   $("locale").onchange = () => {
     notice([]);
-    timeline.texts($("locale").value);
+    timeline.texts(locale());
     show();
     address();
   };

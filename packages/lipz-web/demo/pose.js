@@ -28,7 +28,7 @@ export function posesOf(clip) {
     const lookedAt = last?.verb === "sees" && time < last.since + SEEN ? last.object : staresAt;
     const emotions = isFelt ? clip.emotionsAt(time).values : emotionsOf(feels);
     const shapes = Object.fromEntries(others.map((curve) => [curve.name, curve.valueAt(time)]));
-    const face = clip.faceAt(time, { lookAt: lookedAt && placeOf(lookedAt) });
+    const face = clip.faceAt(time, undefined, undefined, lookedAt && placeOf(lookedAt));
     return { viseme: cursor.viseme, visemeType: clip.visemeType, emotions, shapes, ...face, ...(still.matches && RESTLESS) };
   };
 }

@@ -139,7 +139,7 @@ export class Timeline {
     said.textContent = text?.text || "\u00A0";
     said.dir = "auto";
     // Whose text a fallback is, the bank does not say.
-    said.lang = text?.isFallback ? "" : locale;
+    said.lang = text?.isFallback ? "" : (locale?.tag ?? "");
     const event = document.createElement("small");
     event.textContent = segment.event || "\u00A0";
     part.append(said, event);

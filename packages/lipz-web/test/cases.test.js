@@ -1,11 +1,39 @@
-// The cases of fixtures/playback/cases.txt, played by the package: it answers as the reader in Rust does.
+// The cases of fixtures/playback/cases.txt, played by the package: it answers as the reader in Rust does. They are played
+// over single banks, and over the same dialogue in other files: each folder in `layouts` has some.
 
 import assert from "node:assert/strict";
+import { existsSync, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { open } from "../lipz.js";
+import { openDialogue } from "../node.js";
 
 const beside = (path) => new URL(path, import.meta.url);
+
+const BANKS = beside("banks/");
+const LAYOUTS = beside("layouts/");
+
+/** What sections of the cases need beyond clips, cursors, segments, texts and events: the package has all of it. */
+const HAS = new Set("babble curves emotions faces hold lead refresh states text-banks voices".split(" "));
+
+/** The folders of banks that the cases are played over. */
+function folders() {
+  const layouts = existsSync(LAYOUTS) ? readdirSync(LAYOUTS, { withFileTypes: true }) : [];
+  return [BANKS, ...layouts.filter((entry) => entry.isDirectory()).map(({ name }) => new URL(`${name}/`, LAYOUTS))];
+}
+
+/** Where a file is: in the folder or, if that has none of this name, among the banks. */
+function placed(folder, file) {
+  const url = new URL(file, folder);
+  return existsSync(url) ? url : new URL(file, BANKS);
+}
+
+/** The files of a bank: those in `NAME.list`, one in a line, or `NAME.lipzbank`. */
+async function filesOf(folder, name) {
+  const list = placed(folder, `${name}.list`);
+  if (!existsSync(list)) return [placed(folder, `${name}.lipzbank`)];
+  const lines = (await readFile(list, "utf8")).split("\n").map((line) => line.trim());
+  return lines.filter((line) => line !== "").map((file) => new URL(file, list));
+}
 
 /** The time that words start with, and the words behind it. */
 function timeOf([unit, value, ...rest]) {
@@ -23,33 +51,38 @@ function timeOf([unit, value, ...rest]) {
 function whoOf(words) {
   if (words[0] !== "of" && words[0] !== "speaker") return undefined;
   const [what, character] = words.splice(0, 2);
-  return { character, isSpeaker: what === "speaker" };
+  return what === "speaker" ? { speaker: character } : character;
 }
 
 class Stage {
+  #folder;
   #curves = new Map();
-  #bank;
+  #files = [];
+  #dialogue;
   #clip;
   #cursor;
   #locale;
 
+  constructor(folder) {
+    this.#folder = folder;
+  }
+
   /** The lines that a command answers. */
   async command([verb, ...words]) {
     switch (verb) {
+      case "needs":
+        for (const need of words) assert.ok(HAS.has(need), need);
+        return [];
       case "bank":
-        this.#bank = (await open(await readFile(beside(`banks/${words[0]}.lipzbank`)))).verify();
-        this.#locale = undefined;
-        this.#curves.clear();
-        // As a game does that keeps its cursor while the bank is replaced.
-        this.#clip = this.#clip && this.#bank.clip(this.#clip.id);
-        if (this.#cursor && this.#clip) this.#cursor = this.#clip.resume(this.#cursor);
+        this.#files = await filesOf(this.#folder, words[0]);
+        await this.#open();
         return [];
       case "texts":
-        this.#bank.useTexts(await readFile(beside(`banks/${words[0]}.lipztexts`))).verify();
-        this.#locale = undefined;
+        this.#files.push(placed(this.#folder, `${words[0]}.lipztexts`));
+        await this.#open();
         return [];
       case "locale":
-        this.#locale = this.#bank.locales.find((tag) => tag === words[0]);
+        this.#locale = this.#dialogue.locale(words[0]);
         return this.#locale ? [] : ["no locale"];
       case "clip":
         return this.#start(words);
@@ -60,7 +93,7 @@ class Stage {
         this.#cursor.lead = { one: { frames: 1 }, two: { frames: 2 } }[words[0]] ?? { us: Number(words[0]) };
         return [];
       case "hold":
-        if (words[0] === "display") this.#cursor.hold = { picture: Number(words[1]) / 1e6 };
+        if (words[0] === "display") this.#cursor.hold = { renderedFrame: Number(words[1]) / 1e6 };
         else this.#cursor.hold = words[0] === "readable" ? "readable" : Number(words[0]);
         return [];
       case "advance":
@@ -87,11 +120,15 @@ class Stage {
       case "emotions":
         return [this.#emotions(words)];
       case "voices":
-        return this.#bank.voices;
+        // Any bank of a set may be the one that has them.
+        await this.#dialogue.loadAll();
+        return this.#dialogue.voices.map(({ tag }) => tag);
       case "voice": {
-        const voiced = this.#clip.inVoice(words[0]);
-        if (voiced === undefined) return ["no voice"];
-        return [`${voiced.spoken.replace("-", " ")}: ${voiced.clip.key}, spoken in ${voiced.clip.voice}`];
+        await this.#dialogue.loadAll();
+        const voice = this.#dialogue.voice(words[0]);
+        if (voice === undefined) return ["no voice"];
+        const { clip, spoken } = this.#clip.inVoice(voice);
+        return [`${spoken.replace("-", " ")}: ${clip.key}, spoken in ${clip.voice.tag}`];
       }
       case "face":
       case "idle":
@@ -101,8 +138,17 @@ class Stage {
     }
   }
 
-  #start([key, ...given]) {
-    this.#clip = this.#bank.clip(key);
+  /** Opens the files, as a game does that keeps its cursor while they are replaced. */
+  async #open() {
+    this.#dialogue = await openDialogue(this.#files);
+    this.#locale = undefined;
+    this.#curves.clear();
+    this.#clip = this.#clip && (await this.#dialogue.loadClip(this.#clip.id));
+    if (this.#cursor && this.#clip) this.#cursor = this.#clip.resume(this.#cursor);
+  }
+
+  async #start([key, ...given]) {
+    this.#clip = await this.#dialogue.loadClip(key);
     for (let at = 0; at < given.length; at += 2) {
       const [what, value] = given.slice(at);
       this.#clip = what === "rate" ? this.#clip.orFps(...value.split("/").map(Number)) : this.#clip.orVisemeType(value);
@@ -120,7 +166,8 @@ class Stage {
     const text = this.#locale && segment?.text(this.#locale);
     if (segment) shown.push(`segment ${segment.index}${text ? `: ${text.text}${text.isFallback ? " (fallback)" : ""}` : ""}`);
     const due = segments.map(({ index, event }) => `due ${index}${event === undefined ? "" : `: ${event}`.trimEnd()}`);
-    const words = ({ character, verb, object }) => [character, verb, object].filter((word) => word !== undefined).join(" ");
+    const words = ({ character, verb, object, strength }) =>
+      [character, verb, object, strength].filter((word) => word !== undefined).join(" ");
     return [shown.join(", "), ...due, ...events.map((event) => `event ${words(event)}`)];
   }
 
@@ -139,13 +186,13 @@ class Stage {
   #emotions(words) {
     const who = whoOf(words);
     const [time] = timeOf(words);
-    return emotions(who ? this.#clip.emotionsOf(who.character, time, who) : this.#clip.emotionsAt(time));
+    return emotions(this.#clip.emotionsAt(time, who));
   }
 
   #face(verb, words) {
     const who = whoOf(words);
     const [name, look] = words.splice(0, 2);
-    const profile = name === "default" ? this.#bank.defaultFaceProfile : this.#bank.faceProfile(name);
+    const profile = name === "default" ? this.#dialogue.defaultFaceProfile : this.#dialogue.faceProfile(name);
     if (profile === undefined) return ["no profile"];
     let lookAt;
     if (look !== "ahead") {
@@ -154,13 +201,12 @@ class Stage {
     }
     const seed = verb === "idle" ? BigInt(words.shift()) : undefined;
     const [time] = timeOf(words);
-    if (verb === "idle") return [face(profile.idleAt(time, { seed, lookAt }))];
-    const settings = { profile, lookAt };
-    return [face(who ? this.#clip.faceOf(who.character, time, { ...who, ...settings }) : this.#clip.faceAt(time, settings))];
+    if (verb === "idle") return [face(profile.idleAt(time, seed, lookAt))];
+    return [face(this.#clip.faceAt(time, who, profile, lookAt))];
   }
 
   #babble([name, ...words]) {
-    const babble = name === "default" ? this.#bank.defaultBabble : this.#bank.babble(name);
+    const babble = name === "default" ? this.#dialogue.defaultBabble : this.#dialogue.babble(name);
     if (babble === undefined) return ["no profile"];
     const [time, [kind, value]] = timeOf(words);
     // A level is a power in 65,536ths, and exact as such.
@@ -187,20 +233,22 @@ function face(found) {
 const character = ({ feels, staresAt, pointsAt }, name) =>
   `${name}: feels ${feels ?? "-"}, stares ${staresAt ?? "-"}, points ${pointsAt ?? "-"}`;
 
-test("the package answers as the cases say", async (t) => {
-  const expected = await readFile(beside("cases.txt"), "utf8");
-  const stage = new Stage();
-  let found = "";
-  let commands = 0;
-  for (const line of expected.trimEnd().split("\n").filter((line) => !line.startsWith("  "))) {
-    found += `${line}\n`;
-    if (line === "" || line.startsWith("#")) continue;
-    commands += 1;
-    for (const answer of await stage.command(line.split(" "))) found += `  ${answer}\n`;
-  }
-  t.diagnostic(`${commands} commands`);
-  // Line by line first: the first line that differs says more than the whole.
-  const lines = expected.split("\n");
-  found.split("\n").forEach((line, index) => assert.equal(line, lines[index], `cases.txt:${index + 1}`));
-  assert.equal(found, expected);
-});
+for (const folder of folders()) {
+  test(`the package answers as the cases say, with ${folder.pathname.split("/").at(-2)}`, async (t) => {
+    const expected = await readFile(beside("cases.txt"), "utf8");
+    const stage = new Stage(folder);
+    let found = "";
+    let commands = 0;
+    for (const line of expected.trimEnd().split("\n").filter((line) => !line.startsWith("  "))) {
+      found += `${line}\n`;
+      if (line === "" || line.startsWith("#")) continue;
+      commands += 1;
+      for (const answer of await stage.command(line.split(" "))) found += `  ${answer}\n`;
+    }
+    t.diagnostic(`${commands} commands`);
+    // Line by line first: the first line that differs says more than the whole.
+    const lines = expected.split("\n");
+    found.split("\n").forEach((line, index) => assert.equal(line, lines[index], `cases.txt:${index + 1}`));
+    assert.equal(found, expected);
+  });
+}

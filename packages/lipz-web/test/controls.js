@@ -252,6 +252,11 @@ export async function files(demo, same) {
   same(page.getElementById("locale").value, "en-us", "other texts for the same bank");
   player.seek(0.5);
   same(page.getElementById("subtitle").textContent, "Mayor.", "which it shows");
+  await dropped(window, await file("patch.lipzbank"));
+  same(failure.textContent.startsWith("patch.lipzbank: "), true, failure.textContent);
+  await dropped(window, await file("patch.lipzbank"), await file("small.lipzbank"));
+  same(failure.hidden, true, "a patch and its bank, in any order");
+  same(player.clips.find("patch/new").length, 1, "a clip of the patch");
 }
 
 /** Nothing breaks on the narrowest phone. */

@@ -6,9 +6,9 @@ import { test } from "node:test";
 import { lipsOf, shapeOf } from "../face/mouth.js";
 import { PRESETS } from "../face/presets.js";
 import { EMOTION_COLOURS, emotionsOf, faceMarkup, VISEMES, weightsOf } from "../face.js";
-import { EMOTIONS, open } from "../lipz.js";
+import { EMOTIONS, openDialogue } from "../node.js";
 
-const bank = await open(await readFile(new URL("banks/small.lipzbank", import.meta.url)));
+const dialogue = await openDialogue([new URL("banks/small.lipzbank", import.meta.url)]);
 const drawn = (pose) => faceMarkup(pose, "");
 
 /** How large the opening of a shape is: lips that touch are closed, and between teeth and a lip only air comes through. */
@@ -19,7 +19,7 @@ function opening({ width, up, jaw, low, bite }) {
 
 test("mouths are open in the order of the reader's openness", () => {
   for (const type of Object.keys(VISEMES)) {
-    const clip = bank.clip(`act1/${type}`).orFps(24);
+    const clip = dialogue.clip(`act1/${type}`).orFps(24);
     const opennessOf = (code) => {
       const frame = clip.frames.indexOf(code);
       assert.ok(frame >= 0, `${type} ${code} is in the bank`);

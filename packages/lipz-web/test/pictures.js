@@ -1,6 +1,6 @@
 // The pictures of the documentation, drawn by the face of the package: `node pictures.js FOLDER` writes them.
 
-import { readFile, writeFile } from "node:fs/promises";
+import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { areasOf, lineOf } from "../demo/plots.js";
@@ -8,7 +8,7 @@ import { levelsOf } from "../demo/levels.js";
 import { geometry } from "../face/geometry.js";
 import { markup, PARTS } from "../face/parts.js";
 import { EMOTION_COLOURS, faceMarkup, VIEW_BOX, VISEMES } from "../face.js";
-import { EMOTIONS, open } from "../lipz.js";
+import { EMOTIONS, openDialogue } from "../node.js";
 
 const [LEFT, TOP, WIDTH, HEIGHT] = VIEW_BOX;
 const INK = "#20242e";
@@ -76,8 +76,9 @@ function mixes() {
 
 /** A clip while it plays: the face, and below each other texts, mouths, emotions and curves. */
 async function playing(time) {
-  const bank = await open(await readFile(new URL("../demo/faces.lipzbank", import.meta.url)));
-  const clip = bank.clip("leave");
+  const dialogue = await openDialogue([new URL("../demo/faces.lipzbank", import.meta.url)]);
+  const english = dialogue.locale("en-us");
+  const clip = dialogue.clip("leave");
   const [x, width, frames] = [250, 610, clip.frameCount];
   const px = (frame) => Number((x + (frame * width) / frames).toFixed(1));
   const now = clip.segmentAt(time).index;
@@ -88,7 +89,7 @@ async function playing(time) {
     const [from, to] = [px(segment.startFrame), px(segment.endFrame)];
     return [
       `<rect x="${from}" y="18" width="${(to - from).toFixed(1)}" height="48" fill="${fill}" stroke="${EDGE}"/>`,
-      text(from + 8, 39, 13, segment.text("en-us").text, `fill="${INK}"`),
+      text(from + 8, 39, 13, segment.text(english).text, `fill="${INK}"`),
       text(from + 8, 57, 10.5, segment.event, `fill="${FAINT}"`),
     ];
   });
@@ -110,7 +111,7 @@ async function playing(time) {
     "A clip while it plays: the face, its texts, mouth shapes, emotions and curves",
     `<g transform="translate(8 14) scale(.82) translate(${-LEFT} ${-TOP})">${faceMarkup(pose, "f")}</g>` +
       parts.join("") + plot(76, 38, `<path d="${bars}" fill="#7488bd"/>`) + codes.join("") + plot(130, 34, areas.join("")) + lines.join("") + playhead +
-      text(102, 256, 16, clip.segment(now).text("en-us").text, `text-anchor="middle" fill="${INK}"`),
+      text(102, 256, 16, clip.segment(now).text(english).text, `text-anchor="middle" fill="${INK}"`),
   );
 }
 

@@ -1,33 +1,32 @@
-//! The cases of playback in C and C++, and stacks in C++: with every compiler, with sanitizers, and under valgrind, each program answers as
-//! the reader in Rust does.
+//! The cases of playback in C and C++: with every compiler, with sanitizers, and under valgrind, each program answers as the reader in
+//! Rust does, with the golden banks and with files that answer as these.
 
 use crate::tools::{has_program, skip, succeed};
-use crate::{Failure, paths};
+use crate::{Failure, cargo, paths};
 use std::fs::{self, File};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The cases with their answers: what the programs read, and what they print.
 const CASES: &str = "fixtures/playback/cases.txt";
 const BANKS: &str = "fixtures/banks/v1";
 
-/// What the program about stacks prints.
-const LAYERS: &str = "crates/lipz-capi/tests/layers.expected";
+/// What a program is told that it lacks: then it skips sections.
+const LACKING: [&str; 2] = ["faces", "states"];
 
-/// Each compiler with its language, the source, and the answers.
-const PROGRAMS: [(&str, &str, &str, &str); 6] = [
-    ("cc", "-std=c99", "cases.c", CASES),
-    ("clang", "-std=c99", "cases.c", CASES),
-    ("c++", "-std=c++17", "cases.cpp", CASES),
-    ("clang++", "-std=c++17", "cases.cpp", CASES),
-    ("c++", "-std=c++17", "layers.cpp", LAYERS),
-    ("clang++", "-std=c++17", "layers.cpp", LAYERS),
+/// Each compiler with its language and the source.
+const PROGRAMS: [(&str, &str, &str); 4] = [
+    ("cc", "-std=c99", "cases.c"),
+    ("clang", "-std=c99", "cases.c"),
+    ("c++", "-std=c++17", "cases.cpp"),
+    ("clang++", "-std=c++17", "cases.cpp"),
 ];
 const WARNINGS: [&str; 5] = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-Wconversion"];
 const SANITIZERS: [&str; 3] = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 
 pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
-    for (compiler, language, source, expected) in PROGRAMS {
+    let folders = folders()?;
+    for (compiler, language, source) in PROGRAMS {
         if !has_program(compiler) {
             skip(compiler)?;
             continue;
@@ -41,31 +40,62 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
             compile.arg(paths::workspace_root().join("crates/lipz-capi/tests").join(source));
             compile.arg(prefix.join("lib/liblipz.a")).arg("-o").arg(&program);
             succeed(&mut compile, &format!("{compiler} with {source}"))?;
-            answers(Command::new(&program), &format!("{source} of {compiler} {}", flags.join(" ")), expected)?;
+            let name = format!("{source} of {compiler} {}", flags.join(" "));
+            for folder in &folders {
+                answers(Command::new(&program), &name, folder, &[])?;
+            }
+            answers(Command::new(&program), &name, &folders[0], &LACKING)?;
             if flags.is_empty() {
                 let under_valgrind = super::programs::under_valgrind(&program);
-                answers(under_valgrind, &format!("{source} of {compiler} under valgrind"), expected)?;
+                answers(under_valgrind, &format!("{name} under valgrind"), &folders[0], &[])?;
             }
         }
     }
     Ok(())
 }
 
-/// The program may read what is expected, and prints the same.
-fn answers(mut program: Command, name: &str, answers: &str) -> Result<(), Failure> {
-    let path = paths::workspace_root().join(answers);
-    let unreadable = |error| format!("`{answers}`: {error}");
-    let expected = fs::read_to_string(&path).map_err(unreadable)?;
-    let output =
-        program.arg(paths::workspace_root().join(BANKS)).stdin(File::open(&path).map_err(unreadable)?).output();
-    let output = output.map_err(|error| format!("{name} cannot be run: {error}"))?;
-    let found = String::from_utf8_lossy(&output.stdout);
-    if output.status.success() && found == expected {
-        println!("{name}: the answers of {answers}");
-        return Ok(());
+/// The folder of the golden banks, and those with several files in the place of each.
+fn folders() -> Result<Vec<PathBuf>, Failure> {
+    let layouts = layouts()?;
+    let unreadable = |error| format!("`{}`: {error}", layouts.display());
+    let mut folders = vec![paths::workspace_root().join(BANKS)];
+    for entry in fs::read_dir(&layouts).map_err(unreadable)? {
+        folders.push(entry.map_err(unreadable)?.path());
     }
-    let same = found.lines().zip(expected.lines()).take_while(|(found, expected)| found == expected).count();
-    let [found, expected] = [&*found, &*expected].map(|text| text.lines().nth(same).unwrap_or("the end"));
-    let errors = String::from_utf8_lossy(&output.stderr);
-    Err(format!("{name}: {answers}:{}: `{found}` instead of `{expected}`\n{errors}", same + 1))
+    folders.sort();
+    Ok(folders)
+}
+
+/// Writes the golden banks in several files each, and gives the folder.
+pub(crate) fn layouts() -> Result<PathBuf, Failure> {
+    let folder = paths::target_folder().join("layouts");
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(|error| format!("`{}`: {error}", folder.display()))?;
+    }
+    let mut write = cargo::command();
+    write.args(["run", "--quiet", "--locked", "--package", "lipz-testkit", "--features", "tools", "--bin", "layouts"]);
+    succeed(write.arg("--").arg(&folder), "writing the banks in several files")?;
+    Ok(folder)
+}
+
+/// The program reads the cases, and prints the same. It tells how many commands it has played and skipped.
+fn answers(mut program: Command, name: &str, folder: &Path, lacking: &[&str]) -> Result<(), Failure> {
+    let path = paths::workspace_root().join(CASES);
+    let unreadable = |error| format!("`{CASES}`: {error}");
+    let expected = fs::read_to_string(&path).map_err(unreadable)?;
+    let output = program.arg(folder).args(lacking).stdin(File::open(&path).map_err(unreadable)?).output();
+    let output = output.map_err(|error| format!("{name} cannot be run: {error}"))?;
+    let (found, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    let layout = folder.file_name().unwrap_or_default().to_string_lossy();
+    if !output.status.success() || found != expected {
+        let same = found.lines().zip(expected.lines()).take_while(|(found, expected)| found == expected).count();
+        let [found, expected] = [&*found, &*expected].map(|text| text.lines().nth(same).unwrap_or("the end"));
+        let place = format!("{name}, {layout}: {CASES}:{}", same + 1);
+        return Err(format!("{place}: `{found}` instead of `{expected}`\n{told}"));
+    }
+    if told.contains(" 0 skipped") != lacking.is_empty() {
+        return Err(format!("{name}, {layout}: {told}"));
+    }
+    println!("{name}, {layout}: {}", told.trim_end());
+    Ok(())
 }

@@ -7,6 +7,8 @@ mod cases;
 mod install;
 mod programs;
 
+pub(crate) use cases::layouts;
+
 use crate::cargo;
 use crate::tools::{has_program, skip, succeed};
 use crate::{Failure, paths};

@@ -23,6 +23,7 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
     cmake(&sources, prefix, &build.join("cmake"))?;
     make(&sources, prefix, &build.join("make"), "")?;
     make(&sources, prefix, &build.join("sanitized"), SANITIZERS)?;
+    page(&build, prefix)?;
     for how in ["cmake", "make", "sanitized"] {
         for program in ["play-c", "play-cpp"] {
             let program = build.join(how).join(program);
@@ -34,6 +35,47 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// The page about C, and the ends of fences of its programs.
+const PAGE: &str = "docs/C.md";
+/// What the lines of the page in C++ need.
+const BEFORE: &str =
+    "#include <iostream>\nvoid draw(char);\nvoid rig(std::string_view, std::optional<std::int32_t>);\n";
+
+/// Compiles the programs of the page: the first one is run, the lines in C++ are the body of a function.
+fn page(build: &Path, prefix: &Path) -> Result<(), Failure> {
+    let text =
+        std::fs::read_to_string(paths::workspace_root().join(PAGE)).map_err(|error| format!("{PAGE}: {error}"))?;
+    let block = |fence: &str| {
+        let (_, rest) = text.split_once(fence)?;
+        Some(rest.split_once("```")?.0.to_owned())
+    };
+    let (Some(first), Some(lines)) = (block("```c\n"), block("```cpp\n")) else {
+        return Err(format!("{PAGE} has no program"));
+    };
+    let (include, body) = lines.split_once('\n').unwrap_or_default();
+    let body = format!("{include}\n{BEFORE}void play(std::int64_t position) {{\n{body}\n}}\n");
+    let (c, cpp, program) = (build.join("first.c"), build.join("lines.cpp"), build.join("first"));
+    let failed = |error| format!("{}: {error}", build.display());
+    std::fs::write(&c, first).and_then(|()| std::fs::write(&cpp, body)).map_err(failed)?;
+    let compile = |compiler: &str, language: &str| {
+        let mut command = Command::new(compiler);
+        command.args([language, "-Wall", "-Wextra", "-Werror", "-pedantic", "-I"]).arg(prefix.join("include"));
+        command
+    };
+    let mut to_c = compile("cc", "-std=c99");
+    succeed(to_c.arg(&c).arg(prefix.join("lib/liblipz.a")).arg("-o").arg(&program), "the program of C.md")?;
+    succeed(
+        compile("c++", "-std=c++17").arg("-c").arg(&cpp).arg("-o").arg(build.join("lines.o")),
+        "the lines of C.md",
+    )?;
+    let output = Command::new(&program).arg(paths::workspace_root().join(BANK)).arg(CLIPS[0]).output();
+    let output = output.map_err(|error| format!("the program of {PAGE} cannot be run: {error}"))?;
+    match String::from_utf8_lossy(&output.stdout).contains("Guten Abend, Otto.") {
+        true => Ok(()),
+        false => Err(format!("the program of {PAGE} does not show its subtitle: {output:?}")),
+    }
 }
 
 fn cmake(sources: &Path, prefix: &Path, build: &Path) -> Result<(), Failure> {
@@ -98,8 +140,7 @@ fn refuses(program: Command, prefix: &Path) -> Result<(), Failure> {
 fn played(mut program: Command, prefix: &Path, bank: &str, clip: &str) -> Result<(String, Output), Failure> {
     let words = std::iter::once(program.get_program()).chain(program.get_args());
     let shown = words.map(OsStr::to_string_lossy).collect::<Vec<_>>().join(" ");
-    program.env("LD_LIBRARY_PATH", prefix.join("lib")).arg(paths::workspace_root().join(bank));
-    program.args([clip, LOCALE]);
+    program.env("LD_LIBRARY_PATH", prefix.join("lib")).args([clip, LOCALE]).arg(paths::workspace_root().join(bank));
     let output = program.output().map_err(|error| format!("`{shown}` cannot be run: {error}"))?;
     Ok((shown, output))
 }

@@ -39,8 +39,17 @@ pub(super) const RULES: &[Rule] = &[
     Rule { name: "lipz-capi", direct: &["lipz-bank"], below: Below::Only(READER) },
     Rule {
         name: "lipz-host",
-        direct: &["lipz-bank", "memmap2", "self_cell", "simdutf8"],
-        below: Below::Only(&["lipz-bank", "lipz-layout", "lipz-types", "libc", "memmap2", "self_cell", "simdutf8"]),
+        direct: &["lipz-bank", "memmap2", "once_cell", "self_cell", "simdutf8"],
+        below: Below::Only(&[
+            "lipz-bank",
+            "lipz-layout",
+            "lipz-types",
+            "libc",
+            "memmap2",
+            "once_cell",
+            "self_cell",
+            "simdutf8",
+        ]),
     },
     Rule {
         name: "lipz-diagnostics",
@@ -185,4 +194,14 @@ pub(super) const RULES: &[Rule] = &[
     },
     // What a game carries; its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },
+    // What readers of the examples copy: the crates that an example is about, and no more.
+    Rule { name: "game-loop", direct: &["lipz-bank", "lipz-host"], below: Below::AtMost(14) },
+    Rule {
+        name: "hot-reload",
+        direct: &["lipz-bank", "lipz-compiler", "lipz-host", "tempfile"],
+        below: Below::AtMost(37),
+    },
+    Rule { name: "lip-sync-one-file", direct: &["lipz-speech"], below: Below::AtMost(49) },
+    Rule { name: "pack-in-memory", direct: &["lipz-bank", "lipz-compiler"], below: Below::AtMost(33) },
+    Rule { name: "patch-and-text-bank", direct: &["lipz-host"], below: Below::AtMost(14) },
 ];

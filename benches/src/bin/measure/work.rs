@@ -6,6 +6,7 @@ use cpu_time::ProcessTime;
 use lipz_benches::peak_bytes;
 use lipz_compiler::{
     Compiled, Compiler, Delivered, Input, Linted, Memory, Options, OutputFile, Outputs, Phases, discover,
+    discover_with_reports,
 };
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -227,7 +228,7 @@ struct Watched {
 
 impl Watched {
     fn new(folder: &Path, bank: &Path, threads: usize) -> Result<Watched, Failure> {
-        let (inputs, _) = discover(&[folder.to_owned()], None);
+        let inputs = discover(&[folder.to_owned()], None).map_err(|error| error.to_string())?;
         let first = inputs.first().map(|input| PathBuf::from(input.name())).ok_or("no file to change")?;
         let mut watched = Watched {
             compiler: Compiler::new(Options::new().threads(threads)),
@@ -264,7 +265,7 @@ impl Watched {
 
 /// Checks with a cache of its own, and nothing but what the compiler checks.
 fn check(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
-    let (inputs, _) = discover(&[folder.to_owned()], None);
+    let inputs = discover(&[folder.to_owned()], None).map_err(|error| error.to_string())?;
     let compiler = Compiler::new(Options::new().threads(threads));
     let nothing = |_: &Input, _: &[u8]| Linted::default();
     let checked = compiler.check_cached(&inputs, &nothing, &bank.with_extension("checked.cache"), b"");
@@ -281,7 +282,7 @@ fn packing(
     pack: impl FnOnce(&[Input]) -> Compiled<OutputFile>,
 ) -> Result<(), Failure> {
     let start = Instant::now();
-    let (inputs, reports) = discover(&[folder.to_owned()], None);
+    let (inputs, reports) = discover_with_reports(&[folder.to_owned()], None);
     let discovered = start.elapsed();
     let start = Instant::now();
     let compiled = pack(&inputs);

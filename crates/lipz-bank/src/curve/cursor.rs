@@ -1,7 +1,8 @@
 //! The cursor of a curve: which key was needed last.
 
 use super::Curve;
-use crate::{CurveValue, Time};
+use super::CurveValue;
+use crate::Time;
 use lipz_types::Position;
 
 /// Remembers where a curve was read last, so that the next picture finds its keys at once.
@@ -10,8 +11,9 @@ use lipz_types::Position;
 /// jump, and the curve may be another one. It only saves the search.
 ///
 /// ```
-/// # use lipz_bank::{Clip, CurveCursor, Micros};
-/// # fn draw(clip: &Clip<'_, '_>, jaw_cursor: &mut CurveCursor, now: Micros) -> Option<f32> {
+/// # use lipz_bank::{Clip, Micros};
+/// # use lipz_bank::curve::CurveCursor;
+/// # fn draw(clip: &Clip<'_>, jaw_cursor: &mut CurveCursor, now: Micros) -> Option<f32> {
 /// let jaw = clip.curve("jawOpen")?;
 /// Some(jaw_cursor.value_at(&jaw, now)?.to_f32())
 /// # }

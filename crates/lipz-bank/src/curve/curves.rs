@@ -2,80 +2,105 @@
 
 use super::Curve;
 use super::table::CurveTable;
-use crate::event::EventNames;
-use crate::{Clip, EventName};
-use core::fmt;
+use crate::{Bank, Clip, EventName};
 use core::iter::FusedIterator;
 use core::ops::Range;
 use lipz_layout::CURVE_WIDE;
 use lipz_types::StoredFps;
 
-impl<'data> Clip<'data, '_> {
+impl<'a> Clip<'a> {
     /// The curve with this name: `jawOpen`, `anger`.
     ///
-    /// A game that asks for the same ones each time looks the names up once, with [`Bank::event_name`](crate::Bank::event_name),
-    /// and calls [`Clip::curve_named`].
-    pub fn curve(&self, name: &str) -> Option<Curve<'data>> {
-        self.curve_named(self.bank.event_name(name)?)
+    /// A game that asks for the same ones in each rendered frame looks the names up once, with
+    /// [`event_name`](crate::Dialogue::event_name): `clip.curve(jaw)`.
+    pub fn curve(&self, name: impl CurveName) -> Option<Curve<'a>> {
+        self.numbered_curve(name.number_in(self.bank)?)
     }
 
-    /// The curve with this name of the same bank.
-    pub fn curve_named(&self, name: EventName<'_>) -> Option<Curve<'data>> {
-        name.assert_is_of(self.bank);
-        if !name.is_of(self.bank) {
-            return None;
-        }
-        let curves = self.curves();
+    /// The curve whose name has this number in the bank.
+    fn numbered_curve(&self, name: u32) -> Option<Curve<'a>> {
+        let curves = self.all_curves();
         let records = curves.table.curves.get(curves.range.clone())?;
-        let at = records.partition_point(|record| record.name_and_width.get() & !CURVE_WIDE < name.id());
-        curves.at(curves.range.start.wrapping_add(at)).filter(|curve| curve.name.id() == name.id())
+        let at = records.partition_point(|record| record.name_and_width.get() & !CURVE_WIDE < name);
+        curves.at(curves.range.start.wrapping_add(at)).filter(|curve| curve.name.id() == name)
     }
 
     /// The curve in this [place](Curve::place) of the bank, without a search: of this clip or, if the place is one of another clip,
     /// of that one. For programs that keep places and not curves.
-    pub fn curve_in_place(&self, place: u32) -> Option<Curve<'data>> {
+    pub fn curve_in_place(&self, place: u32) -> Option<Curve<'a>> {
         let table = CurveTable::new(self.bank);
         let range = 0..table.curves.len();
-        Curves { table, range, names: self.bank.event_names(), fps: self.stored_fps() }.at(place as usize)
+        Curves { table, range, bank: self.bank, fps: self.stored_fps() }.at(place as usize)
     }
 
     /// All curves of the clip, in the order of their names.
-    pub fn curves(&self) -> Curves<'data> {
+    pub fn curves(&self) -> impl Iterator<Item = Curve<'a>> + Clone {
+        self.all_curves()
+    }
+
+    fn all_curves(&self) -> Curves<'a> {
         let table = CurveTable::new(self.bank);
         let place = table.clips.partition_point(|record| record.slot.get() < self.slot());
         let is_found = table.clips.get(place).map_or(false, |record| record.slot.get() == self.slot());
         let range = if is_found { table.curves_of(place) } else { None };
         // In a damaged bank it may end behind the table.
         let range = range.map_or(0..0, |range| range.start..range.end.min(table.curves.len()));
-        Curves { table, range, names: self.bank.event_names(), fps: self.stored_fps() }
+        Curves { table, range, bank: self.bank, fps: self.stored_fps() }
     }
 }
 
-/// The curves of a clip in the order of their names; see [`Clip::curves`].
+/// The name of a curve: a string, or an [`EventName`] that was looked up before.
+pub trait CurveName: sealed::Sealed {
+    /// The number that the name has in a bank.
+    #[doc(hidden)]
+    fn number_in(self, bank: &Bank<'_>) -> Option<u32>;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for &str {}
+    impl Sealed for crate::EventName<'_> {}
+}
+
+impl CurveName for &str {
+    fn number_in(self, bank: &Bank<'_>) -> Option<u32> {
+        bank.event_name_id(self.as_bytes())
+    }
+}
+
+impl CurveName for EventName<'_> {
+    #[inline]
+    fn number_in(self, bank: &Bank<'_>) -> Option<u32> {
+        if self.key().bank == bank.origin { Some(self.id()) } else { bank.event_name_id(self.bytes()) }
+    }
+}
+
+/// The curves of a clip in the order of their names.
 #[derive(Clone)]
-pub struct Curves<'data> {
-    table: CurveTable<'data>,
+struct Curves<'a> {
+    table: CurveTable<'a>,
     range: Range<usize>,
-    names: EventNames<'data>,
+    bank: &'a Bank<'a>,
     fps: Option<StoredFps>,
 }
 
-impl<'data> Curves<'data> {
+impl<'a> Curves<'a> {
     /// The curve with this index among those of all clips, unless it is damaged.
-    fn at(&self, index: usize) -> Option<Curve<'data>> {
+    fn at(&self, index: usize) -> Option<Curve<'a>> {
         if index >= self.range.end {
             return None;
         }
         let name = self.table.curves.get(index)?.name_and_width.get() & !CURVE_WIDE;
         let keys = self.table.keys_of(index)?;
-        Some(Curve { name: self.names.numbered(name)?, keys, fps: self.fps, place: index as u32 })
+        let name = EventName::numbered(self.bank, name)?;
+        Some(Curve { name, keys, fps: self.fps, place: index as u32 })
     }
 }
 
-impl<'data> Iterator for Curves<'data> {
-    type Item = Curve<'data>;
+impl<'a> Iterator for Curves<'a> {
+    type Item = Curve<'a>;
 
-    fn next(&mut self) -> Option<Curve<'data>> {
+    fn next(&mut self) -> Option<Curve<'a>> {
         let curve = self.at(self.range.start);
         // A damaged curve ends the iteration.
         self.range.start = if curve.is_some() { self.range.start.wrapping_add(1) } else { self.range.end };
@@ -83,7 +108,7 @@ impl<'data> Iterator for Curves<'data> {
     }
 
     // Without a look at those before it: of a damaged bank, it may give one that `next` does not come to.
-    fn nth(&mut self, count: usize) -> Option<Curve<'data>> {
+    fn nth(&mut self, count: usize) -> Option<Curve<'a>> {
         self.range.start = self.range.start.saturating_add(count).min(self.range.end);
         self.next()
     }
@@ -95,10 +120,3 @@ impl<'data> Iterator for Curves<'data> {
 }
 
 impl FusedIterator for Curves<'_> {}
-
-/// The curves.
-impl fmt::Debug for Curves<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(self.clone()).finish()
-    }
-}

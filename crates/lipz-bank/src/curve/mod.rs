@@ -5,10 +5,11 @@ mod curves;
 pub(crate) mod table;
 
 pub use cursor::CurveCursor;
-pub use curves::Curves;
+pub use curves::CurveName;
+pub use lipz_types::CurveValue;
 
-use crate::event::NameKey;
-use crate::{Clip, CurveValue, EventName, Time};
+use crate::origin::Origin;
+use crate::{Clip, EventName, Time};
 use core::fmt;
 use lipz_types::{Position, StoredFps};
 use table::Keys;
@@ -29,23 +30,23 @@ pub struct CurveKey {
 /// last, also outside of the clip.
 ///
 /// ```
-/// # use lipz_bank::{Clip, CurveCursor, Micros};
-/// # fn draw(clip: &Clip<'_, '_>, now: Micros) -> Option<()> {
+/// # use lipz_bank::{Clip, Micros};
+/// # fn draw(clip: &Clip<'_>, now: Micros) -> Option<()> {
 /// let jaw = clip.curve("jawOpen")?; // a few searches: the clip's curves, and the name
 /// let open = jaw.value_at(now)?.to_f32(); // a search among its keys
 /// # None }
 /// ```
 #[derive(Clone, Copy)]
-pub struct Curve<'data> {
-    name: EventName<'data>,
-    keys: Keys<'data>,
+pub struct Curve<'a> {
+    name: EventName<'a>,
+    keys: Keys<'a>,
     fps: Option<StoredFps>,
     place: u32,
 }
 
-impl<'data> Curve<'data> {
+impl<'a> Curve<'a> {
     /// The name.
-    pub const fn name(&self) -> EventName<'data> {
+    pub const fn name(&self) -> EventName<'a> {
         self.name
     }
 
@@ -65,7 +66,7 @@ impl<'data> Curve<'data> {
     }
 
     /// All keys in the order of their frames.
-    pub fn keys(&self) -> impl Iterator<Item = CurveKey> + 'data {
+    pub fn keys(&self) -> impl Iterator<Item = CurveKey> + 'a {
         let keys = self.keys;
         (0..keys.count()).filter_map(move |index| keys.get(index))
     }
@@ -109,7 +110,7 @@ impl<'data> Curve<'data> {
     }
 }
 
-impl Clip<'_, '_> {
+impl Clip<'_> {
     /// A point in time in frames; `None` without a frame rate.
     pub(crate) fn position<T: Time>(&self, time: T) -> Option<Position> {
         Some(time.position(self.stored_fps()?))
@@ -128,9 +129,9 @@ impl PartialEq for Curve<'_> {
 impl Eq for Curve<'_> {}
 
 impl Curve<'_> {
-    /// The name knows its bank.
-    fn identity(&self) -> (NameKey, u32, Option<StoredFps>) {
-        (self.name.key(), self.place, self.fps)
+    /// The name has the origin of its bank.
+    fn identity(&self) -> (Origin, u32, Option<StoredFps>) {
+        (self.name.key().bank, self.place, self.fps)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The sections of curves.
 
-use super::CurveKey;
+use super::{CurveKey, CurveValue};
+use crate::Bank;
 use crate::file::entries;
-use crate::{Bank, CurveValue};
 use core::ops::Range;
 use lipz_layout::{CURVE_WIDE, CurveClipRecord, CurveKeyRecord, CurveRecord, Tag, U32, WideCurveKeyRecord};
 use zerocopy::IntoBytes;

@@ -1,8 +1,8 @@
 //! Blinks: one now and then, sometimes two.
 
-use super::FaceProfile;
 use super::chance::{Steps, Stream, draw, part};
-use crate::{CurveValue, Emotion};
+use super::{Emotion, FaceProfile};
+use crate::curve::CurveValue;
 
 /// How far lids are closed that are closed, in thousandths.
 const CLOSED: u64 = 1000;

@@ -3,7 +3,7 @@
 use super::FaceProfile;
 use super::chance::{Steps, Stream, WHOLE, draw, either_side, part, scaled};
 use super::mouth::{Mouth, SPEAKING};
-use crate::{Curve, CurveKey};
+use crate::curve::{Curve, CurveKey};
 
 /// A pose: the number that its angles are drawn with, and how far it goes, in thousandths.
 #[derive(Clone, Copy)]

@@ -1,12 +1,14 @@
 //! What eyes look at.
 
 use super::FaceProfile;
-use crate::CurveValue;
+use crate::curve::CurveValue;
 
 /// What somebody looks at, as a direction from the head at rest. A program computes it from where both are.
 ///
 /// ```
-/// use lipz_bank::{CurveValue, FaceProfile, LookAt, Micros};
+/// use lipz_bank::Micros;
+/// use lipz_bank::curve::CurveValue;
+/// use lipz_bank::face::{FaceProfile, LookAt};
 /// let degrees = |degrees: i32| CurveValue::from_thousandths(1000 * degrees);
 /// // A door, 50 degrees to the left: the eyes turn by 20, the head by the rest.
 /// let door = LookAt::point(degrees(0), degrees(50));

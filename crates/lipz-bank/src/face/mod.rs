@@ -2,20 +2,26 @@
 
 mod blink;
 mod chance;
+mod emotions;
 mod eyes;
 mod head;
 mod look;
 mod mouth;
 mod profile;
+mod who;
 
+pub use emotions::Emotions;
+pub use lipz_types::{Emotion, FaceCurve};
 pub use look::LookAt;
-pub use profile::{FaceProfile, FaceProfiles};
+pub use profile::FaceProfile;
+pub use who::Who;
 
-use crate::who::farther;
-use crate::{Clip, ClipId, Curve, CurveValue, Emotion, Time, Who};
+use crate::curve::{Curve, CurveValue};
+use crate::{Clip, ClipId, Time};
 use chance::Steps;
-use lipz_types::{FaceCurve, Fps, Micros, Position};
+use lipz_types::{Fps, Micros, Position};
 use mouth::Mouth;
+use who::farther;
 
 /// What a face does at a time, besides its mouth and its emotions. Angles are in degrees: pitch is positive upwards, yaw to
 /// the left of the character, roll towards the left shoulder.
@@ -47,69 +53,50 @@ const DEGREES_PER_UNIT: i32 = 2;
 /// Where `nod` and `shake` are neutral, in thousandths.
 const NEUTRAL: i32 = 5000;
 
-impl Clip<'_, '_> {
-    /// The speaker's face at `time`, generated as `profile` says, with eyes that look at `look`. Curves of the clip win over
-    /// what is generated.
+impl Clip<'_> {
+    /// The face of the speaker or of another character at `time`, generated as `profile` says, with eyes that look at `look`.
+    /// Curves of the clip win over what is generated.
     ///
-    /// Nothing is kept between pictures: the face depends on the time, the profile and the id of the clip alone, and is the
+    /// Other characters listen: they have the curves with their name in front, blink by the strongest of their own emotions,
+    /// and move their head only for these curves and for what they look at.
+    ///
+    /// Nothing is kept from frame to frame: the face depends on the time, the profile and the id of the clip alone, and is the
     /// same on every machine. Before the start it is as at the start; after the end, it goes on blinking.
     ///
     /// ```
-    /// use lipz_bank::{Bank, LookAt, Micros};
+    /// use lipz_bank::face::{LookAt, Who};
+    /// use lipz_bank::{Bank, Micros};
     ///
     /// # let bytes: &[u8] = include_bytes!("../../examples/act1.lipzbank");
     /// let bank = Bank::open(bytes)?.verify()?;
     /// let profile = bank.default_face_profile(); // [face] of lipz.toml, or what is usual
     /// for clip in bank.clips() {
-    ///     let face = clip.face_at(Micros(1_500_000), &profile, LookAt::AHEAD);
+    ///     let face = clip.face_at(Micros(1_500_000), Who::Speaker, &profile, LookAt::AHEAD);
     ///     println!("lids {}, head {}°", face.blink, face.head_yaw);
+    ///     let mara = clip.face_at(Micros(1_500_000), "mara", &profile, LookAt::AHEAD); // `mara nods` in the events
+    ///     println!("head {}°", mara.head_pitch);
     /// }
     /// # Ok::<(), lipz_bank::Error>(())
     /// ```
-    pub fn face_at<T: Time>(&self, time: T, profile: &FaceProfile<'_>, look: LookAt) -> Face {
-        self.face_of(Who::Speaker, time, profile, look)
-    }
-
-    /// The face of a character of the clip at `time`: with the curves that have their name in front, blinks by the strongest
-    /// of their own emotions, and, since they listen, a head that moves for these curves and for what they look at only. A
-    /// name is that of somebody else than the speaker, unless [`Who`] says otherwise.
-    ///
-    /// ```
-    /// # use lipz_bank::{Bank, Clip, LookAt, Micros, Who};
-    /// # fn draw(bank: &Bank<'_>, clip: &Clip<'_, '_>, now: Micros) {
-    /// let profile = bank.default_face_profile();
-    /// let mara = clip.face_of("mara", now, &profile, LookAt::AHEAD); // `mara nods` in the events of Otto's line
-    /// let otto = clip.face_of(Who::SpeakerNamed("otto"), now, &profile, LookAt::AHEAD); // `nods` and `otto nods`
-    /// # }
-    /// ```
-    pub fn face_of<'name, T: Time>(
+    pub fn face_at<'name, T: Time>(
         &self,
-        who: impl Into<Who<'name>>,
         time: T,
-        profile: &FaceProfile<'_>,
-        look: LookAt,
-    ) -> Face {
-        self.face_in(who.into(), (milliseconds(time), self.position(time)), profile, look)
-    }
-
-    /// What is generated of the speaker's face at `time`, as the curves that replace it would have it: `blink`, the motion of
-    /// the head and where the eyes look, each whole and without what is added to it. `lipz face --curve blink` samples it.
-    pub fn generated_at<T: Time>(&self, time: T, profile: &FaceProfile<'_>, look: LookAt) -> Face {
-        self.generated_of(Who::Speaker, time, profile, look)
-    }
-
-    /// What is generated of the face of a character of the clip: [`Clip::generated_at`] for [`Clip::face_of`].
-    pub fn generated_of<'name, T: Time>(
-        &self,
         who: impl Into<Who<'name>>,
-        time: T,
         profile: &FaceProfile<'_>,
         look: LookAt,
     ) -> Face {
         let who = who.into();
+        if profile.is_without_curves() {
+            return self.generated(who, milliseconds(time), profile, look);
+        }
+        self.face_in(who, (milliseconds(time), self.position(time)), profile, look)
+    }
+
+    /// What is generated of the face.
+    fn generated(&self, who: Who<'_>, ms: u64, profile: &FaceProfile<'_>, look: LookAt) -> Face {
         let is_pose = |curve: &Curve<'_>| who.purpose(curve.name().bytes()) == Some(FaceCurve::Pose.name().as_bytes());
         let (seed, mouth) = self.moved(who, self.curves().filter(is_pose).fold(None, named_pose));
-        let steps = Steps { seed, ms: milliseconds(time) };
+        let steps = Steps { seed, ms };
         let [pitch, yaw, roll] = mouth.map(|mouth| head::motion(profile, steps, &mouth)).unwrap_or_default();
         let eyes = eyes::target(profile, steps, look);
         let value = CurveValue::from_thousandths;
@@ -134,7 +121,7 @@ impl Clip<'_, '_> {
 
     /// The emotion that leads.
     fn strongest(&self, who: Who<'_>, ms: u64) -> Option<(Emotion, CurveValue)> {
-        self.emotions_of(who, Micros(ms.wrapping_mul(1000) as i64)).strongest()
+        self.emotions_at(Micros(ms.wrapping_mul(1000) as i64), who).strongest()
     }
 
     /// The face at a time that is given in milliseconds and in frames.
@@ -167,7 +154,8 @@ impl FaceProfile<'_> {
     /// others, so that not everybody blinks at once.
     ///
     /// ```
-    /// use lipz_bank::{FaceProfile, LookAt, Seconds};
+    /// use lipz_bank::Seconds;
+    /// use lipz_bank::face::{FaceProfile, LookAt};
     /// let listening = FaceProfile::DEFAULT.idle_at(Seconds(12.5_f32), 7, LookAt::AHEAD);
     /// assert_eq!(listening.head_yaw.thousandths(), 0); // a head moves while its mouth does
     /// ```

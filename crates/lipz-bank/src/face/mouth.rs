@@ -1,11 +1,12 @@
 //! When a mouth moves, and where its words may begin: pauses and segments, which a bank knows.
 
-use crate::{Clip, Curve, Micros, Time, Viseme, segment};
+use crate::curve::Curve;
+use crate::{Clip, Micros, Time, Viseme, segment};
 use lipz_types::StoredFps;
 
 /// The mouth of a clip that has a frame rate.
 pub(super) struct Mouth<'m> {
-    clip: &'m Clip<'m, 'm>,
+    clip: &'m Clip<'m>,
     frames: &'m [u8],
     fps: StoredFps,
     /// The curve `pose`.
@@ -21,7 +22,7 @@ const LOOKED_AT_MS: u64 = 1000;
 
 impl<'m> Mouth<'m> {
     /// The mouth of a clip that turns its head as `poses` says; `None` without a frame rate.
-    pub(super) fn of(clip: &'m Clip<'_, '_>, poses: Option<Curve<'m>>) -> Option<Mouth<'m>> {
+    pub(super) fn of(clip: &'m Clip<'_>, poses: Option<Curve<'m>>) -> Option<Mouth<'m>> {
         let fps = clip.stored_fps().filter(|fps| fps.checked().is_some())?;
         Some(Mouth { clip, frames: clip.frames(), fps, poses })
     }

@@ -1,8 +1,8 @@
 //! Face profiles: how often somebody blinks, and how far head and eyes move.
 
-use crate::{Bank, Emotion};
+use super::Emotion;
+use crate::Bank;
 use core::fmt;
-use core::iter::FusedIterator;
 use lipz_layout::{FaceRecord, Tag};
 use zerocopy::FromBytes;
 
@@ -12,7 +12,7 @@ const INTERVALS: usize = 1 + Emotion::ALL.len();
 /// How a face moves by itself: `[face]` in `lipz.toml`, or [`FaceProfile::DEFAULT`].
 ///
 /// ```
-/// use lipz_bank::{Emotion, FaceProfile};
+/// use lipz_bank::face::{Emotion, FaceProfile};
 /// let profile = FaceProfile::DEFAULT; // or that of a bank: bank.default_face_profile(), bank.face_profile("robot")
 /// assert_eq!(profile.blink_interval_ms(None), 4000);
 /// assert_eq!(profile.blink_interval_ms(Some(Emotion::Anger)), 6000); // a glare
@@ -28,6 +28,7 @@ pub struct FaceProfile<'data> {
     head_follows: u16,
     pose_ms: u16,
     fixation_ms: u16,
+    is_without_curves: bool,
 }
 
 impl FaceProfile<'static> {
@@ -43,6 +44,7 @@ impl FaceProfile<'static> {
         head_follows: 20_000,
         pose_ms: 400,
         fixation_ms: 1000,
+        is_without_curves: false,
     };
 }
 
@@ -61,6 +63,7 @@ impl<'data> FaceProfile<'data> {
             head_follows: record.head_follows.get(),
             pose_ms: record.pose_ms.get(),
             fixation_ms: record.fixation_ms.get(),
+            is_without_curves: false,
         };
         for (place, interval) in profile.blink_interval_ms.iter_mut().zip(&record.blink_interval_ms) {
             *place = interval.get();
@@ -80,6 +83,19 @@ impl<'data> FaceProfile<'data> {
             && self.head_follows <= 60_000
             && (100..=LONGEST_MS).contains(&self.pose_ms)
             && (200..=LONGEST_MS).contains(&self.fixation_ms)
+    }
+
+    /// The profile for faces without the curves of their clips: what is generated, as the curves that replace it would have it:
+    /// `blink`, the motion of the head and where the eyes look, each whole and without what is added to it. `lipz face --curve
+    /// blink` samples it.
+    #[must_use]
+    pub const fn without_curves(mut self) -> FaceProfile<'data> {
+        self.is_without_curves = true;
+        self
+    }
+
+    pub(super) const fn is_without_curves(&self) -> bool {
+        self.is_without_curves
     }
 
     /// The name of the profile. Empty only in a damaged bank.
@@ -156,33 +172,13 @@ impl<'data> Bank<'data> {
     }
 
     /// All face profiles of the bank, in the order of their names.
-    pub fn face_profiles(&self) -> FaceProfiles<'data> {
-        FaceProfiles { bytes: self.file.section(Tag::FACES) }
-    }
-}
-
-/// The face profiles of a bank in the order of their names.
-#[derive(Clone)]
-pub struct FaceProfiles<'data> {
-    pub(crate) bytes: &'data [u8],
-}
-
-impl<'data> Iterator for FaceProfiles<'data> {
-    type Item = FaceProfile<'data>;
-
-    fn next(&mut self) -> Option<FaceProfile<'data>> {
-        // A damaged profile ends the iteration.
-        let (profile, rest) = FaceProfile::split_first(self.bytes)?;
-        self.bytes = rest;
-        Some(profile)
-    }
-}
-
-impl FusedIterator for FaceProfiles<'_> {}
-
-/// The profiles that are left.
-impl fmt::Debug for FaceProfiles<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_list().entries(self.clone()).finish()
+    pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'data>> + Clone {
+        let mut rest = self.file.section(Tag::FACES);
+        core::iter::from_fn(move || {
+            // A damaged profile ends the iteration.
+            let (profile, behind) = FaceProfile::split_first(rest)?;
+            rest = behind;
+            Some(profile)
+        })
     }
 }

@@ -1,6 +1,8 @@
 //! The cursor: where a clip is while it is played.
 
-use super::{CharacterState, Characters, ConsonantHold, DueSegments, Lead, state};
+use super::state::{self, Characters};
+use super::{CharacterState, ConsonantHold, DueSegments, Lead};
+use crate::babble::Weight;
 use crate::event::NameKey;
 use crate::{Clip, EventName, Segment, Time, Viseme, VisemeType, segment};
 use lipz_types::StoredFps;
@@ -17,7 +19,7 @@ use lipz_types::StoredFps;
 /// use lipz_bank::{Bank, ClipId, Cursor, Micros};
 ///
 /// struct Game {
-///     bank: Bank<'static>, // or an `Arc<lipz_host::OwnedBank>`
+///     bank: Bank<'static>, // or a `Dialogue`, of this crate or of `lipz_host`
 ///     playing: Option<(ClipId, Cursor)>,
 /// }
 ///
@@ -51,8 +53,9 @@ use lipz_types::StoredFps;
 /// # Ok::<(), lipz_bank::Error>(())
 /// ```
 ///
-/// The clip may come from a newer version of the bank: the cursor goes on at the same time, and fires what
-/// begins from there on. With a clip of another id it does the same, so start a new cursor for a new line.
+/// The clip may come from a newer version of the bank: the cursor continues at the same time, and fires the segments behind
+/// those that it has fired, by their numbers. If the new clip is divided into different segments, [`seek`](Cursor::seek) to
+/// the time of the audio. With a clip of a different ID the cursor does the same, so start a new one for a new line.
 ///
 /// `docs/PLAYBACK.md` has a table of what happens when time goes on, stands still, jumps, loops and ends.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -87,7 +90,7 @@ impl Cursor {
     ///
     /// The cursor keeps the frame rate and the viseme type that the clip was given, and uses them for clips
     /// that have none.
-    pub fn new(clip: &Clip<'_, '_>) -> Option<Cursor> {
+    pub fn new(clip: &Clip<'_>) -> Option<Cursor> {
         Some(Cursor {
             fps: clip.stored_fps()?,
             viseme_type: clip.viseme_type(),
@@ -156,11 +159,7 @@ impl Cursor {
     /// is past the point that it had reached: clocks of audio engines jitter. To play something again,
     /// [`seek`](Cursor::seek).
     #[must_use = "the events of these segments do not fire again"]
-    pub fn advance_to<'data, 'bank, T: Time>(
-        &mut self,
-        clip: &Clip<'data, 'bank>,
-        time: T,
-    ) -> DueSegments<'data, 'bank> {
+    pub fn advance_to<'a, T: Time>(&mut self, clip: &Clip<'a>, time: T) -> DueSegments<'a> {
         let (before, first) = (self.frame, self.next_segment);
         self.show(clip, time);
         // A display shows most frames more than once.
@@ -176,7 +175,7 @@ impl Cursor {
     ///
     /// What characters feel, stare and point at outlasts the end of a round.
     #[must_use = "the events of these segments do not fire again"]
-    pub fn loop_to<'data, 'bank, T: Time>(&mut self, clip: &Clip<'data, 'bank>, time: T) -> DueSegments<'data, 'bank> {
+    pub fn loop_to<'a, T: Time>(&mut self, clip: &Clip<'a>, time: T) -> DueSegments<'a> {
         self.show(clip, time);
         let first = self.next_segment;
         self.next_segment = self.segments_begun(clip);
@@ -190,7 +189,7 @@ impl Cursor {
     ///
     /// Afterwards, [`characters`](Cursor::characters) says what everybody feels, stares and points at: as if the
     /// clip had been played once from its start to here.
-    pub fn seek<T: Time>(&mut self, clip: &Clip<'_, '_>, time: T) {
+    pub fn seek<T: Time>(&mut self, clip: &Clip<'_>, time: T) {
         self.show(clip, time);
         // From the end on, that is the last frame.
         let before = self.frame.and_then(|frame| frame.min(clip.frame_count()).checked_sub(1));
@@ -202,7 +201,7 @@ impl Cursor {
     /// Ends the clip before the sound does, as when a player skips it: returns the segments that
     /// were left.
     #[must_use = "the events of these segments do not fire again"]
-    pub fn finish<'data, 'bank>(&mut self, clip: &Clip<'data, 'bank>) -> DueSegments<'data, 'bank> {
+    pub fn finish<'a>(&mut self, clip: &Clip<'a>) -> DueSegments<'a> {
         self.frame = Some(OVER);
         self.mouth_frame = self.frame;
         let first = self.next_segment;
@@ -213,15 +212,22 @@ impl Cursor {
 
     /// The mouth shape to draw, with lead and hold; rest before the start and from the end on.
     #[inline]
-    pub fn viseme(&self, clip: &Clip<'_, '_>) -> Viseme {
+    pub fn viseme(&self, clip: &Clip<'_>) -> Viseme {
         match self.mouth_frame {
             Some(frame) => clip.viseme(self.hold.frame(clip, self.viseme_type, frame)),
             None => Viseme::REST,
         }
     }
 
+    /// How far the mouth to draw is open, with lead and hold; `None` if the clip has no frames, or if neither it nor the cursor
+    /// has a viseme type: let the mouth [babble](crate::babble).
+    pub fn openness(&self, clip: &Clip<'_>) -> Option<Weight> {
+        let viseme_type = clip.viseme_type().or(self.viseme_type)?;
+        if clip.frame_count() > 0 { Some(self.viseme(clip).openness(viseme_type)) } else { None }
+    }
+
     /// The segment whose subtitle to show; `None` before the start and from the end on.
-    pub fn segment<'data, 'bank>(&self, clip: &Clip<'data, 'bank>) -> Option<Segment<'data, 'bank>> {
+    pub fn segment<'a>(&self, clip: &Clip<'a>) -> Option<Segment<'a>> {
         clip.segment_of_frame(self.frame?)
     }
 
@@ -239,16 +245,16 @@ impl Cursor {
     /// over; `None` stands for the speaker.
     ///
     /// Read from the events anew with each call, in a time that grows with their number.
-    pub fn state<'data>(&self, clip: &Clip<'data, '_>, character: Option<EventName<'_>>) -> CharacterState<'data> {
-        if let Some(character) = character {
-            character.assert_is_of(clip.bank);
-        }
+    pub fn state<'a>(&self, clip: &Clip<'a>, character: Option<EventName<'_>>) -> CharacterState<'a> {
         state::after(self.past(clip), character)
     }
 
     /// Every character that an event of the clip is about, also one to come, with its
     /// [state](Cursor::state): what to set after a jump. The speaker without a name comes first as `None`.
-    pub fn characters<'data, 'bank>(&self, clip: &Clip<'data, 'bank>) -> Characters<'data, 'bank> {
+    pub fn characters<'a>(
+        &self,
+        clip: &Clip<'a>,
+    ) -> impl Iterator<Item = (Option<EventName<'a>>, CharacterState<'a>)> + Clone {
         Characters::new(DueSegments::new(self, clip, 0..u32::MAX, 0), self.past(clip))
     }
 
@@ -258,13 +264,13 @@ impl Cursor {
     }
 
     /// All segments whose events have fired or were jumped over, from the start of the last round but one.
-    fn past<'data, 'bank>(&self, clip: &Clip<'data, 'bank>) -> DueSegments<'data, 'bank> {
+    fn past<'a>(&self, clip: &Clip<'a>) -> DueSegments<'a> {
         let last_round = if self.has_looped { u32::MAX } else { 0 };
         DueSegments::new(self, clip, 0..last_round, self.next_segment)
     }
 
     /// Moves sound and mouth to `time`.
-    fn show<T: Time>(&mut self, clip: &Clip<'_, '_>, time: T) {
+    fn show<T: Time>(&mut self, clip: &Clip<'_>, time: T) {
         self.frame = self.frame_at(clip, time);
         self.mouth_frame =
             if self.lead == Lead::NONE { self.frame } else { self.frame_at(clip, time.later(self.lead.us())) };
@@ -272,7 +278,7 @@ impl Cursor {
 
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // long code, needed twice
     #[cfg_attr(target_pointer_width = "64", inline)]
-    fn frame_at<T: Time>(&self, clip: &Clip<'_, '_>, time: T) -> Option<u32> {
+    fn frame_at<T: Time>(&self, clip: &Clip<'_>, time: T) -> Option<u32> {
         match time.frame(clip.stored_fps().unwrap_or(self.fps), clip.frame_count()) {
             None if time.has_begun() => Some(OVER),
             frame => frame,
@@ -280,7 +286,7 @@ impl Cursor {
     }
 
     /// How many segments have begun at the position of the sound.
-    fn segments_begun(&self, clip: &Clip<'_, '_>) -> u32 {
+    fn segments_begun(&self, clip: &Clip<'_>) -> u32 {
         match self.frame {
             None => 0,
             Some(OVER) => clip.segment_count(),
@@ -290,7 +296,7 @@ impl Cursor {
 }
 
 /// How many segments start at or before `frame`, which is one of the clip.
-fn segments_begun_by(clip: &Clip<'_, '_>, frame: u32) -> u32 {
+fn segments_begun_by(clip: &Clip<'_>, frame: u32) -> u32 {
     let last = segment::index_of_frame(clip, frame);
     last.map_or(0, |last| last.saturating_add(1)).min(clip.segment_count())
 }

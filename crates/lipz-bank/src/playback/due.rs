@@ -11,9 +11,9 @@ use core::ops::Range;
 /// [`Segment::event`] is the event string of one, in whatever syntax. [`DueSegments::events`] gives the events of
 /// all, if they are Character Event Syntax.
 #[derive(Clone, Debug)]
-pub struct DueSegments<'data, 'bank> {
-    clip: Clip<'data, 'bank>,
-    /// A name of the clip's bank.
+pub struct DueSegments<'a> {
+    clip: Clip<'a>,
+    /// Who speaks, if the program has said so.
     speaker: Option<NameKey>,
     next: u32,
     end: u32,
@@ -21,49 +21,44 @@ pub struct DueSegments<'data, 'bank> {
     around_to: u32,
 }
 
-impl<'data, 'bank> DueSegments<'data, 'bank> {
+impl<'a> DueSegments<'a> {
     /// The segments of `range`, then those from 0 up to and without `around_to`, as far as the clip has them: the
     /// numbers may be those of another clip.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // a clip is many words, and several calls need this
     #[cfg_attr(target_pointer_width = "64", inline)]
-    pub(super) fn new(cursor: &Cursor, clip: &Clip<'data, 'bank>, range: Range<u32>, around_to: u32) -> Self {
-        let speaker = cursor.speaker().filter(|key| key.is_of(clip.bank));
+    pub(super) fn new(cursor: &Cursor, clip: &Clip<'a>, range: Range<u32>, around_to: u32) -> Self {
         let count = clip.segment_count();
         let (next, end) = (range.start, range.end.min(count));
-        DueSegments { clip: *clip, speaker, next, end, around_to: around_to.min(count) }
+        DueSegments { clip: *clip, speaker: cursor.speaker(), next, end, around_to: around_to.min(count) }
     }
 
     /// The events of the segments. Those without a character are the
     /// [speaker](Cursor::with_speaker)'s.
     #[inline]
-    pub fn events(self) -> impl Iterator<Item = Event<'data>> + 'bank {
+    pub fn events(self) -> impl Iterator<Item = Event<'a>> + 'a {
         let speaker = self.speaker_name();
         self.flat_map(move |segment| events(&segment, speaker))
-    }
-
-    /// Whose events name no character.
-    pub(super) fn speaker(&self) -> Option<NameKey> {
-        self.speaker
     }
 
     /// The name of the speaker.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // once per call of the cursor
     #[cfg_attr(target_pointer_width = "64", inline)]
-    pub(super) fn speaker_name(&self) -> Option<EventName<'data>> {
-        self.clip.bank.event_names().named(self.speaker?)
+    pub(super) fn speaker_name(&self) -> Option<EventName<'a>> {
+        // Mostly no segment is due, and then the name is not needed.
+        if self.next >= self.end && self.around_to == 0 {
+            return None;
+        }
+        self.clip.name(self.speaker?)
     }
 }
 
 /// The events of one segment; those without a character are the speaker's.
-pub(super) fn events<'data>(
-    segment: &Segment<'data, '_>,
-    speaker: Option<EventName<'data>>,
-) -> impl Iterator<Item = Event<'data>> {
+pub(super) fn events<'a>(segment: &Segment<'a>, speaker: Option<EventName<'a>>) -> impl Iterator<Item = Event<'a>> {
     segment.events().map(move |event| Event { character: event.character.or(speaker), ..event })
 }
 
-impl<'data, 'bank> Iterator for DueSegments<'data, 'bank> {
-    type Item = Segment<'data, 'bank>;
+impl<'a> Iterator for DueSegments<'a> {
+    type Item = Segment<'a>;
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
@@ -85,5 +80,5 @@ impl<'data, 'bank> Iterator for DueSegments<'data, 'bank> {
     }
 }
 
-impl ExactSizeIterator for DueSegments<'_, '_> {}
-impl FusedIterator for DueSegments<'_, '_> {}
+impl ExactSizeIterator for DueSegments<'_> {}
+impl FusedIterator for DueSegments<'_> {}

@@ -34,7 +34,8 @@ impl ConsonantHold {
     /// Two frames at 24 fps, the least that is read, in frames of `fps`: the nearest number.
     ///
     /// ```
-    /// use lipz_bank::{Fps, ConsonantHold};
+    /// use lipz_bank::Fps;
+    /// use lipz_bank::playback::ConsonantHold;
     /// assert_eq!(ConsonantHold::readable(Fps::whole(24)), ConsonantHold::frames(2));
     /// assert_eq!(ConsonantHold::readable(Fps::whole(60)), ConsonantHold::frames(5));
     /// ```
@@ -65,7 +66,7 @@ impl ConsonantHold {
 
     /// The frame whose shape shows at `frame`. A clip without a viseme type is of type `or`.
     #[inline]
-    pub(super) fn frame(self, clip: &Clip<'_, '_>, or: Option<VisemeType>, frame: u32) -> u32 {
+    pub(super) fn frame(self, clip: &Clip<'_>, or: Option<VisemeType>, frame: u32) -> u32 {
         match clip.viseme_type().or(or) {
             Some(kind) if self.frames > 1 => self.shown(kind, clip.frames(), frame as usize) as u32,
             _ => frame,

@@ -24,7 +24,8 @@ impl Lead {
     /// One frame of a clip.
     ///
     /// ```
-    /// use lipz_bank::{Fps, Lead};
+    /// use lipz_bank::Fps;
+    /// use lipz_bank::playback::Lead;
     /// const FILM: Lead = Lead::one_frame(Fps::whole(24));
     /// assert_eq!(FILM.us(), 41_667);
     /// ```

@@ -10,4 +10,4 @@ pub use cursor::Cursor;
 pub use due::DueSegments;
 pub use hold::ConsonantHold;
 pub use lead::Lead;
-pub use state::{CharacterState, Characters};
+pub use state::CharacterState;

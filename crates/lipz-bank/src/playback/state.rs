@@ -13,39 +13,41 @@ const MAX_STEPS: u32 = 1 << 20;
 /// `sees`, `does` and gestures such as `nods` are for a moment and leave no state.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[non_exhaustive]
-pub struct CharacterState<'data> {
+pub struct CharacterState<'a> {
     /// What the character feels, until changed; `None` if no event has said.
-    pub emotion: Option<EventName<'data>>,
+    pub emotion: Option<EventName<'a>>,
     /// What the character stares at, until `stops staring`.
-    pub stares_at: Option<EventName<'data>>,
+    pub stares_at: Option<EventName<'a>>,
     /// What the character points at, until `stops pointing`.
-    pub points_at: Option<EventName<'data>>,
+    pub points_at: Option<EventName<'a>>,
 }
 
-impl<'data> CharacterState<'data> {
+impl<'a> CharacterState<'a> {
     /// The character does `command`.
-    pub fn apply(&mut self, command: Command<EventName<'data>>) {
+    pub fn apply(&mut self, command: Command<EventName<'a>>) {
         match command {
             Command::Feels(emotion) => self.emotion = Some(emotion),
             Command::Stares(target) => self.stares_at = Some(target),
             Command::StopsStaring => self.stares_at = None,
             Command::Points(target) => self.points_at = Some(target),
             Command::StopsPointing => self.points_at = None,
-            Command::Sees(_) | Command::Does(_) | Command::LooksAway => {}
-            Command::Nods(_) | Command::Shakes(_) | Command::Breathes(_) | Command::Blinks => {}
+            _ => {} // for a moment
         }
     }
 }
 
 /// The state of `character` after the events of `segments`; `None` stands for the speaker.
-pub(super) fn after<'data>(
-    segments: DueSegments<'data, '_>,
-    character: Option<EventName<'_>>,
-) -> CharacterState<'data> {
-    let character = character.map(EventName::key).or(segments.speaker());
+pub(super) fn after<'a>(segments: DueSegments<'a>, character: Option<EventName<'_>>) -> CharacterState<'a> {
+    let speaker = segments.speaker_name();
+    let is_asked = |of: Option<EventName<'_>>| match (of, character) {
+        (Some(of), Some(asked)) => of == asked,
+        (None, None) => true,
+        (Some(of), None) => speaker == Some(of),
+        (None, Some(_)) => false,
+    };
     let mut state = CharacterState::default();
     each_event(segments, &mut { MAX_STEPS }, |event| {
-        if event.character.map(EventName::key) == character {
+        if is_asked(event.character) {
             state.apply(event.command);
         }
     });
@@ -53,7 +55,7 @@ pub(super) fn after<'data>(
 }
 
 /// Calls `see` with the events of `segments`, as long as there are `steps` left.
-fn each_event<'data>(segments: DueSegments<'data, '_>, steps: &mut u32, mut see: impl FnMut(Event<'data>)) {
+fn each_event<'a>(segments: DueSegments<'a>, steps: &mut u32, mut see: impl FnMut(Event<'a>)) {
     let speaker = segments.speaker_name();
     for segment in segments {
         for event in due::events(&segment, speaker).map(Some).chain([None]) {
@@ -68,31 +70,30 @@ fn each_event<'data>(segments: DueSegments<'data, '_>, steps: &mut u32, mut see:
     }
 }
 
-/// The characters of a clip with their states, in the order of their names; see
-/// [`Cursor::characters`](crate::Cursor::characters).
-#[derive(Clone, Debug)]
-pub struct Characters<'data, 'bank> {
+/// The characters of a clip with their states, in the order of their names.
+#[derive(Clone)]
+pub(super) struct Characters<'a> {
     /// All segments, whose events have the characters.
-    all: DueSegments<'data, 'bank>,
+    all: DueSegments<'a>,
     /// Those whose events make the states.
-    past: DueSegments<'data, 'bank>,
+    past: DueSegments<'a>,
     /// The last one given: first the speaker without a name, then by name.
-    last: Option<Option<EventName<'data>>>,
+    last: Option<Option<EventName<'a>>>,
     steps: u32,
 }
 
-impl<'data, 'bank> Characters<'data, 'bank> {
-    pub(super) fn new(all: DueSegments<'data, 'bank>, past: DueSegments<'data, 'bank>) -> Self {
+impl<'a> Characters<'a> {
+    pub(super) fn new(all: DueSegments<'a>, past: DueSegments<'a>) -> Self {
         Characters { all, past, last: None, steps: MAX_STEPS }
     }
 }
 
-impl<'data> Iterator for Characters<'data, '_> {
-    type Item = (Option<EventName<'data>>, CharacterState<'data>);
+impl<'a> Iterator for Characters<'a> {
+    type Item = (Option<EventName<'a>>, CharacterState<'a>);
 
     fn next(&mut self) -> Option<Self::Item> {
         let last = self.last;
-        let mut next: Option<Option<EventName<'data>>> = None;
+        let mut next: Option<Option<EventName<'a>>> = None;
         each_event(self.all.clone(), &mut self.steps, |event| {
             let is_new = last.map_or(true, |last| event.character > last);
             if is_new && next.map_or(true, |next| event.character < next) {
@@ -105,4 +106,4 @@ impl<'data> Iterator for Characters<'data, '_> {
     }
 }
 
-impl FusedIterator for Characters<'_, '_> {}
+impl FusedIterator for Characters<'_> {}

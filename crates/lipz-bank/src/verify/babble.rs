@@ -1,11 +1,12 @@
 //! Babble profiles, one behind the other in the order of their names.
 
 use super::error_in;
-use crate::{Babble, Bank, Error, ErrorKind};
+use crate::babble::Babble;
+use crate::{Bank, Error, ErrorKind};
 
 /// Checks the section, if the bank has it.
 pub(super) fn babble(bank: &Bank<'_>) -> Result<(), Error> {
-    let mut rest = bank.babbles().bytes;
+    let mut rest = bank.file.section(lipz_layout::Tag::BABBLE);
     let mut before: &[u8] = &[];
     while !rest.is_empty() {
         match Babble::split_first(rest) {

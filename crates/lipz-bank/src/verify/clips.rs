@@ -22,7 +22,7 @@ struct Segments {
 pub(super) fn clips<const CONTENTS: bool>(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut segments = Segments { with_events: 0, others: bank.event_refs.len() };
     let texts = TextCheck::new(&bank.file, &bank.texts, CONTENTS);
-    let mut keys = Strings::new(bank.texts.names, 0);
+    let mut keys = Strings::new(bank.names, 0);
     for entry in bank.key_order {
         let slot = entry.get();
         let records = (bank.clips.get(slot as usize), bank.keys.get(slot as usize));

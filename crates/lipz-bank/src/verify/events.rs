@@ -9,9 +9,8 @@ use crate::{Bank, Error, ErrorKind};
 pub(super) fn events(bank: &Bank<'_>) -> Result<(), Error> {
     let strings_end = strings(bank)?;
     names(bank, strings_end)?;
-    let names_in_events = bank.event_names();
     for typed in bank.typed_events {
-        if Event::new(&names_in_events, typed).is_none() {
+        if Event::new(bank, typed).is_none() {
             return Err(error_at(bank, ErrorKind::TypedEvent, typed));
         }
     }

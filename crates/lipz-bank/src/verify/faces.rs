@@ -1,11 +1,12 @@
 //! Face profiles, one behind the other in the order of their names.
 
 use super::error_in;
-use crate::{Bank, Error, ErrorKind, FaceProfile};
+use crate::face::FaceProfile;
+use crate::{Bank, Error, ErrorKind};
 
 /// Checks the section, if the bank has it.
 pub(super) fn faces(bank: &Bank<'_>) -> Result<(), Error> {
-    let mut rest = bank.face_profiles().bytes;
+    let mut rest = bank.file.section(lipz_layout::Tag::FACES);
     let mut before: &[u8] = &[];
     while !rest.is_empty() {
         match FaceProfile::split_first(rest) {

@@ -19,7 +19,7 @@ mod voices;
 use crate::file::File;
 use crate::locale::LocaleTable;
 use crate::pool::Pool;
-use crate::{Bank, Error, ErrorKind, TextBank};
+use crate::{Bank, Error, ErrorKind};
 use strings::Strings;
 use texts::TextCheck;
 
@@ -63,10 +63,11 @@ pub(crate) fn lines<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<
 fn required<'data, const CONTENTS: bool>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
-    check_pool(&bank.file, &mut bank.texts.names, utf8)?;
+    check_pool(&bank.file, &mut bank.names, utf8)?;
     if CONTENTS {
         check_pool(&bank.file, &mut bank.texts.texts, utf8)?;
     }
+    bank.texts.names = bank.names;
     check_pool(&bank.file, &mut bank.event_strings, utf8)?;
     clips::rates(bank)?;
     let keys_end = clips::clips::<CONTENTS>(bank)?;
@@ -78,31 +79,30 @@ fn required<'data, const CONTENTS: bool>(bank: &mut Bank<'data>, utf8: Utf8<'dat
     Ok(())
 }
 
-/// Checks a text bank against the bank of its clips, which must be verified, and marks its pools as checked.
-pub(crate) fn verify_texts<'data>(
-    texts: &mut TextBank<'data>,
+/// Checks the texts in a file against the bank of their clips, which must be verified, and marks their pools as checked.
+pub(crate) fn text_file<'data>(
+    file: &File<'data>,
+    table: &mut LocaleTable<'data>,
     bank: &Bank<'_>,
     utf8: Utf8<'data>,
 ) -> Result<(), Error> {
     if !bank.is_verified() {
         return Err(Error::new(ErrorKind::BankNotVerified, 0));
     }
-    let file = texts.file;
-    checksum(&file)?;
-    sections::sections(&file)?;
-    sections::text_lengths(&file, &texts.table)?;
-    for pool in [&mut texts.table.names, &mut texts.table.texts] {
-        check_pool(&file, pool, utf8)?;
+    checksum(file)?;
+    sections::sections(file)?;
+    sections::text_lengths(file, table)?;
+    for pool in [&mut table.names, &mut table.texts] {
+        check_pool(file, pool, utf8)?;
     }
     // Another bank's tags stand behind its keys.
-    let start = texts.table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
-    locales(&file, &texts.table, start)?;
-    let is_about_bank = texts.table.segment_count == bank.texts.segment_count;
+    let start = table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
+    locales(file, table, start)?;
+    let is_about_bank = table.segment_count == bank.texts.segment_count;
     if file.header.fingerprint.get() != bank.fingerprint() || !is_about_bank {
         return Err(Error::new(ErrorKind::OtherClips, 24));
     }
-    texts.bank = bank.origin();
-    let check = TextCheck::new(&file, &texts.table, true);
+    let check = TextCheck::new(file, table, true);
     for (clip, record) in bank.clips.iter().zip(bank.keys) {
         check.clip(clip, record)?;
     }

@@ -2,58 +2,112 @@
 #![allow(dead_code, reason = "each test uses some of it")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+use lipz_bank::files::DialogueFile;
 use lipz_capi::c_char;
 use lipz_capi::*;
 use std::mem::MaybeUninit;
 
-pub(crate) const CURVES: &[u8] = include_bytes!("../../../../fixtures/banks/v1/curves.lipzbank");
-pub(crate) const DRAMA: &[u8] = include_bytes!("../../../../fixtures/banks/v1/drama.lipzbank");
-pub(crate) const SMALL: &[u8] = include_bytes!("../../../../fixtures/banks/v1/small.lipzbank");
-pub(crate) const SPECIALS: &[u8] = include_bytes!("../../../../fixtures/banks/v1/specials.lipzbank");
-pub(crate) const SPLIT: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.lipzbank");
-pub(crate) const GERMAN: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.de-de.lipztexts");
-pub(crate) const ENGLISH: &[u8] = include_bytes!("../../../../fixtures/banks/v1/split.en-us.lipztexts");
-
-/// A status, and what was written.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Answer<T> {
-    pub(crate) status: Status,
-    value: T,
+macro_rules! golden {
+    ($($name:ident = $file:literal;)+) => {
+        $(pub(crate) const $name: &[u8] = include_bytes!(concat!("../../../../fixtures/banks/", $file));)+
+    };
 }
 
-impl<T> Answer<T> {
-    /// Calls a function. It writes an answer whatever its status is.
-    pub(crate) fn from_call(call: impl FnOnce(Option<&mut MaybeUninit<T>>) -> Status) -> Answer<T> {
-        let mut out = MaybeUninit::uninit();
-        let status = call(Some(&mut out));
-        // SAFETY: functions that are given a place for their answer write to it.
-        Answer { status, value: unsafe { out.assume_init() } }
-    }
+golden! {
+    CURVES = "v1/curves.lipzbank";
+    DRAMA = "v1/drama.lipzbank";
+    DUBBED = "v1/dubbed.lipzbank";
+    FACES = "v1/faces.lipzbank";
+    LONG = "v1/long.lipzbank";
+    PATCH = "v1/patch.lipzbank";
+    RECORDED = "v1/recorded.lipzbank";
+    REDUB = "v1/redub.lipzbank";
+    SMALL = "v1/small.lipzbank";
+    SPECIALS = "v1/specials.lipzbank";
+    SPLIT = "v1/split.lipzbank";
+    GERMAN = "v1/split.de-de.lipztexts";
+    ENGLISH = "v1/split.en-us.lipztexts";
+    SET = "sets/dubbed.lipzset";
+    FIRST_OF_SET = "sets/dubbed.0-of-2.51e62ffc7e3d30e7.lipzbank";
+    SECOND_OF_SET = "sets/dubbed.1-of-2.2372b0174a3e0e74.lipzbank";
+}
 
-    /// The answer, which there must be.
-    #[track_caller]
-    pub(crate) fn ok(self) -> T {
-        assert_eq!(self.status, LIPZ_OK);
-        self.value
-    }
+/// Dialogues of one file and of several, of every kind.
+pub(crate) const DIALOGUES: [&[&[u8]]; 11] = [
+    &[CURVES],
+    &[DRAMA],
+    &[FACES],
+    &[LONG],
+    &[RECORDED],
+    &[SMALL],
+    &[SPECIALS],
+    &[SPLIT, GERMAN, ENGLISH],
+    &[SMALL, PATCH],
+    &[DUBBED, REDUB],
+    &[SET, FIRST_OF_SET, SECOND_OF_SET],
+];
 
-    /// The answer, or `None` if that is the status.
-    #[track_caller]
-    pub(crate) fn some(self) -> Option<T> {
-        if self.status == LIPZ_NONE { None } else { Some(self.ok()) }
-    }
+/// What a function answers; its status if there is none. An answer that is not there is written all the same.
+#[track_caller]
+pub(crate) fn ask<T: Default>(call: impl FnOnce(Option<&mut MaybeUninit<T>>) -> Status) -> Result<T, Status> {
+    let mut out = MaybeUninit::uninit();
+    let status = call(Some(&mut out));
+    // SAFETY: functions that are given a place for their answer write to it.
+    let value = unsafe { out.assume_init() };
+    if status == LIPZ_OK { Ok(value) } else { Err(status) }
+}
 
-    /// What was written, whatever the status is.
-    pub(crate) fn written(self) -> T {
-        self.value
+/// A dialogue, opened by the functions and by the reader, for as long as the test runs.
+pub(crate) struct Opened {
+    pub(crate) of_c: Dialogue,
+    pub(crate) reader: lipz_bank::Dialogue<'static>,
+}
+
+pub(crate) fn bytes(contents: &[u8]) -> Bytes {
+    Bytes { data: contents.as_ptr(), length_bytes: contents.len() }
+}
+
+pub(crate) fn places(count: usize) -> &'static mut [FilePlace] {
+    vec![FilePlace { words: [0; LIPZ_FILE_WORDS] }; count].leak()
+}
+
+/// Opens files by the functions; the status and the problem if they make no dialogue.
+pub(crate) fn opened(files: &[&[u8]], places: &mut [FilePlace], flags: u32) -> Result<Dialogue, (Status, Problem)> {
+    let contents: Vec<Bytes> = files.iter().map(|file| bytes(file)).collect();
+    let (mut dialogue, mut problem) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+    // SAFETY: there are as many places as contents; both structs are written in any case.
+    unsafe {
+        let (files, contents, count) = (places.as_mut_ptr(), contents.as_ptr(), contents.len());
+        let status = lipz_dialogue_open(Some(&mut dialogue), files, contents, count, flags, Some(&mut problem));
+        if status == LIPZ_OK { Ok(dialogue.assume_init()) } else { Err((status, problem.assume_init())) }
     }
 }
 
-/// A bank, opened by the reader and by the functions.
-pub(crate) fn bank(bytes: &'static [u8]) -> (lipz_bank::Bank<'static>, Bank) {
-    let bank = Answer::from_call(|out| unsafe { lipz_bank_open(bytes.as_ptr(), bytes.len(), out, None) }).ok();
-    assert_eq!(unsafe { lipz_bank_verify(Some(&bank), None) }, LIPZ_OK);
-    (lipz_bank::Bank::open(bytes).unwrap().verify().unwrap(), bank)
+pub(crate) fn dialogue(files: &[&'static [u8]]) -> Opened {
+    let of_c = opened(files, places(files.len()), 0).unwrap();
+    let of_reader = vec![DialogueFile::ABSENT; files.len()].leak();
+    let reader = lipz_bank::Dialogue::open(of_reader, files.iter().copied()).unwrap();
+    Opened { of_c, reader }
+}
+
+impl Opened {
+    pub(crate) fn clip(&self, key: &str) -> Clip {
+        let (key, length) = ptr(key);
+        // SAFETY: the contract of the library.
+        ask(|out| unsafe { lipz_dialogue_clip_by_key(Some(&self.of_c), key, length, out) }).unwrap()
+    }
+
+    pub(crate) fn name(&self, name: &str) -> Name {
+        let (name, length) = ptr(name);
+        // SAFETY: as above.
+        ask(|out| unsafe { lipz_dialogue_event_name(Some(&self.of_c), name, length, out) }).unwrap()
+    }
+
+    pub(crate) fn locale(&self, tag: &str) -> Result<Locale, Status> {
+        let (tag, length) = ptr(tag);
+        // SAFETY: as above.
+        ask(|out| unsafe { lipz_dialogue_locale(Some(&self.of_c), tag, length, out) })
+    }
 }
 
 pub(crate) fn ptr(text: &str) -> (*const c_char, usize) {
@@ -61,16 +115,38 @@ pub(crate) fn ptr(text: &str) -> (*const c_char, usize) {
 }
 
 pub(crate) fn text_of(string: String) -> &'static str {
-    // SAFETY: strings of a bank that lives as long as the program.
+    // SAFETY: strings of files that live as long as the program.
     let bytes = unsafe { std::slice::from_raw_parts(string.data.cast(), string.length_bytes) };
     std::str::from_utf8(bytes).unwrap()
+}
+
+pub(crate) fn micros(us: i64) -> Time {
+    Time { count: us, seconds: 0.0, rate_hz: 0, reserved: 0 }
+}
+
+pub(crate) fn samples(position: i64, rate_hz: u32) -> Time {
+    Time { count: position, rate_hz, ..micros(0) }
+}
+
+pub(crate) fn seconds(seconds: f64) -> Time {
+    Time { seconds, rate_hz: LIPZ_SECONDS, ..micros(0) }
+}
+
+pub(crate) fn seconds_f32(seconds: f32) -> Time {
+    Time { seconds: seconds.into(), rate_hz: LIPZ_SECONDS_F32, ..micros(0) }
+}
+
+/// The name, unless there is none.
+pub(crate) fn name_of(name: Name) -> Option<&'static str> {
+    (name.bank != LIPZ_NO_NAME).then(|| text_of(name.name))
 }
 
 /// An event as it is written in Lipz files.
 pub(crate) fn written(event: &Event) -> std::string::String {
     let of_specification = ["", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"];
     let verbs = [&of_specification[..], &["nods", "shakes", "breathes", "blinks", "looks away"]].concat();
-    let name = |name: EventName| (name.id != LIPZ_NO_NAME).then(|| text_of(name.name));
-    let words = [name(event.character), verbs.get(event.verb as usize).copied(), name(event.object)];
+    let strength = lipz_bank::Strength::from_thousandths(event.strength_thousandths).to_string();
+    let strength = Some(&*strength).filter(|_| event.strength_thousandths != LIPZ_NO_STRENGTH);
+    let words = [name_of(event.character), verbs.get(event.verb as usize).copied(), name_of(event.object), strength];
     words.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }

@@ -7,7 +7,8 @@ pub use error::BuildError;
 use crate::ids::{self, Language};
 use crate::settings::Settings;
 use crate::{Compiled, Compiler, Input, Options, Outputs, Replace, depend, discover, replace_file};
-use lipz_bank::Bank;
+use lipz_bank::Dialogue;
+use lipz_bank::files::{DialogueError, DialogueFile};
 use lipz_diagnostics::reports::count;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, render};
 use std::env;
@@ -205,7 +206,7 @@ impl Build {
         }
         let path = |extension: &str| folder.join(format!("{name}.{extension}"));
         let bank = path("lipzbank");
-        let (inputs, mut reports) = settings.discover();
+        let (inputs, mut reports) = settings.discover_with_reports();
         let mut ids = String::new();
         let accept = |bank: &[u8]| {
             ids = rust_ids(bank, settings)?;
@@ -240,7 +241,7 @@ impl Build {
 
 #[cfg(feature = "settings")]
 fn read_settings(file: &Path) -> (Settings, Report) {
-    Settings::read(file)
+    Settings::read_with_report(file)
 }
 
 #[cfg(not(feature = "settings"))]
@@ -278,8 +279,10 @@ fn split(
 
 /// The ids of a bank's clips, or which ones are the same.
 fn rust_ids(bank: &[u8], settings: &Settings) -> Result<String, Report> {
-    let damaged = |error: lipz_bank::Error| vec![Diagnostic::new(Code::BankDamaged, error.kind().message())];
-    let ids = Bank::open(bank).map_err(damaged).and_then(|bank| ids::generate(&bank, Language::Rust, None));
+    let damaged = |found: DialogueError| vec![Diagnostic::new(Code::BankDamaged, found.error().kind().message())];
+    let mut files = [DialogueFile::ABSENT];
+    let dialogue = Dialogue::open_unverified(&mut files, [bank]).map_err(damaged);
+    let ids = dialogue.and_then(|dialogue| ids::generate(&dialogue, Language::Rust, None));
     ids.map_err(|diagnostics| {
         let path = settings.sources.first().map(|source| discover::display(source)).unwrap_or_default();
         Report::all_about(path, diagnostics)

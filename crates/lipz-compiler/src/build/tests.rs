@@ -1,6 +1,7 @@
 //! What a build script writes, and what it tells cargo.
 
 use super::*;
+use lipz_bank::Bank;
 use std::fs;
 
 const CLIP: &str = r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text_en-us": "Mayor!" }"#;
@@ -47,7 +48,7 @@ fn the_next_run_gives_the_same_and_remembers() {
     run(scene.path(), |build| build, &[]);
     assert_eq!([outputs()[0].as_slice(), &outputs()[2]], [&bank, &ids], "also if a file was lost");
     let (path, cache) = (scene.path().join("out/dialogue.lipzbank"), scene.path().join("out/dialogue.lipzcache"));
-    let (inputs, _) = discover(&[scene.path().join("voices")], None);
+    let inputs = discover(&[scene.path().join("voices")], None).unwrap();
     let next = Compiler::default().pack_cached(&inputs, &path, &cache);
     assert_eq!((next.recalled, next.is_unchanged), (1, true));
     run(scene.path(), |build| build, &[("no.lipz", CLIP)]);
@@ -97,7 +98,7 @@ fn split_locales_are_files_of_their_own() {
     let (base, german) = (read("dialogue.lipzbank"), read("dialogue.de-de.lipztexts"));
     let bank = Bank::open(&base).unwrap().verify().unwrap();
     assert!(bank.locale("de-de").is_none());
-    assert!(bank.open_texts(&german).unwrap().verify(&bank).is_ok());
+    assert!(bank.with_texts(&german).is_ok());
     let (lines, names) = run(scene.path(), |build| build.split_locales(true), &[("no.lipz", "")]);
     assert!(lines.contains("cargo::error="), "{lines}");
     assert_eq!(names, expected, "what was there stays");
@@ -107,7 +108,12 @@ fn split_locales_are_files_of_their_own() {
 fn dubs_are_banks_of_their_own() {
     let scene = tempfile::tempdir().unwrap();
     let clip = r#"{ "viseme_type": "blair", "visemes": "MAE", "text_en-us": "Mayor!" }"#;
-    let voices = || Options::new().default_locale("en-us").voices(crate::Voices::new("en-us").dub("de-de", "de/{key}"));
+    let voices = || {
+        Options::new()
+            .default_locale("en-us")
+            .unwrap()
+            .voices(crate::Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap())
+    };
     let files = [("mayor.lipz", clip), ("de/mayor.lipz", r#"{ "viseme_type": "blair", "visemes": "EAE" }"#)];
     let build = |build: Build| build.options(voices()).split_locales(true).split_voices(true);
     let (lines, names) = run(scene.path(), build, &files);
@@ -115,11 +121,11 @@ fn dubs_are_banks_of_their_own() {
     assert_eq!(names, ["dialogue.de-de.lipzbank", "dialogue.lipzbank", "dialogue.rs"]);
     let read = |name: &str| fs::read(scene.path().join("out").join(name)).unwrap();
     let banks = [read("dialogue.lipzbank"), read("dialogue.de-de.lipzbank")];
-    let [base, german] = banks.each_ref().map(|bank| Bank::open(bank).unwrap().verify().unwrap());
-    assert!(base.clip_by_key("de/mayor").is_none());
-    let layers = lipz_bank::Layers::new([base, german]).unwrap();
-    let voice = layers.voice("de-de").unwrap();
-    assert_eq!(layers.clip_by_key("mayor").unwrap().in_voice(&voice).clip.key(), "de/mayor");
+    assert!(Bank::open(&banks[0]).unwrap().clip_by_key("de/mayor").is_none());
+    lipz_testkit::dialogues::with(&[&banks[0], &banks[1]], |dialogue| {
+        let voice = dialogue.voice("de-de").unwrap();
+        assert_eq!(dialogue.clip_by_key("mayor").unwrap().in_voice(voice).clip.key(), "de/mayor");
+    });
 }
 
 #[test]
@@ -154,12 +160,12 @@ fn the_settings_beside_the_sources_hold() {
     assert!(lines.starts_with(watched), "{lines}");
     assert!(lines.contains("[LZ0502]") && !lines.contains("error"), "{lines}");
     assert_eq!(names, OUTPUTS);
-    let command = Settings::read(&scene.path().join("voices/lipz.toml")).0;
-    let (inputs, _) = discover(&[scene.path().join("voices")], None);
+    let command = Settings::read(scene.path().join("voices/lipz.toml")).unwrap();
+    let inputs = discover(&[scene.path().join("voices")], None).unwrap();
     let expected = Compiler::new(command.options).compile(&inputs).bank;
     assert_eq!(Some(fs::read(scene.path().join("out/dialogue.lipzbank")).unwrap()), expected);
 
-    let options = Options::new().default_locale("de-de");
+    let options = Options::new().default_locale("de-de").unwrap();
     let (lines, _) = run(scene.path(), |build| build.options(options.clone()), &[]);
     assert!(
         lines.contains("warning=SCENE/voices/lipz.toml: the settings file `SCENE/voices/lipz.toml` is not used"),

@@ -20,13 +20,13 @@ use std::sync::Arc;
 /// # let folder = tempfile::tempdir()?;
 /// # let voices = folder.path();
 /// # std::fs::write(voices.join("mayor.lipz"), r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair" }"#)?;
-/// let (inputs, _) = discover(&[voices.into()], None);
+/// let inputs = discover(&[voices.into()], None)?;
 /// let compiler = Compiler::default();
 /// let first = compiler.compile_again(&inputs, &mut memory);
 /// let second = compiler.compile_again(&inputs, &mut memory);
 /// assert_eq!((first.recalled, second.recalled, second.is_unchanged), (0, 1, true));
 /// assert_eq!(first.bank, second.bank);
-/// # Ok::<(), std::io::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Default)]
 pub struct Memory {

@@ -320,7 +320,7 @@ mod tests {
         let path = |name: &str| folder.path().join(name);
         let (bank, options) = (path("bank"), Options::default());
         std::fs::write(path("a.lipz"), r#"{"visemes":"A-","viseme_type":"blair"}"#).unwrap();
-        let (inputs, _) = crate::discover(&[path("a.lipz")], None);
+        let inputs = crate::discover(&[path("a.lipz")], None).unwrap();
         Compiler::new(options.clone()).pack(&inputs, &bank).into_bank().unwrap();
         let packed = std::fs::read(&bank).unwrap();
         let run = |before: Option<(&Stamps, &OldBank)>, later: Duration| {
@@ -348,7 +348,7 @@ mod tests {
         for number in 0..400 {
             std::fs::write(folder.path().join(format!("{number:03}.lipz")), "{\"text_en-us\":\"Aye.\"}").unwrap();
         }
-        let (inputs, _) = crate::discover(&[folder.path().into()], None);
+        let inputs = crate::discover(&[folder.path().into()], None).unwrap();
         let options = Options::new().threads(3);
         let compiler = Compiler::new(options.clone());
         let stamped = || {

@@ -15,7 +15,7 @@ use zerocopy::FromBytes;
 pub(super) struct Recall<'b> {
     pub(super) old: &'b OldBank,
     pub(super) bank: Bank<'b>,
-    pub(super) locales: Vec<Locale<'b>>,
+    pub(super) locales: Vec<Locale>,
     pub(super) records: &'b [ClipRecord],
     /// Locale by locale one entry per segment.
     pub(super) text_starts: &'b [U32],
@@ -51,7 +51,7 @@ pub(super) fn checksum_of(bank: &[u8]) -> Option<u64> {
 }
 
 /// Makes `clip` the one that was found, but for frames, texts and source record; `None` if an event is damaged.
-pub(crate) fn recall_tables(found: &Clip<'_, '_>, clip: &mut ClipData) -> Option<()> {
+pub(crate) fn recall_tables(found: &Clip<'_>, clip: &mut ClipData) -> Option<()> {
     clip.clear();
     clip.fps = found.fps();
     clip.viseme_type = found.viseme_type();
@@ -125,7 +125,7 @@ impl<'b> Recall<'b> {
     pub(super) fn recaller(&self, locales: &mut Locales) -> Recaller<'_, 'b> {
         Recaller {
             recall: self,
-            locales: self.locales.iter().map(|locale| locales.number(locale.tag(), false)).collect(),
+            locales: self.locales.iter().map(|locale| locales.number(self.bank.locale_tag(*locale), false)).collect(),
             frames: Window::default(),
             sources: Window::default(),
             texts: self.locales.iter().map(|_| Window::default()).collect(),
@@ -134,13 +134,13 @@ impl<'b> Recall<'b> {
     }
 
     /// Where the first text of a clip starts in the locale with this number.
-    fn text_start(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<u32> {
+    fn text_start(&self, clip: &Clip<'_>, locale: usize) -> Option<u32> {
         let start = self.entries(clip, locale)?.first()?.get();
         (start != NO_TEXT).then_some(start)
     }
 
     /// The entries of a clip's texts in the locale with this number, and the one behind them.
-    fn entries(&self, clip: &Clip<'_, '_>, locale: usize) -> Option<&'b [U32]> {
+    fn entries(&self, clip: &Clip<'_>, locale: usize) -> Option<&'b [U32]> {
         let first = locale * self.segment_count + self.records.get(clip.slot() as usize)?.segments_first.get() as usize;
         self.text_starts.get(first..=first + clip.segment_count() as usize)
     }
@@ -165,7 +165,7 @@ impl Recaller<'_, '_> {
 
     /// The clip's own texts, and those of locales that are not packed. The others came from fallback, or from the
     /// original of a dub: both are resolved anew.
-    fn texts(&mut self, found: &Clip<'_, '_>, clip: &mut ClipData) -> Option<()> {
+    fn texts(&mut self, found: &Clip<'_>, clip: &mut ClipData) -> Option<()> {
         let recall = self.recall;
         let original = found.original();
         for (number, &locale) in self.locales.iter().enumerate() {

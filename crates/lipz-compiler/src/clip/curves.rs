@@ -1,6 +1,6 @@
 //! The curves of clips, flat.
 
-use lipz_bank::CurveValue;
+use lipz_bank::curve::CurveValue;
 use std::collections::BTreeMap;
 
 /// A key: frame and value.

@@ -37,7 +37,7 @@ use std::path::Path;
 /// ```
 /// use lipz_compiler::{Compiler, Input, Options};
 /// let file = br#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "text": "Mayor!" }"#;
-/// let compiler = Compiler::new(Options::new().default_locale("en-us"));
+/// let compiler = Compiler::new(Options::new().default_locale("en-us")?);
 /// let bytes = compiler.compile(&[Input::from_bytes("act1/mayor", file)]).into_bank()?;
 /// let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
 /// assert_eq!(bank.clip_by_key("act1/mayor").map(|clip| clip.frame_count()), Some(5));

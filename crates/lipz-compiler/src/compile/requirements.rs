@@ -3,7 +3,8 @@
 use crate::check::locales::in_no_list;
 use crate::fallback::script;
 use crate::{Coverage, MinCoverage, Options, coverage, pseudo, shortfalls};
-use lipz_bank::{Bank, Clip, Locale};
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Bank, Clip, Dialogue, Locale};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::locale;
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,9 +25,12 @@ pub(crate) struct Texts {
 impl Texts {
     /// Those of a bank. Nothing is said of a damaged one, which is found by who verifies it.
     pub(crate) fn of(bank: &[u8], options: &Options) -> Texts {
-        let Ok(bank) = Bank::open(bank) else { return Texts::default() };
+        let mut files = [DialogueFile::ABSENT];
+        let Ok(dialogue) = Dialogue::open_unverified(&mut files, [bank]) else { return Texts::default() };
+        let Some(bank) = dialogue.bank(0) else { return Texts::default() };
         let asks = options.min_coverage != MinCoverage::default();
-        Texts { coverage: if asks { coverage(&bank) } else { Vec::new() }, ..Texts::without_coverage(&bank, options) }
+        let coverage = if asks { coverage(&dialogue) } else { Vec::new() };
+        Texts { coverage, ..Texts::without_coverage(bank, options) }
     }
 
     /// The same for a bank whose coverage was judged before.
@@ -37,8 +41,8 @@ impl Texts {
 
     fn without_coverage(bank: &Bank<'_>, options: &Options) -> Texts {
         Texts {
-            locales: Some(bank.locales().map(|locale| locale.tag().to_owned()).collect()),
-            voices: bank.voices().map(|voice| voice.tag().to_owned()).collect(),
+            locales: Some(bank.locales().map(|locale| bank.locale_tag(locale).to_owned()).collect()),
+            voices: bank.voices().map(|voice| bank.voice_tag(voice).to_owned()).collect(),
             crossed: crossed(bank, options),
             coverage: Vec::new(),
         }
@@ -112,12 +116,13 @@ fn lonely_voice(voice: &str, locales: &[String]) -> Diagnostic {
 /// The locales of a bank whose missing texts another one of the same language may have, but in another script, with that and
 /// with the number of clips of which this is so. What the project names, it has decided.
 fn crossed(bank: &Bank<'_>, options: &Options) -> Vec<(String, String, usize)> {
-    let mut of_language: BTreeMap<&str, Vec<(Locale<'_>, Option<&str>)>> = BTreeMap::new();
-    for locale in bank.locales().filter(|locale| !pseudo::is_pseudo(locale.tag())) {
-        let (tag, script) = (locale.tag(), script(locale.tag()));
+    let mut of_language: BTreeMap<&str, Vec<(Locale, Option<&str>)>> = BTreeMap::new();
+    let tag = |locale: &Locale| bank.locale_tag(*locale);
+    for locale in bank.locales().filter(|locale| !pseudo::is_pseudo(tag(locale))) {
+        let (tag, script) = (tag(&locale), script(tag(&locale)));
         of_language.entry(locale::language(tag)).or_default().push((locale, script));
     }
-    let mut found = Vec::new();
+    let (mut found, default) = (Vec::new(), bank.default_locale());
     for locales in of_language.into_values() {
         let mut scripts: Vec<_> = locales.iter().map(|(_, script)| *script).collect();
         scripts.sort_unstable();
@@ -128,19 +133,19 @@ fn crossed(bank: &Bank<'_>, options: &Options) -> Vec<(String, String, usize)> {
         for &(locale, own) in &locales {
             let others = || locales.iter().filter(|(_, script)| *script != own);
             // The default locale is everybody's last resort.
-            if options.fallbacks.contains_key(locale.tag()) || others().any(|(other, _)| other.is_default()) {
+            if options.fallbacks.contains_key(tag(&locale)) || others().any(|(other, _)| default == Some(*other)) {
                 continue;
             }
             let has_text =
-                |clip: &Clip<'_, '_>, locale| clip.segment(0).is_some_and(|segment| segment.has_own_text(locale));
-            let is_lost = |clip: &Clip<'_, '_>| {
+                |clip: &Clip<'_>, locale| clip.segment(0).is_some_and(|segment| segment.has_own_text(locale));
+            let is_lost = |clip: &Clip<'_>| {
                 let nearer = locales.iter().filter(|(_, script)| *script == own);
                 !nearer.copied().any(|(nearer, _)| has_text(clip, nearer))
                     && others().any(|(other, _)| has_text(clip, *other))
             };
             let count = bank.clips().filter(is_lost).count();
-            let other = others().next().map(|(other, _)| other.tag().to_owned());
-            found.extend(other.map(|other| (locale.tag().to_owned(), other, count)));
+            let other = others().next().map(|(other, _)| tag(other).to_owned());
+            found.extend(other.map(|other| (tag(&locale).to_owned(), other, count)));
         }
     }
     found

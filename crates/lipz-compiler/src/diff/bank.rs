@@ -1,8 +1,10 @@
 //! The differences of banks as a whole: what is about no single clip.
 
 use super::{Change, LocalePair};
-use crate::{BankWithTexts, Coverage, coverage};
-use lipz_bank::{Babble, Bank, FaceProfile};
+use crate::{Coverage, coverage};
+use lipz_bank::Dialogue;
+use lipz_bank::babble::Babble;
+use lipz_bank::face::FaceProfile;
 use std::collections::{BTreeSet, HashMap};
 
 /// How the fallbacks of a locale that both banks have differ.
@@ -40,8 +42,8 @@ pub struct FaceChange<'d> {
 }
 
 pub(super) fn fallbacks<'d>(
-    old: BankWithTexts<'d, '_>,
-    new: BankWithTexts<'d, '_>,
+    old: &Dialogue<'_>,
+    new: &Dialogue<'_>,
     locales: &[LocalePair<'d>],
 ) -> Vec<FallbackChange<'d>> {
     let by_tag = |found: Vec<Coverage>| -> HashMap<String, BTreeSet<String>> {
@@ -55,7 +57,7 @@ pub(super) fn fallbacks<'d>(
     locales.iter().filter_map(&mut change).collect()
 }
 
-pub(super) fn babble<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<BabbleChange<'d>> {
+pub(super) fn babble<'d>(old: &Dialogue<'d>, new: &Dialogue<'d>) -> Vec<BabbleChange<'d>> {
     let names: BTreeSet<&'d str> = old.babbles().chain(new.babbles()).map(|babble| babble.name()).collect();
     let change = |name: &'d str| {
         let profile = Change::between(old.babble(name), new.babble(name))?;
@@ -64,7 +66,7 @@ pub(super) fn babble<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<BabbleChange<'d>
     names.into_iter().filter_map(change).collect()
 }
 
-pub(super) fn faces<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<FaceChange<'d>> {
+pub(super) fn faces<'d>(old: &Dialogue<'d>, new: &Dialogue<'d>) -> Vec<FaceChange<'d>> {
     let names: BTreeSet<&'d str> = old.face_profiles().chain(new.face_profiles()).map(|face| face.name()).collect();
     let change = |name: &'d str| {
         let profile = Change::between(old.face_profile(name), new.face_profile(name))?;

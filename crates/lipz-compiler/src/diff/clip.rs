@@ -83,11 +83,7 @@ pub struct CurveChange<'d> {
 
 impl<'d> ClipChange<'d> {
     /// How the clips differ, apart from their keys; `None` if they do not.
-    pub(super) fn between(
-        old: &Clip<'d, '_>,
-        new: &Clip<'d, '_>,
-        locales: &[LocalePair<'d>],
-    ) -> Option<ClipChange<'d>> {
+    pub(super) fn between(old: &Clip<'d>, new: &Clip<'d>, locales: &[LocalePair<'d>]) -> Option<ClipChange<'d>> {
         let change = ClipChange {
             key: new.key(),
             fps: Change::between(old.fps(), new.fps()),
@@ -105,8 +101,8 @@ impl<'d> ClipChange<'d> {
 }
 
 /// The curves of which the keys differ.
-fn curves<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>) -> Vec<CurveChange<'d>> {
-    let of = |clip: &Clip<'d, '_>| -> BTreeMap<&'d str, String> {
+fn curves<'d>(old: &Clip<'d>, new: &Clip<'d>) -> Vec<CurveChange<'d>> {
+    let of = |clip: &Clip<'d>| -> BTreeMap<&'d str, String> {
         clip.curves().map(|curve| (curve.name().as_str(), curve.to_string())).collect()
     };
     let (old, new) = (of(old), of(new));
@@ -116,8 +112,8 @@ fn curves<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>) -> Vec<CurveChange<'d>> {
     names.into_iter().filter_map(change).collect()
 }
 
-fn frames(old: &Clip<'_, '_>, new: &Clip<'_, '_>) -> Option<FramesChange> {
-    let count = |clip: &Clip<'_, '_>| clip.has_visemes().then(|| clip.frame_count());
+fn frames(old: &Clip<'_>, new: &Clip<'_>) -> Option<FramesChange> {
+    let count = |clip: &Clip<'_>| clip.has_visemes().then(|| clip.frame_count());
     let counts = Change { old: count(old), new: count(new) };
     let (old, new) = (old.frames(), new.frames());
     if old == new && counts.old == counts.new {
@@ -130,34 +126,30 @@ fn frames(old: &Clip<'_, '_>, new: &Clip<'_, '_>) -> Option<FramesChange> {
     Some(FramesChange { counts, differing: differing as u32, first: first.map(|first| first as u32) })
 }
 
-fn starts(clip: &Clip<'_, '_>) -> Vec<u32> {
+fn starts(clip: &Clip<'_>) -> Vec<u32> {
     clip.segments().map(|segment| segment.start_frame()).collect()
 }
 
 /// Calls `look` with each segment that one of the clips has, and its number.
-fn each_segment<'d, 'b>(
-    old: &Clip<'d, 'b>,
-    new: &Clip<'d, 'b>,
-    mut look: impl FnMut(u32, Change<Option<Segment<'d, 'b>>>),
-) {
+fn each_segment<'d>(old: &Clip<'d>, new: &Clip<'d>, mut look: impl FnMut(u32, Change<Option<Segment<'d>>>)) {
     for segment in 0..old.segment_count().max(new.segment_count()) {
         look(segment, Change { old: old.segment(segment), new: new.segment(segment) });
     }
 }
 
 /// The own texts that differ; if there are none, the borrowed ones.
-fn texts<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>, locales: &[LocalePair<'d>]) -> Vec<TextChange<'d>> {
+fn texts<'d>(old: &Clip<'d>, new: &Clip<'d>, locales: &[LocalePair<'d>]) -> Vec<TextChange<'d>> {
     let own = texts_that(old, new, locales, false);
     if own.is_empty() { texts_that(old, new, locales, true) } else { own }
 }
 
 fn texts_that<'d>(
-    old: &Clip<'d, '_>,
-    new: &Clip<'d, '_>,
+    old: &Clip<'d>,
+    new: &Clip<'d>,
     locales: &[LocalePair<'d>],
     is_fallback: bool,
 ) -> Vec<TextChange<'d>> {
-    let text = |segment: Option<Segment<'d, '_>>, locale: Option<Locale<'d>>| {
+    let text = |segment: Option<Segment<'d>>, locale: Option<Locale>| {
         let text = segment?.text(locale?)?;
         (text.is_fallback() == is_fallback).then_some(text.as_str())
     };
@@ -174,8 +166,8 @@ fn texts_that<'d>(
     found
 }
 
-fn events<'d>(old: &Clip<'d, '_>, new: &Clip<'d, '_>) -> Vec<EventChange<'d>> {
-    let event = |segment: Option<Segment<'d, '_>>| segment?.event();
+fn events<'d>(old: &Clip<'d>, new: &Clip<'d>) -> Vec<EventChange<'d>> {
+    let event = |segment: Option<Segment<'d>>| segment?.event();
     let mut found = Vec::new();
     each_segment(old, new, |segment, both| {
         found.extend(Change::between(event(both.old), event(both.new)).map(|event| EventChange { segment, event }));

@@ -2,7 +2,9 @@
 
 use super::{Change, Difference};
 use crate::json::{Face, KnownRecording, Profile, ratio};
-use lipz_bank::{Babble, FaceProfile, Fps, Recording, VisemeType};
+use lipz_bank::babble::Babble;
+use lipz_bank::face::FaceProfile;
+use lipz_bank::{Fps, Recording, VisemeType};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// With whether there is any difference, which is no field.

@@ -1,4 +1,4 @@
-//! What a program would notice if one bank took the place of another.
+//! What a program would notice if one dialogue took the place of another.
 //!
 //! Compared is what the reader answers: frame rates, frames, segments, display texts, events, curves, locales,
 //! babble and face profiles, voices. How the source files were spelled, and whether a bank keeps them, makes no
@@ -16,8 +16,8 @@ pub use clip::{ClipChange, CurveChange, EventChange, FramesChange, TextChange};
 pub use renamed::Renamed;
 pub use voices::DubChange;
 
-use crate::BankWithTexts;
-use lipz_bank::Locale;
+use crate::dialogue::{TaggedLocale, clips_by_key, locales_by_tag};
+use lipz_bank::{Clip, Dialogue, Locale};
 use std::collections::BTreeMap;
 
 /// An old value and the new one.
@@ -44,7 +44,7 @@ impl<T> Change<T> {
     }
 }
 
-/// The differences of two banks. Keys and locale tags are sorted.
+/// The differences of two dialogues, here called banks. Keys and locale tags are sorted.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
 pub struct Difference<'d> {
@@ -87,80 +87,74 @@ impl Difference<'_> {
     }
 }
 
-/// Compares two verified banks.
+/// Compares two verified dialogues.
 ///
 /// ```
-/// use lipz_bank::Bank;
+/// use lipz_bank::Dialogue;
+/// use lipz_bank::files::DialogueFile;
 /// use lipz_compiler::{Compiler, Input, diff};
 /// let pack = |text| Compiler::default().compile(&[Input::from_bytes("aye", text)]).bank;
 /// let old = pack(r#"{ "text_en-us": "Aye." }"#).ok_or("no bank")?;
 /// let new = pack(r#"{ "text_en-us": "Aye, aye." }"#).ok_or("no bank")?;
-/// let (old, new) = (Bank::open(&old)?.verify()?, Bank::open(&new)?.verify()?);
+/// let mut files = [[DialogueFile::ABSENT]; 2];
+/// let [old_files, new_files] = &mut files;
+/// let old = Dialogue::open(old_files, [old.as_slice()])?;
+/// let new = Dialogue::open(new_files, [new.as_slice()])?;
 /// let difference = diff::diff(&old, &new);
 /// assert_eq!(difference.changed[0].texts[0].text.new, Some("Aye, aye."));
 /// assert!(diff::diff(&old, &old).is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn diff<'d, 'old, 'new>(
-    old: impl Into<BankWithTexts<'d, 'old>>,
-    new: impl Into<BankWithTexts<'d, 'new>>,
-) -> Difference<'d>
-where
-    'd: 'old + 'new,
-{
-    let (old_whole, new_whole): (BankWithTexts<'d, 'old>, BankWithTexts<'d, 'new>) = (old.into(), new.into());
-    let (old, new) = (old_whole.bank(), new_whole.bank());
-    let locales = LocalePair::all(old_whole, new_whole);
+pub fn diff<'d>(old: &'d Dialogue<'d>, new: &'d Dialogue<'d>) -> Difference<'d> {
+    let (old_locales, new_locales) = (locales_by_tag(old), locales_by_tag(new));
+    let locales = LocalePair::all(&old_locales, &new_locales);
     let only_in = |other: fn(&LocalePair<'d>) -> bool| {
         let tags = locales.iter().filter(|pair| other(pair)).map(|pair| pair.tag);
         tags.collect::<Vec<_>>()
     };
+    let default = |locales: &[TaggedLocale<'d>]| locales.iter().find(|locale| locale.is_default).map(|found| found.tag);
     let mut difference = Difference {
         added_locales: only_in(|pair| pair.old.is_none()),
         removed_locales: only_in(|pair| pair.new.is_none()),
-        default_locale: Change::between(default_tag(old_whole), default_tag(new_whole)),
-        fallbacks: bank::fallbacks(old_whole, new_whole, &locales),
+        default_locale: Change::between(default(&old_locales), default(&new_locales)),
+        fallbacks: bank::fallbacks(old, new, &locales),
         babble: bank::babble(old, new),
         voices: Change::between(voices::tags(old), voices::tags(new)),
         dubs: voices::dubs(old, new),
         faces: bank::faces(old, new),
         ..Difference::default()
     };
-    for clip in old.clips() {
+    for clip in clips_by_key(old) {
         match new.clip_by_key(clip.key()).map(|other| ClipChange::between(&clip, &other, &locales)) {
             None => difference.removed.push(clip.key()),
             Some(None) => difference.same += 1,
             Some(Some(change)) => difference.changed.push(change),
         }
     }
-    let added = new.clips().filter(|clip| old.clip_by_key(clip.key()).is_none());
-    difference.added = added.map(|clip| clip.key()).collect();
+    let new_clips = clips_by_key(new);
+    let added = new_clips.iter().filter(|clip| old.clip_by_key(clip.key()).is_none());
+    difference.added = added.map(Clip::key).collect();
     renamed::find(&mut difference, old, new, &locales);
     difference
-}
-
-/// The default locale of a bank.
-fn default_tag<'d>(bank: BankWithTexts<'d, '_>) -> Option<&'d str> {
-    bank.locales().iter().find(|locale| locale.is_default()).map(Locale::tag)
 }
 
 /// One locale in both banks.
 struct LocalePair<'d> {
     tag: &'d str,
-    old: Option<Locale<'d>>,
-    new: Option<Locale<'d>>,
+    old: Option<Locale>,
+    new: Option<Locale>,
 }
 
 impl<'d> LocalePair<'d> {
     /// The locales of either bank, sorted.
-    fn all(old: BankWithTexts<'d, '_>, new: BankWithTexts<'d, '_>) -> Vec<LocalePair<'d>> {
+    fn all(old: &[TaggedLocale<'d>], new: &[TaggedLocale<'d>]) -> Vec<LocalePair<'d>> {
         let mut pairs: BTreeMap<&str, LocalePair<'d>> = BTreeMap::new();
         let absent = |tag| LocalePair { tag, old: None, new: None };
-        for locale in old.locales() {
-            pairs.entry(locale.tag()).or_insert_with_key(|tag| absent(tag)).old = Some(locale);
+        for locale in old {
+            pairs.entry(locale.tag).or_insert_with_key(|tag| absent(tag)).old = Some(locale.locale);
         }
-        for locale in new.locales() {
-            pairs.entry(locale.tag()).or_insert_with_key(|tag| absent(tag)).new = Some(locale);
+        for locale in new {
+            pairs.entry(locale.tag).or_insert_with_key(|tag| absent(tag)).new = Some(locale.locale);
         }
         pairs.into_values().collect()
     }

@@ -2,7 +2,7 @@
 
 use super::{ClipChange, Difference, LocalePair};
 use foldhash::fast::FixedState;
-use lipz_bank::{Bank, Clip, Locale};
+use lipz_bank::{Clip, Dialogue, Locale};
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::hash::{BuildHasher, Hash, Hasher};
 
@@ -17,10 +17,15 @@ pub struct Renamed<'d> {
 }
 
 /// Pairs removed clips with equal added ones, in the order of their keys.
-pub(super) fn find<'d>(difference: &mut Difference<'d>, old: &Bank<'d>, new: &Bank<'d>, locales: &[LocalePair<'d>]) {
-    let old_locales: Vec<Locale<'d>> = locales.iter().filter_map(|pair| pair.old).collect();
-    let new_locales: Vec<Locale<'d>> = locales.iter().filter_map(|pair| pair.new).collect();
-    let mut candidates: HashMap<u64, VecDeque<Clip<'d, '_>>> = HashMap::new();
+pub(super) fn find<'d>(
+    difference: &mut Difference<'d>,
+    old: &'d Dialogue<'d>,
+    new: &'d Dialogue<'d>,
+    locales: &[LocalePair<'d>],
+) {
+    let old_locales: Vec<_> = locales.iter().filter_map(|pair| Some((pair.tag, pair.old?))).collect();
+    let new_locales: Vec<_> = locales.iter().filter_map(|pair| Some((pair.tag, pair.new?))).collect();
+    let mut candidates: HashMap<u64, VecDeque<Clip<'_>>> = HashMap::new();
     for clip in difference.added.iter().filter_map(|key| new.clip_by_key(key)) {
         candidates.entry(digest(&clip, &new_locales)).or_default().push_back(clip);
     }
@@ -40,14 +45,14 @@ pub(super) fn find<'d>(difference: &mut Difference<'d>, old: &Bank<'d>, new: &Ba
 }
 
 /// A hash of what [`ClipChange::between`] compares; equal clips have equal ones.
-fn digest(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> u64 {
+fn digest(clip: &Clip<'_>, locales: &[(&str, Locale)]) -> u64 {
     let mut hasher = FixedState::default().build_hasher();
     (clip.frames(), clip.segment_count()).hash(&mut hasher);
     for segment in clip.segments() {
         segment.event().hash(&mut hasher);
-        for locale in locales {
+        for (tag, locale) in locales {
             if let Some(text) = segment.text(*locale).filter(|text| !text.is_fallback()) {
-                (locale.tag(), text.as_str()).hash(&mut hasher);
+                (tag, text.as_str()).hash(&mut hasher);
             }
         }
     }

@@ -3,19 +3,20 @@
 use super::*;
 use crate::settings::Settings;
 use crate::{Compiler, Input, Options, SplitBank};
-use lipz_bank::{Babble, Bank};
-use std::path::Path;
+use lipz_bank::Dialogue;
+use lipz_bank::babble::Babble;
+use lipz_testkit::dialogues::{places, with};
 
 /// A bank of these files, by key and text.
 pub(super) fn bank(files: &[(&str, &str)]) -> Vec<u8> {
     let inputs: Vec<_> = files.iter().map(|(key, text)| Input::from_bytes(*key, *text)).collect();
-    let options = Options::new().default_locale("en-us");
+    let options = Options::new().default_locale("en-us").unwrap();
     Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
 }
 
 fn compare<R>(old: &[(&str, &str)], new: &[(&str, &str)], look: impl FnOnce(&Difference<'_>) -> R) -> R {
     let (old, new) = (bank(old), bank(new));
-    look(&diff(&Bank::open(&old).unwrap().verify().unwrap(), &Bank::open(&new).unwrap().verify().unwrap()))
+    with(&[&old], |old| with(&[&new], |new| look(&diff(old, new))))
 }
 
 const AYE: &str = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AAA|MM-", "text_en-us": "Aye.|{to Mara} Aye!",
@@ -75,11 +76,13 @@ fn another_fallback_is_a_difference_of_its_own() {
     let clips = [("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja." }"#), ("b", r#"{ "text_ja-jp": "はい" }"#)];
     let pack = |default: &str| {
         let inputs = clips.map(|(key, text)| Input::from_bytes(key, text));
-        let options = Options::new().default_locale(default);
+        let options = Options::new().default_locale(default).unwrap();
         Compiler::new(options.clone()).compile(&inputs).bank.unwrap()
     };
     let (old, new) = (pack("en-us"), pack("de-de"));
-    let (old, new) = (Bank::open(&old).unwrap(), Bank::open(&new).unwrap());
+    let (mut old_files, mut new_files) = (places(1), places(1));
+    let old = Dialogue::open(&mut old_files, [old.as_slice()]).unwrap();
+    let new = Dialogue::open(&mut new_files, [new.as_slice()]).unwrap();
     let difference = diff(&old, &new);
     assert_eq!(difference.default_locale, Some(Change { old: Some("en-us"), new: Some("de-de") }));
     let text = &difference.changed[0].texts[0];
@@ -92,10 +95,12 @@ fn fallbacks_and_babble_of_the_bank_are_compared() {
     let clip = Input::from_bytes("a", r#"{ "text_en-us": "Aye.", "text_de-de": "Ja.", "text_de-at": "Ja." }"#);
     let other = Input::from_bytes("b", r#"{ "text_en-us": "No.", "text_de-de": "No." }"#);
     let pack = |options: Options| Compiler::new(options.clone()).compile(&[clip.clone(), other.clone()]).bank.unwrap();
-    let project = |toml: &str| pack(Settings::parse(toml.as_bytes(), "", Path::new("")).0.options);
+    let project = |toml: &str| pack(Settings::parse(toml, "", "").unwrap().options);
     let old = project("[fallbacks]\nde-at = [\"de-de\"]\n[babble.robot]\nrate = 12\n[babble.ghost]\n");
     let new = project("[fallbacks]\nde-at = [\"en-us\"]\n[babble.robot]\nrate = 30\n");
-    let (old, new) = (Bank::open(&old).unwrap(), Bank::open(&new).unwrap());
+    let (mut old_files, mut new_files) = (places(1), places(1));
+    let old = Dialogue::open(&mut old_files, [old.as_slice()]).unwrap();
+    let new = Dialogue::open(&mut new_files, [new.as_slice()]).unwrap();
     let difference = diff(&old, &new);
     let from = |tag: &str| [tag.to_owned()].into();
     let change = Change { old: from("de-de"), new: from("en-us") };
@@ -113,11 +118,15 @@ fn fallbacks_and_babble_of_the_bank_are_compared() {
 fn a_split_bank_is_the_whole() {
     let whole = bank(&[("a", AYE), ("b", r#"{ "text_en-us": "No." }"#)]);
     let split = SplitBank::from_bytes(&whole).unwrap();
-    let (whole, base) = (Bank::open(&whole).unwrap(), Bank::open(&split.base).unwrap());
-    let texts: Vec<_> = split.texts.iter().map(|(_, texts)| base.open_texts(texts).unwrap()).collect();
-    let difference = diff(&whole, BankWithTexts::new(&base, &texts));
-    assert!(difference.is_empty(), "{difference:?}");
-    assert_eq!(diff(&whole, BankWithTexts::new(&base, &texts[1..])).removed_locales, ["de-de"]);
+    let files: Vec<&[u8]> =
+        std::iter::once(&split.base).chain(split.texts.iter().map(|(_, texts)| texts)).map(Vec::as_slice).collect();
+    with(&[&whole], |whole| {
+        with(&files, |split| {
+            let difference = diff(whole, split);
+            assert!(difference.is_empty(), "{difference:?}");
+        });
+        with(&[files[0], files[2]], |split| assert_eq!(diff(whole, split).removed_locales, ["de-de"]));
+    });
 }
 
 #[test]

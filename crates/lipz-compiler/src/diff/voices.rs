@@ -1,7 +1,8 @@
 //! The differences of voices: which clips are played instead of others.
 
 use super::Change;
-use lipz_bank::{Bank, Spoken};
+use crate::dialogue::clips_by_key;
+use lipz_bank::{Dialogue, Spoken};
 use std::collections::BTreeSet;
 
 /// How a line is played in a voice that both banks have.
@@ -17,22 +18,22 @@ pub struct DubChange<'d> {
     pub clip: Change<Option<&'d str>>,
 }
 
-/// The locales of the voices of a bank: that of the originals first.
-pub(super) fn tags<'d>(bank: &Bank<'d>) -> Vec<&'d str> {
-    bank.voices().map(|voice| voice.tag()).collect()
+/// The locales of the voices of a dialogue: that of the originals first.
+pub(super) fn tags<'d>(dialogue: &Dialogue<'d>) -> Vec<&'d str> {
+    dialogue.voices().map(|voice| dialogue.voice_tag(voice)).collect()
 }
 
 /// The lines that are played otherwise, voice by voice in the order of their keys. Clips that only one bank has are told
 /// as such.
-pub(super) fn dubs<'d>(old: &Bank<'d>, new: &Bank<'d>) -> Vec<DubChange<'d>> {
+pub(super) fn dubs<'d>(old: &'d Dialogue<'d>, new: &'d Dialogue<'d>) -> Vec<DubChange<'d>> {
     let voices: BTreeSet<&'d str> = tags(old).into_iter().chain(tags(new)).collect();
-    let played = |bank: &Bank<'d>, key: &str, tag: &str| {
-        let voiced = bank.clip_by_key(key)?.in_voice(bank.voice(tag)?);
+    let played = |dialogue: &'d Dialogue<'d>, key: &str, tag: &str| {
+        let voiced = dialogue.clip_by_key(key)?.in_voice(dialogue.voice(tag)?);
         (voiced.spoken != Spoken::Original).then(|| voiced.clip.key())
     };
-    let mut found = Vec::new();
+    let (mut found, clips) = (Vec::new(), clips_by_key(old));
     for voice in voices.into_iter().filter(|voice| old.voice(voice).is_some() && new.voice(voice).is_some()) {
-        for clip in old.clips().filter(|clip| clip.original().is_none() && new.clip_by_key(clip.key()).is_some()) {
+        for clip in clips.iter().filter(|clip| clip.original().is_none() && new.clip_by_key(clip.key()).is_some()) {
             let (key, change) =
                 (clip.key(), Change::between(played(old, clip.key(), voice), played(new, clip.key(), voice)));
             found.extend(change.map(|clip| DubChange { voice, key, clip }));

@@ -1,7 +1,8 @@
 //! Coverage of voices: which lines of a bank are dubbed.
 
 use crate::Voices;
-use lipz_bank::{Bank, Clip, Recording, Spoken, Voice};
+use crate::dialogue::clips_by_key;
+use lipz_bank::{Clip, Dialogue, Recording, Spoken, Voice};
 use std::collections::BTreeMap;
 
 /// How the lines of a bank are covered by the dubs of one voice. Lines are clips with mouth shapes that are no dubs.
@@ -37,24 +38,25 @@ impl VoiceCoverage {
     }
 }
 
-/// The coverage of each voice of a bank, in its order: that of the originals comes first. None for a bank without dubs.
+/// The coverage of each voice of a dialogue: that of the originals comes first. None without dubs.
 ///
 /// ```
 /// use lipz_compiler::{Compiler, Input, Options, Voices, voice_coverage};
 /// let file = r#"{ "visemes": "MAE", "text_en-us": "Aye." }"#;
 /// let inputs = ["aye", "de/aye", "no"].map(|key| Input::from_bytes(key, file));
-/// let options = Options::new().voices(Voices::new("en-us").dub("de-de", "de/{key}"));
+/// let options = Options::new().voices(Voices::new("en-us")?.dub("de-de", "de/{key}")?);
 /// let bytes = Compiler::new(options).compile(&inputs).bank.ok_or("no bank")?;
-/// let german = &voice_coverage(&lipz_bank::Bank::open(&bytes)?.verify()?)[1];
+/// let mut files = [lipz_bank::files::DialogueFile::ABSENT];
+/// let german = &voice_coverage(&lipz_bank::Dialogue::open(&mut files, [bytes.as_slice()])?)[1];
 /// assert_eq!((german.tag.as_str(), german.percent()), ("de-de", 50.0));
 /// assert_eq!(german.missing, ["no"]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn voice_coverage(bank: &Bank<'_>) -> Vec<VoiceCoverage> {
-    let lines = lines(bank);
-    let of_voice = |voice: Voice<'_>| {
+pub fn voice_coverage(dialogue: &Dialogue<'_>) -> Vec<VoiceCoverage> {
+    let lines = lines(dialogue);
+    let of_voice = |voice: Voice| {
         let mut found = VoiceCoverage {
-            tag: voice.tag().to_owned(),
+            tag: dialogue.voice_tag(voice).to_owned(),
             is_original: voice.is_original(),
             lines: lines.len(),
             ..VoiceCoverage::default()
@@ -63,7 +65,7 @@ pub fn voice_coverage(bank: &Bank<'_>) -> Vec<VoiceCoverage> {
             let voiced = line.in_voice(voice);
             match voiced.spoken {
                 Spoken::OtherDub => {
-                    let other = voiced.clip.voice().map_or("", |voice| voice.tag());
+                    let other = voiced.clip.voice().map_or("", |voice| dialogue.voice_tag(voice));
                     found.other_voices.entry(other.to_owned()).or_default().push(line.key().to_owned());
                 }
                 Spoken::Original if !found.is_original => found.missing.push(line.key().to_owned()),
@@ -79,16 +81,16 @@ pub fn voice_coverage(bank: &Bank<'_>) -> Vec<VoiceCoverage> {
         }
         found
     };
-    bank.voices().map(of_voice).collect()
+    dialogue.voices().map(of_voice).collect()
 }
 
 /// The same for the voices that a project plans, of which a bank knows nothing while nobody has recorded a dub: the lines of all
 /// but the original's are missing.
-pub fn voice_coverage_of(bank: &Bank<'_>, planned: &Voices) -> Vec<VoiceCoverage> {
-    let found = voice_coverage(bank);
+pub fn voice_coverage_of(dialogue: &Dialogue<'_>, planned: &Voices) -> Vec<VoiceCoverage> {
+    let found = voice_coverage(dialogue);
     let Some(original) = planned.original.as_ref().filter(|_| found.is_empty()) else { return found };
-    let lines = lines(bank);
-    let length_us = |clip: &Clip<'_, '_>| clip.duration_us().unwrap_or(0);
+    let lines = lines(dialogue);
+    let length_us = |clip: &Clip<'_>| clip.duration_us().unwrap_or(0);
     let all_us = lines.iter().map(length_us).fold(0, u64::saturating_add);
     let recordings = lines.iter().map(|clip| clip.recording().map_or(0, Recording::length_us));
     let of_original = VoiceCoverage {
@@ -112,6 +114,7 @@ pub fn voice_coverage_of(bank: &Bank<'_>, planned: &Voices) -> Vec<VoiceCoverage
 }
 
 /// Clips with mouth shapes that are no dubs.
-fn lines<'data, 'bank>(bank: &'bank Bank<'data>) -> Vec<Clip<'data, 'bank>> {
-    bank.clips().filter(|clip| clip.frame_count() > 0 && clip.original().is_none()).collect()
+fn lines<'d>(dialogue: &'d Dialogue<'d>) -> Vec<Clip<'d>> {
+    let clips = clips_by_key(dialogue).into_iter();
+    clips.filter(|clip| clip.frame_count() > 0 && clip.original().is_none()).collect()
 }

@@ -19,18 +19,20 @@ pub(crate) struct KeptDubs {
 impl KeptDubs {
     /// Those of a bank.
     pub(crate) fn of(bank: &Bank<'_>) -> KeptDubs {
-        let mut kept =
-            KeptDubs { voices: bank.voices().map(|voice| voice.tag().to_owned()).collect(), ..Self::default() };
+        let mut kept = KeptDubs {
+            voices: bank.voices().map(|voice| bank.voice_tag(voice).to_owned()).collect(),
+            ..Self::default()
+        };
         for clip in bank.clips() {
             let key = clip.key().to_owned();
             if let (Some(original), Some(voice)) = (clip.original(), clip.voice()) {
-                kept.originals.insert(key, (voice.tag().to_owned(), original.key().to_owned()));
+                kept.originals.insert(key, (bank.voice_tag(voice).to_owned(), original.key().to_owned()));
                 continue;
             }
             for voice in bank.voices() {
                 let voiced = clip.in_voice(voice);
                 if voiced.spoken == Spoken::OtherDub {
-                    kept.others.insert((key.clone(), voice.tag().to_owned()), voiced.clip.key().to_owned());
+                    kept.others.insert((key.clone(), bank.voice_tag(voice).to_owned()), voiced.clip.key().to_owned());
                 }
             }
         }

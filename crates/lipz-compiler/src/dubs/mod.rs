@@ -97,9 +97,9 @@ fn dub(clip: &Clip<'_>, clips: &[Clip<'_>], voices: &Voices, tags: &[String]) ->
 }
 
 /// Whether a clip of a bank has no text of its own in `locale`, but that of its original, if it is a dub.
-pub(crate) fn borrows(clip: &BankClip<'_, '_>, original: Option<&BankClip<'_, '_>>, locale: Locale<'_>) -> bool {
+pub(crate) fn borrows(clip: &BankClip<'_>, original: Option<&BankClip<'_>>, locale: Locale) -> bool {
     let Some(original) = original else { return false };
     // A dub's own texts have a place of their own, even if they are the original's letter by letter.
-    let place = |segment: Segment<'_, '_>| segment.text_bytes(locale).map(<[u8]>::as_ptr_range);
+    let place = |segment: Segment<'_>| segment.text_bytes(locale).map(<[u8]>::as_ptr_range);
     original.segments().map(place).eq(clip.segments().map(place))
 }

@@ -59,7 +59,7 @@ mod tests {
     }
 
     fn default(tag: &str) -> Options {
-        Options::new().default_locale(tag)
+        Options::new().default_locale(tag).unwrap()
     }
 
     #[test]
@@ -79,7 +79,7 @@ mod tests {
         assert_eq!(chain_of("zh-hk", &chinese, &default("en-us")), ["zh-tw", "en-us"]);
         assert_eq!(chain_of("zh-sg", &chinese, &default("en-us")), ["zh-cn", "en-us"]);
         assert_eq!(chain_of("zh-tw", &chinese, &default("zh-cn")), ["zh-hk", "zh-cn"], "the default is a choice");
-        let named = default("en-us").fallback("zh-tw", ["zh-cn"]);
+        let named = default("en-us").fallback("zh-tw", ["zh-cn"]).unwrap();
         assert_eq!(chain_of("zh-tw", &chinese, &named), ["zh-cn"]);
         let others = ["az-az", "az-ir", "pa-in", "pa-pk", "sr-me", "sr-rs", "uz-af", "uz-uz"];
         for tag in others {

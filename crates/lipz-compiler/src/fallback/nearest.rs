@@ -118,10 +118,10 @@ mod tests {
             named in proptest::collection::btree_map(
                 proptest::sample::select(&TAGS[..]), proptest::sample::subsequence(&TAGS[..], 0..4), 0..3),
         ) {
-            let mut options = Options::new();
+            let mut options = Options::new().extended_locales(true);
             options.default_locale = default.map(str::to_owned);
             for (tag, chain) in named {
-                options = options.fallback(tag, chain);
+                options = options.fallback(tag, chain).unwrap();
             }
             let mut fallbacks = Fallbacks::new(&chosen, &options);
             for own in own {

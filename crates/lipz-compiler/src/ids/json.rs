@@ -1,12 +1,12 @@
 //! Ids as JSON, for tools that make their own code.
 
-use lipz_bank::Bank;
+use lipz_bank::Clip;
 use serde_json::{Value, json};
 
 /// `{ "clips": { KEY: ID, … }, "locales": [ … ] }`. Ids are strings: JSON's numbers lose digits of
 /// large ones in many readers.
-pub(super) fn object(bank: &Bank<'_>, locales: &[&str]) -> String {
-    let ids = super::asked_for(bank).map(|clip| (clip.key().to_owned(), Value::from(clip.id().to_string())));
+pub(super) fn object(clips: &[Clip<'_>], locales: &[&str]) -> String {
+    let ids = clips.iter().map(|clip| (clip.key().to_owned(), Value::from(clip.id().to_string())));
     let clips = Value::Object(ids.collect());
     format!("{:#}\n", json!({ "clips": clips, "locales": locales }))
 }

@@ -1,4 +1,4 @@
-//! Constants for programs: the clip ids and locales of a bank as source code, so that a misspelt key
+//! Constants for programs: the clip ids and locales of a dialogue as source code, so that a misspelt key
 //! does not compile.
 //!
 //! An identifier is made of the words of a key, part by part: runs of letters, digits and other
@@ -26,7 +26,8 @@ mod tree;
 mod typescript;
 mod words;
 
-use lipz_bank::{Bank, Clip};
+use crate::dialogue::{clips_by_key, locales_by_tag};
+use lipz_bank::{Clip, Dialogue};
 use lipz_diagnostics::Diagnostic;
 use tree::Folder;
 
@@ -88,7 +89,7 @@ impl Language {
     }
 }
 
-/// The ids of a bank's clips but dubs, and its locales, as source code.
+/// The ids of a dialogue's clips but dubs, and its locales, as source code.
 ///
 /// `prefix` replaces the language's own; one that [`Language::accepts_prefix`] refuses is not used.
 ///
@@ -98,30 +99,36 @@ impl Language {
 ///
 /// let file = Input::from_bytes("act1/mara-hello", r#"{ "text_en-us": "Hello, Otto." }"#);
 /// let bytes = Compiler::default().compile(&[file]).bank.ok_or("errors")?;
-/// let header = generate(&lipz_bank::Bank::open(&bytes)?, Language::C, None).map_err(|_| "clashes")?;
+/// let mut files = [lipz_bank::files::DialogueFile::ABSENT];
+/// let dialogue = lipz_bank::Dialogue::open(&mut files, [bytes.as_slice()])?;
+/// let header = generate(&dialogue, Language::C, None).map_err(|_| "clashes")?;
 /// assert!(header.contains("#define LIPZ_ID_ACT1_MARA_HELLO UINT64_C(0x"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// Keys that have the same identifier in this language.
-pub fn generate(bank: &Bank<'_>, language: Language, prefix: Option<&str>) -> Result<String, Vec<Diagnostic>> {
+pub fn generate(dialogue: &Dialogue<'_>, language: Language, prefix: Option<&str>) -> Result<String, Vec<Diagnostic>> {
     let prefix =
         prefix.filter(|prefix| language.accepts_prefix(prefix)).or(language.default_prefix()).unwrap_or_default();
-    let locales: Vec<&str> = bank.locales().map(|locale| locale.tag()).collect();
-    let tree = |naming| Folder::from_bank(bank, naming, language.name());
+    let of_dialogue = locales_by_tag(dialogue);
+    let locales: Vec<&str> = of_dialogue.iter().map(|locale| locale.tag).collect();
+    let clips = asked_for(dialogue);
+    let tree = |naming| Folder::new(&clips, &of_dialogue, naming, language.name());
     Ok(match language {
         Language::Rust => rust::module(&tree(rust::identifiers)?, &locales),
         Language::C => c::header(&tree(c::identifiers)?, &locales, prefix),
         Language::CSharp => csharp::file(&tree(csharp::identifiers)?, &locales, prefix),
-        Language::TypeScript => typescript::module(&tree(typescript::identifiers)?, &locales, bank),
-        Language::Json => json::object(bank, &locales),
+        Language::TypeScript => typescript::module(&tree(typescript::identifiers)?, &locales, &clips),
+        Language::Json => json::object(&clips, &locales),
     })
 }
 
 /// The clips that programs ask for by their ids: dubs are found by those of their originals.
-fn asked_for<'data, 'bank>(bank: &'bank Bank<'data>) -> impl Iterator<Item = Clip<'data, 'bank>> {
-    bank.clips().filter(|clip| clip.original().is_none())
+fn asked_for<'d>(dialogue: &'d Dialogue<'d>) -> Vec<Clip<'d>> {
+    let mut clips = clips_by_key(dialogue);
+    clips.retain(|clip| clip.original().is_none());
+    clips
 }
 
 /// What every generated file starts with, as far as it can have comments.

@@ -1,6 +1,7 @@
 //! The clips of a bank as a tree of identifiers, which every language writes in its own way.
 
-use lipz_bank::{Bank, Clip, Locale, Text};
+use crate::dialogue::TaggedLocale;
+use lipz_bank::{Clip, Text};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -36,23 +37,24 @@ impl Leaf<'_> {
 }
 
 impl<'data> Folder<'data> {
-    /// The tree of a bank's clips; a diagnostic for each clip whose identifier another one has.
-    pub(super) fn from_bank(
-        bank: &Bank<'data>,
+    /// The tree of clips in the order of their keys; a diagnostic for each clip whose identifier another one has.
+    pub(super) fn new(
+        clips: &[Clip<'data>],
+        locales: &[TaggedLocale<'_>],
         naming: Naming,
         language: &str,
     ) -> Result<Folder<'data>, Vec<Diagnostic>> {
         let mut root = Folder::default();
         let mut clashes = Vec::new();
-        let locales = locales_for_comments(bank);
-        for clip in super::asked_for(bank) {
+        let locales = locales_for_comments(locales);
+        for clip in clips {
             let mut folders = naming(clip.key());
             let Some(name) = folders.pop() else { continue };
             let folder = folders.into_iter().fold(&mut root, |folder, name| folder.folders.entry(name).or_default());
             match folder.clips.entry(name) {
                 Entry::Occupied(before) => clashes.push(clash(before.get().key, clip.key(), before.key(), language)),
                 Entry::Vacant(free) => {
-                    free.insert(Leaf { key: clip.key(), id: clip.id().get(), text: text(&clip, &locales) });
+                    free.insert(Leaf { key: clip.key(), id: clip.id().get(), text: text(clip, &locales) });
                 }
             }
         }
@@ -76,16 +78,16 @@ fn clash(first: &str, second: &str, name: &str, language: &str) -> Diagnostic {
 
 /// The locales whose texts comments show, the first that a clip has: the default locale, then the
 /// others in the order of their tags.
-fn locales_for_comments<'data>(bank: &Bank<'data>) -> Vec<Locale<'data>> {
-    let mut locales: Vec<_> = bank.locales().collect();
-    locales.sort_by_key(|locale| !locale.is_default());
+fn locales_for_comments<'d>(locales: &[TaggedLocale<'d>]) -> Vec<TaggedLocale<'d>> {
+    let mut locales = locales.to_vec();
+    locales.sort_by_key(|locale| !locale.is_default);
     locales
 }
 
 /// The beginning of a clip's text on one line.
-fn text(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> String {
-    let in_locale = |locale: &Locale<'_>| {
-        let texts = clip.segments().filter_map(|segment| segment.text(*locale));
+fn text(clip: &Clip<'_>, locales: &[TaggedLocale<'_>]) -> String {
+    let in_locale = |locale: &TaggedLocale<'_>| {
+        let texts = clip.segments().filter_map(|segment| segment.text(locale.locale));
         let own = texts.filter(|text| !text.is_fallback() && !text.is_empty());
         let texts: Vec<&str> = own.map(Text::as_str).collect();
         (!texts.is_empty()).then(|| texts.join(" "))

@@ -4,7 +4,7 @@ use super::c::comment;
 use super::tree::{Folder, Leaf};
 use super::words::{camel, words};
 use super::{NOTICE, quoted};
-use lipz_bank::{Bank, ClipId};
+use lipz_bank::{Clip, ClipId};
 use std::fmt::Write;
 
 /// The constant of the locales, beside those of the folders.
@@ -75,7 +75,7 @@ pub(super) fn identifiers(key: &str) -> Vec<String> {
 }
 
 /// The file.
-pub(super) fn module(root: &Folder<'_>, locales: &[&str], bank: &Bank<'_>) -> String {
+pub(super) fn module(root: &Folder<'_>, locales: &[&str], clips: &[Clip<'_>]) -> String {
     let mut out = format!("// {NOTICE}\n\n");
     for (name, clip) in &root.clips {
         about(&mut out, clip, "");
@@ -92,10 +92,10 @@ pub(super) fn module(root: &Folder<'_>, locales: &[&str], bank: &Bank<'_>) -> St
         let _ = writeln!(out, "  {}: {},", camel(&words(locale)), quoted(locale));
     }
     out.push_str("} as const;\n\n/** The keys of the clips. */\nexport type ClipKey =");
-    for clip in super::asked_for(bank) {
+    for clip in clips {
         let _ = write!(out, "\n  | {}", quoted(clip.key()));
     }
-    out.push_str(if bank.clip_count() == 0 { " never;\n" } else { ";\n" });
+    out.push_str(if clips.is_empty() { " never;\n" } else { ";\n" });
     out
 }
 

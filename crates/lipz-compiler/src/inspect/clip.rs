@@ -1,6 +1,8 @@
 //! One clip, in a line of a list or in full.
 
-use lipz_bank::{Bank, Clip, ClipId, Curve, Event, EventName, Fps, Locale, Recording, Segment, VisemeType};
+use lipz_bank::curve::Curve;
+use lipz_bank::{Clip, ClipId, Dialogue, Event, EventName, Fps, Locale, Recording, Segment, VisemeType};
+use std::borrow::Cow;
 
 /// A clip in a list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -20,8 +22,8 @@ pub struct ClipSummary<'d> {
     pub duration_us: Option<u64>,
 }
 
-impl<'d> From<&Clip<'d, '_>> for ClipSummary<'d> {
-    fn from(clip: &Clip<'d, '_>) -> Self {
+impl<'d> From<&Clip<'d>> for ClipSummary<'d> {
+    fn from(clip: &Clip<'d>) -> Self {
         ClipSummary {
             key: clip.key(),
             id: clip.id(),
@@ -35,13 +37,15 @@ impl<'d> From<&Clip<'d, '_>> for ClipSummary<'d> {
 /// Everything that a program reads of a clip.
 ///
 /// ```
-/// use lipz_bank::{Bank, Locale};
+/// use lipz_bank::files::DialogueFile;
+/// use lipz_bank::{Dialogue, Locale};
 /// use lipz_compiler::{Compiler, Input, inspect::ClipDetails};
 /// let file = r#"{ "fps": 10, "visemes": "AA|M", "text_en-us": "Aye.|Aye!", "events": "|amy points door" }"#;
 /// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
-/// let bank = Bank::open(&bytes)?.verify()?;
-/// let locales: Vec<Locale<'_>> = bank.locales().collect();
-/// let clip = ClipDetails::new(&bank.clip_by_key("aye").ok_or("no clip")?, &locales);
+/// let mut files = [DialogueFile::ABSENT];
+/// let dialogue = Dialogue::open(&mut files, [bytes.as_slice()])?;
+/// let locales: Vec<Locale> = dialogue.locales().collect();
+/// let clip = ClipDetails::new(&dialogue, &dialogue.clip_by_key("aye").ok_or("no clip")?, &locales);
 /// assert_eq!((clip.frames.as_str(), clip.segments[1].texts[0].text), ("AAM", "Aye!"));
 /// assert_eq!(clip.segments[1].events[0].character, Some("amy"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -131,7 +135,7 @@ pub struct SegmentDetails<'d> {
 }
 
 /// One event of Character Event Syntax.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SegmentEvent<'d> {
@@ -139,8 +143,8 @@ pub struct SegmentEvent<'d> {
     pub character: Option<&'d str>,
     /// What they do, `points`.
     pub verb: &'static str,
-    /// What at, for verbs that have an object.
-    pub object: Option<&'d str>,
+    /// What at, for verbs that have an object; of a gesture its number.
+    pub object: Option<Cow<'d, str>>,
 }
 
 /// The text that a segment shows in a locale.
@@ -163,16 +167,16 @@ const KEY_BYTES: usize = 24;
 const EVENT_BYTES: usize = 64;
 
 impl<'d> ClipDetails<'d> {
-    /// Whether what the clip shows fits the budget of the files of `bank` (docs/FORMAT.md, "Source records"). Segments
+    /// Whether what the clip shows fits the budget of the files of `dialogue` (docs/FORMAT.md, "Source records"). Segments
     /// share events and texts, so that a forged bank of a megabyte can show terabytes: ask before you read or show a
     /// clip of a bank that may be a stranger's. Takes time in proportion to the segments and locales.
-    pub fn is_bounded(bank: &Bank<'d>, clip: &Clip<'d, '_>, locales: &[Locale<'d>]) -> bool {
-        let mut left = crate::decompile::budget_bytes(bank);
+    pub fn is_bounded(dialogue: &Dialogue<'_>, clip: &Clip<'_>, locales: &[Locale]) -> bool {
+        let mut left = crate::decompile::budget_bytes(dialogue);
         let mut take = |bytes: usize| {
             left = left.checked_sub(bytes as u64)?;
             Some(())
         };
-        let fits = |segment: Segment<'d, '_>| {
+        let fits = |segment: Segment<'_>| {
             take(segment.event().map_or(0, str::len))?;
             take(segment.events().size_hint().1.unwrap_or(usize::MAX).saturating_mul(EVENT_BYTES))?;
             locales.iter().try_for_each(|locale| take(segment.text(*locale).map_or(0, |text| text.len())))
@@ -187,8 +191,8 @@ impl<'d> ClipDetails<'d> {
         clip.curves().try_for_each(fits_curve).is_some()
     }
 
-    /// Reads the clip, with its texts in these locales.
-    pub fn new(clip: &Clip<'d, '_>, locales: &[Locale<'d>]) -> Self {
+    /// Reads the clip of a dialogue, with its texts in these locales.
+    pub fn new(dialogue: &Dialogue<'d>, clip: &Clip<'d>, locales: &[Locale]) -> Self {
         let segments = clip.segments().map(|segment| SegmentDetails {
             start_frame: segment.start_frame(),
             end_frame: segment.end_frame(),
@@ -198,7 +202,7 @@ impl<'d> ClipDetails<'d> {
             events: segment.events().map(SegmentEvent::from).collect(),
             texts: locales
                 .iter()
-                .filter_map(|locale| Some((locale.tag(), segment.text(*locale)?)))
+                .filter_map(|locale| Some((dialogue.locale_tag(*locale), segment.text(*locale)?)))
                 .map(|(locale, text)| SegmentText { locale, text: text.as_str(), is_fallback: text.is_fallback() })
                 .collect(),
         });
@@ -213,7 +217,7 @@ impl<'d> ClipDetails<'d> {
             segments: segments.collect(),
             curves: clip.curves().map(|curve| CurveDetails::from(&curve)).collect(),
             recording: clip.recording(),
-            voice: clip.voice().map(|voice| voice.tag()),
+            voice: clip.voice().map(|voice| dialogue.voice_tag(voice)),
             original: clip.original().map(|original| original.key()),
         }
     }
@@ -221,10 +225,11 @@ impl<'d> ClipDetails<'d> {
 
 impl<'d> From<Event<'d>> for SegmentEvent<'d> {
     fn from(event: Event<'d>) -> Self {
+        let object = event.command.object().map(|name| Cow::Borrowed(name.as_str()));
         SegmentEvent {
             character: event.character.map(EventName::as_str),
             verb: event.command.verb(),
-            object: event.command.object().map(EventName::as_str),
+            object: object.or(event.command.amount().map(|strength| Cow::Owned(strength.to_string()))),
         }
     }
 }

@@ -1,18 +1,22 @@
-//! The summary of a bank.
+//! The summary of a dialogue.
 
-use crate::BankWithTexts;
-use lipz_bank::{Babble, Bank, Clip, FaceProfile, Locale, Voice};
+use crate::dialogue::{TaggedLocale, banks, clips_by_key, length_bytes, locales_by_tag, patches, sections};
+use lipz_bank::babble::Babble;
+use lipz_bank::face::FaceProfile;
+use lipz_bank::{Bank, Clip, Dialogue, Voice};
 use lipz_layout::Tag;
 
-/// What there is in a bank.
+/// What there is in a bank, or in a dialogue of several files.
 ///
 /// ```
-/// use lipz_bank::Bank;
+/// use lipz_bank::Dialogue;
+/// use lipz_bank::files::DialogueFile;
 /// use lipz_compiler::{Compiler, Input, inspect::BankSummary};
 /// let file = r#"{ "fps": 10, "visemes": "AA|M", "text_en-us": "Aye.|Aye!" }"#;
 /// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
-/// let bank = Bank::open(&bytes)?.verify()?;
-/// let summary = BankSummary::from_bank(&bank);
+/// let mut files = [DialogueFile::ABSENT];
+/// let dialogue = Dialogue::open(&mut files, [bytes.as_slice()])?;
+/// let summary = BankSummary::from_dialogue(&dialogue);
 /// assert_eq!((summary.clips, summary.frames, summary.segments, summary.seconds), (1, 3, 2, 0.3));
 /// assert_eq!((summary.locales[0].tag, summary.locales[0].texts), ("en-us", 1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -21,9 +25,9 @@ use lipz_layout::Tag;
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct BankSummary<'d> {
-    /// The version of the format, `1.0`.
+    /// The version of the format, `1.0`; with patches, that of the topmost one, as all else that is of one file.
     pub format: String,
-    /// Bytes of the bank, without text banks.
+    /// Bytes of all banks, without text banks.
     #[cfg_attr(feature = "json", serde(rename = "bytes"))]
     pub length_bytes: usize,
     /// [`Bank::fingerprint`] in hexadecimal digits.
@@ -105,32 +109,32 @@ pub struct VoiceSummary<'d> {
 }
 
 impl<'d> BankSummary<'d> {
-    /// Looks at every clip of a verified bank.
-    pub fn from_bank<'b>(bank: impl Into<BankWithTexts<'d, 'b>>) -> BankSummary<'d>
-    where
-        'd: 'b,
-    {
-        let whole: BankWithTexts<'d, 'b> = bank.into();
-        let bank = whole.bank();
-        let (major, minor) = bank.format_version();
+    /// Looks at every clip of a verified dialogue.
+    pub fn from_dialogue(dialogue: &'d Dialogue<'d>) -> BankSummary<'d> {
+        let clips = clips_by_key(dialogue);
+        let last = patches(dialogue).chain(banks(dialogue)).map(|(_, bank)| bank).next();
+        let index = dialogue.set_index().filter(|_| patches(dialogue).next().is_none());
+        let fingerprint = index.map(|index| index.fingerprint()).or(last.map(Bank::fingerprint));
+        let checksum = index.map(|index| index.checksum()).or(last.map(Bank::checksum));
+        let (major, minor) = last.map_or((0, 0), Bank::format_version);
         BankSummary {
             format: format!("{major}.{minor}"),
-            length_bytes: bank.length_bytes(),
-            fingerprint: hexadecimal(bank.fingerprint()),
-            checksum: hexadecimal(bank.checksum()),
-            layer: LayerSummary::new(bank),
-            clips: bank.clip_count(),
-            clips_without_fps: bank.clips().filter(|clip| clip.fps().is_none()).count(),
-            frames: bank.clips().map(|clip| clip.frame_count() as usize).sum(),
-            segments: bank.clips().map(|clip| clip.segment_count() as usize).sum(),
-            curves: bank.clips().map(|clip| clip.curves().count()).sum(),
-            seconds: bank.clips().filter_map(|clip| clip.duration_us()).fold(0.0, |sum, us| sum + us as f64 / 1e6),
-            has_sources: bank.sections().any(|(tag, _)| tag == Tag::SOURCES.0),
-            locales: whole.locales().into_iter().map(|locale| LocaleSummary::new(bank, locale)).collect(),
-            voices: bank.voices().map(|voice| VoiceSummary::new(bank, voice)).collect(),
-            sections: bank.sections().map(|(tag, bytes)| (Tag(tag), bytes.len())).collect(),
-            babble: bank.babbles().collect(),
-            faces: bank.face_profiles().collect(),
+            length_bytes: length_bytes(dialogue),
+            fingerprint: hexadecimal(fingerprint.unwrap_or_default()),
+            checksum: hexadecimal(checksum.unwrap_or_default()),
+            layer: last.and_then(LayerSummary::new),
+            clips: clips.len(),
+            clips_without_fps: clips.iter().filter(|clip| clip.fps().is_none()).count(),
+            frames: clips.iter().map(|clip| clip.frame_count() as usize).sum(),
+            segments: clips.iter().map(|clip| clip.segment_count() as usize).sum(),
+            curves: clips.iter().map(|clip| clip.curves().count()).sum(),
+            seconds: clips.iter().filter_map(Clip::duration_us).fold(0.0, |sum, us| sum + us as f64 / 1e6),
+            has_sources: banks(dialogue).all(|(_, bank)| bank.sections().any(|(tag, _)| tag == Tag::SOURCES.0)),
+            locales: locales_by_tag(dialogue).into_iter().map(|locale| LocaleSummary::new(&clips, locale)).collect(),
+            voices: dialogue.voices().map(|voice| VoiceSummary::new(dialogue, &clips, voice)).collect(),
+            sections: sections(dialogue),
+            babble: dialogue.babbles().collect(),
+            faces: dialogue.face_profiles().collect(),
         }
     }
 }
@@ -152,10 +156,9 @@ fn hexadecimal(number: u64) -> String {
 }
 
 impl<'d> LocaleSummary<'d> {
-    fn new(bank: &Bank<'d>, locale: Locale<'d>) -> Self {
-        let (tag, is_default) = (locale.tag(), locale.is_default());
+    fn new(clips: &[Clip<'_>], TaggedLocale { tag, locale, is_default }: TaggedLocale<'d>) -> Self {
         let mut summary = LocaleSummary { tag, is_default, texts: 0, fallbacks: 0, missing: 0 };
-        for clip in bank.clips() {
+        for clip in clips {
             match clip.segment(0).and_then(|segment| segment.text(locale)) {
                 Some(text) if text.is_fallback() => summary.fallbacks += 1,
                 Some(_) => summary.texts += 1,
@@ -167,9 +170,10 @@ impl<'d> LocaleSummary<'d> {
 }
 
 impl<'d> VoiceSummary<'d> {
-    fn new(bank: &Bank<'d>, voice: Voice<'d>) -> Self {
-        let is_dub = |clip: &Clip<'_, '_>| clip.original().is_some() && clip.voice() == Some(voice);
-        VoiceSummary { tag: voice.tag(), is_original: voice.is_original(), dubs: bank.clips().filter(is_dub).count() }
+    fn new(dialogue: &Dialogue<'d>, clips: &[Clip<'_>], voice: Voice) -> Self {
+        let is_dub = |clip: &&Clip<'_>| clip.original().is_some() && clip.voice() == Some(voice);
+        let dubs = clips.iter().filter(is_dub).count();
+        VoiceSummary { tag: dialogue.voice_tag(voice), is_original: voice.is_original(), dubs }
     }
 }
 

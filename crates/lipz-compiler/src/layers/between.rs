@@ -16,9 +16,9 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
 /// The locales of the new bank, and where the old one has their texts.
-struct Pairs<'d> {
-    old: Vec<Locale<'d>>,
-    new: Vec<Locale<'d>>,
+struct Pairs {
+    old: Vec<Locale>,
+    new: Vec<Locale>,
     /// For each old locale its number among the new ones.
     old_to_new: Vec<Option<usize>>,
     /// For each new locale the old one with its tag, or the one that stands in for it, and whether it does.
@@ -30,9 +30,9 @@ struct Pairs<'d> {
 pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Result<Option<Vec<u8>>, Report> {
     let pairs = Pairs::new(old, new);
     let records = [Records::of(old), Records::of(new)];
-    let default =
-        |locales: &[Locale<'_>]| locales.iter().find(|locale| locale.is_default()).map(|it| it.tag().to_owned());
-    let mut draft = Draft::new(pairs.new.iter().map(|new| LocaleColumn::new(new.tag(), new.is_default())).collect());
+    let default = |bank: &Bank<'_>| bank.default_locale().map(|locale| bank.locale_tag(locale).to_owned());
+    let column = |locale: &Locale| LocaleColumn::new(new.locale_tag(*locale), new.default_locale() == Some(*locale));
+    let mut draft = Draft::new(pairs.new.iter().map(column).collect());
     let mut layer = LayerDraft { bases: checksums.to_vec(), ..LayerDraft::default() };
     let mut recordings = BTreeMap::new();
     for clip in new.clips() {
@@ -64,13 +64,13 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
     layer.removed = removed.map(|clip| clip.id().get()).collect();
     layer.removed.sort_unstable();
     let gone = std::iter::zip(&pairs.old, &pairs.old_to_new).filter(|(_, new)| new.is_none());
-    layer.removed_locales = gone.map(|(old, _)| old.tag().to_owned()).collect();
+    layer.removed_locales = gone.map(|(locale, _)| old.locale_tag(*locale).to_owned()).collect();
     if pairs.sources.iter().any(|source| source.is_none_or(|(_, stands_in)| stands_in)) {
         layer.stand_ins = pairs.stand_ins();
     }
     let new_profiles = |tag| Some(profiles(new, tag)).filter(|new| *new != profiles(old, tag));
     let (babble, faces) = (new_profiles(Tag::BABBLE), new_profiles(Tag::FACES));
-    let has_default = default(&pairs.old) != default(&pairs.new);
+    let has_default = default(old) != default(new);
     let links = Links::between(old, new);
     let has = [
         (babble.is_some(), LAYER_BABBLE),
@@ -97,10 +97,10 @@ pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
 
 /// Which parts of a clip the layer has to have.
 fn changed(
-    before: &Clip<'_, '_>,
-    clip: &Clip<'_, '_>,
+    before: &Clip<'_>,
+    clip: &Clip<'_>,
     (texts, whose): (&Texts<'_>, &Whose),
-    pairs: &Pairs<'_>,
+    pairs: &Pairs,
     has_record: bool,
 ) -> u8 {
     let is_same = are_equal(before, clip);
@@ -125,13 +125,14 @@ fn changed(
     }
 }
 
-impl<'d> Pairs<'d> {
-    fn new(old: &Bank<'d>, new: &Bank<'d>) -> Pairs<'d> {
+impl Pairs {
+    fn new(old: &Bank<'_>, new: &Bank<'_>) -> Pairs {
         let (old_locales, new_locales): (Vec<_>, Vec<_>) = (old.locales().collect(), new.locales().collect());
         // Locales are in the order of their tags.
-        let place = |locales: &[Locale<'d>], tag: &str| locales.binary_search_by(|other| other.tag().cmp(tag)).ok();
-        let old_to_new: Vec<_> = old_locales.iter().map(|locale| place(&new_locales, locale.tag())).collect();
-        let sources = new_locales.iter().map(|locale| Some((place(&old_locales, locale.tag())?, false))).collect();
+        let tags = |bank: &Bank<'_>| bank.locales().map(|locale| bank.locale_tag(locale).to_owned()).collect();
+        let (old_tags, new_tags): (Vec<String>, Vec<String>) = (tags(old), tags(new));
+        let old_to_new: Vec<_> = old_tags.iter().map(|tag| new_tags.binary_search(tag).ok()).collect();
+        let sources = new_tags.iter().map(|tag| Some((old_tags.binary_search(tag).ok()?, false))).collect();
         let mut pairs = Pairs { old: old_locales, new: new_locales, old_to_new, sources };
         if pairs.sources.contains(&None) {
             pairs.find_stand_ins(old, new);
@@ -140,7 +141,7 @@ impl<'d> Pairs<'d> {
     }
 
     /// Finds for each added locale the old one whose texts most clips show in it.
-    fn find_stand_ins(&mut self, old: &Bank<'d>, new: &Bank<'d>) {
+    fn find_stand_ins(&mut self, old: &Bank<'_>, new: &Bank<'_>) {
         let new_to_old: HashMap<usize, usize> =
             self.old_to_new.iter().enumerate().filter_map(|(old, new)| Some(((*new)?, old))).collect();
         let mut counts: HashMap<(usize, usize), usize> = HashMap::new();
@@ -173,7 +174,7 @@ impl<'d> Pairs<'d> {
     }
 
     /// Whether a stack shows of a clip of the old bank what the new one shows in this locale.
-    fn shows_the_same(&self, old: &Texts<'d>, new: &Texts<'d>, locale: usize) -> bool {
+    fn shows_the_same(&self, old: &Texts<'_>, new: &Texts<'_>, locale: usize) -> bool {
         let Some((source, stands_in)) = self.sources[locale] else { return new.shown[locale] == Shown::Nothing };
         let shown = match (old.shown[source], stands_in) {
             (Shown::Own, true) => self.old_to_new[source].map(Shown::Fallback),

@@ -2,9 +2,10 @@
 
 use super::between::between;
 use super::merge::merge_of;
-use super::stack::MAX_LAYERS;
+use super::stack::refuse_part;
 use crate::compile::verify;
-use lipz_bank::{Bank, ClipId, LayeredClip, Layers};
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Bank, Clip, ClipId, Dialogue};
 use lipz_diagnostics::{Code, Report};
 use std::collections::HashMap;
 
@@ -26,16 +27,15 @@ impl VoiceBanks {
     /// ```
     /// use lipz_compiler::{Compiler, Input, Options, VoiceBanks, Voices};
     /// let file = r#"{ "visemes": "MAE", "text_en-us": "Aye." }"#;
-    /// let options = Options::new().voices(Voices::new("en-us").dub("de-de", "de/{key}"));
+    /// let options = Options::new().voices(Voices::new("en-us")?.dub("de-de", "de/{key}")?);
     /// let inputs = ["aye", "de/aye"].map(|key| Input::from_bytes(key, file));
     /// let bank = Compiler::new(options).compile(&inputs).into_bank()?;
     /// let split = VoiceBanks::from_bytes(&bank).map_err(|report| report.to_string())?;
-    /// let base = lipz_bank::Bank::open(&split.base)?.verify()?;
-    /// let german = lipz_bank::Bank::open(&split.voices[0].1)?.verify()?;
-    /// let layers = lipz_bank::Layers::new([base, german])?;
-    /// let voice = layers.voice("de-de").ok_or("no German")?;
-    /// let clip = layers.clip_by_key("aye").ok_or("no clip")?;
-    /// assert_eq!(clip.in_voice(&voice).clip.key(), "de/aye");
+    /// let mut files = [lipz_bank::files::DialogueFile::ABSENT; 2];
+    /// let dialogue = lipz_bank::Dialogue::open(&mut files, [&split.base[..], &split.voices[0].1])?;
+    /// let voice = dialogue.voice("de-de").ok_or("no German")?;
+    /// let clip = dialogue.clip_by_key("aye").ok_or("no clip")?;
+    /// assert_eq!(clip.in_voice(voice).clip.key(), "de/aye");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -43,29 +43,29 @@ impl VoiceBanks {
     /// If `bytes` are not a bank, or if it is a layer or has its texts in text banks.
     pub fn from_bytes(bytes: &[u8]) -> Result<VoiceBanks, Report> {
         let failed = |message: &str| Report::failure("", Code::BankDamaged, message, "pack it again");
-        let whole = Bank::open(bytes).and_then(Bank::verify).map_err(|error| failed(error.kind().message()))?;
-        let layers =
-            Layers::<MAX_LAYERS>::from_slice(&[whole]).map_err(|error| failed(error.error().kind().message()))?;
-        let dubs = layers.clips().filter_map(|clip| {
-            clip.original(&layers)?;
-            Some((clip.id(), clip.voice(&layers)?.tag()))
+        let mut files = [DialogueFile::ABSENT];
+        let dialogue = Dialogue::open(&mut files, [bytes]).map_err(|found| failed(found.error().kind().message()))?;
+        refuse_part("", &dialogue)?;
+        let dubs = dialogue.clips().filter_map(|clip| {
+            clip.original()?;
+            Some((clip.id(), dialogue.voice_tag(clip.voice()?)))
         });
         let dubs: HashMap<ClipId, &str> = dubs.collect();
-        let voice_of = |clip: &LayeredClip<'_, '_>| dubs.get(&clip.id()).copied();
-        let base = merge_of(&layers, &[], &|clip| voice_of(clip).is_none())?;
+        let voice_of = |clip: &Clip<'_>| dubs.get(&clip.id()).copied();
+        let base = merge_of(&dialogue, &|clip| voice_of(clip).is_none())?;
         verify(&base)?;
         let opened = Bank::open(&base).map_err(|error| failed(error.kind().message()))?;
         let mut voices = Vec::new();
-        for voice in layers.voices().skip(1) {
-            if !dubs.values().any(|tag| *tag == voice.tag()) {
+        for tag in dialogue.voices().skip(1).map(|voice| dialogue.voice_tag(voice)) {
+            if !dubs.values().any(|of| *of == tag) {
                 continue;
             }
-            let dubbed = merge_of(&layers, &[], &|clip| voice_of(clip).is_none_or(|tag| tag == voice.tag()))?;
+            let dubbed = merge_of(&dialogue, &|clip| voice_of(clip).is_none_or(|of| of == tag))?;
             verify(&dubbed)?;
             let new = Bank::open(&dubbed).map_err(|error| failed(error.kind().message()))?;
             if let Some(layer) = between(&opened, &new, &[opened.checksum()])? {
                 verify(&layer)?;
-                voices.push((voice.tag().to_owned(), layer));
+                voices.push((tag.to_owned(), layer));
             }
         }
         Ok(VoiceBanks { base, voices })

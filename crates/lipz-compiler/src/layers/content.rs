@@ -6,7 +6,7 @@ use crate::dubs::Dubs;
 use crate::localise::{LocaleColumn, Localised, Other};
 use crate::lower::{Beside, Layout};
 use crate::source_index::SourceIndex;
-use lipz_bank::{Bank, Clip, Text};
+use lipz_bank::{Bank, Clip, Locale, Text};
 use lipz_diagnostics::Report;
 use lipz_layout::{Tag, U32};
 use zerocopy::FromBytes;
@@ -38,16 +38,20 @@ impl<'d> Texts<'d> {
         text: impl Fn(usize, u32) -> Option<Text<'d>>,
     ) -> Texts<'d> {
         let firsts: Vec<_> = (0..locale_count).map(|locale| text(locale, 0)).collect();
-        // Texts of a clip in two locales never have one place, so the place says whose text it is.
-        let place = |text: &Text<'_>| text.as_str().as_ptr();
+        // Texts of a clip in two locales never have one place, so the place says whose text it is. An empty text is where the
+        // next one starts, so that its end counts, too.
+        let place = |first: &Text<'_>, locale: usize| {
+            let last = text(locale, segment_count.saturating_sub(1)).unwrap_or(*first);
+            (first.as_str().as_ptr(), last.as_str().as_bytes().as_ptr_range().end)
+        };
         let own = firsts.iter().enumerate().filter_map(|(locale, text)| Some((text.as_ref()?, locale)));
         let mut own: Vec<_> =
-            own.filter(|(text, _)| !text.is_fallback()).map(|(text, locale)| (place(text), locale)).collect();
+            own.filter(|(text, _)| !text.is_fallback()).map(|(text, locale)| (place(text, locale), locale)).collect();
         own.sort_unstable();
-        let shown = firsts.iter().map(|first| match first {
+        let shown = firsts.iter().enumerate().map(|(locale, first)| match first {
             None => Shown::Nothing,
             Some(text) if !text.is_fallback() => Shown::Own,
-            Some(text) => match own.binary_search_by_key(&place(text), |(place, _)| *place) {
+            Some(text) => match own.binary_search_by_key(&place(text, locale), |(place, _)| *place) {
                 Ok(found) => Shown::Fallback(own[found].1),
                 Err(_) => Shown::Borrowed,
             },
@@ -61,8 +65,8 @@ impl<'d> Texts<'d> {
         Texts { texts: texts.collect(), shown }
     }
 
-    /// The texts of a clip in the locales of its bank.
-    pub(super) fn of(clip: &Clip<'d, '_>, locales: &[lipz_bank::Locale<'d>]) -> Texts<'d> {
+    /// The texts of a clip in these locales of its bank or dialogue.
+    pub(super) fn of(clip: &Clip<'d>, locales: &[Locale]) -> Texts<'d> {
         Texts::new(locales.len(), clip.segment_count(), |locale, segment| clip.segment(segment)?.text(locales[locale]))
     }
 
@@ -78,7 +82,7 @@ impl<'d> Texts<'d> {
 }
 
 /// Makes `data` a clip with what `clip` has beside texts, or, without one, with so many segments of nothing.
-pub(super) fn take_clip(clip: Option<&Clip<'_, '_>>, segment_count: u32, data: &mut ClipData) {
+pub(super) fn take_clip(clip: Option<&Clip<'_>>, segment_count: u32, data: &mut ClipData) {
     data.clear();
     let Some(clip) = clip else {
         data.starts.resize(segment_count as usize, 0);
@@ -108,8 +112,8 @@ pub(super) fn take_texts(texts: &Texts<'_>, whose: &Whose, number: impl Fn(usize
 }
 
 /// Whether two clips are the same but for their texts.
-pub(super) fn are_equal(one: &Clip<'_, '_>, other: &Clip<'_, '_>) -> bool {
-    let about = |clip: &Clip<'_, '_>| {
+pub(super) fn are_equal(one: &Clip<'_>, other: &Clip<'_>) -> bool {
+    let about = |clip: &Clip<'_>| {
         (clip.fps(), clip.viseme_type(), clip.has_visemes(), clip.has_events(), clip.recording(), clip.segment_count())
     };
     let segments = || std::iter::zip(one.segments(), other.segments());
@@ -137,7 +141,7 @@ impl<'d> Records<'d> {
     }
 
     /// The record of a clip; empty if the bank has none, or it is damaged.
-    pub(super) fn get(&self, clip: &Clip<'_, '_>) -> &'d [u8] {
+    pub(super) fn get(&self, clip: &Clip<'_>) -> &'d [u8] {
         let Some((index, records)) = &self.0 else { return &[] };
         index.record(clip.slot()).and_then(|range| records.get(range)).unwrap_or_default()
     }
@@ -165,7 +169,7 @@ impl Draft {
     pub(super) fn push(
         &mut self,
         key: &str,
-        clip: Option<&Clip<'_, '_>>,
+        clip: Option<&Clip<'_>>,
         texts: Option<(&Texts<'_>, &Whose)>,
         segment_count: u32,
         record: &[u8],

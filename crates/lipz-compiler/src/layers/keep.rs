@@ -34,9 +34,10 @@ impl Kept {
     /// The clips of `bank` that are not among the inputs.
     pub(super) fn new(bank: &Bank<'_>, inputs: &[Input]) -> Kept {
         let replaced: HashSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
-        let locales: Vec<Locale<'_>> = bank.locales().collect();
+        let locales: Vec<Locale> = bank.locales().collect();
         let (mut clips, mut data) = (Clips::default(), ClipData::default());
-        let numbers: Vec<u32> = locales.iter().map(|locale| clips.locales.number(locale.tag(), false)).collect();
+        let numbers: Vec<u32> =
+            locales.iter().map(|locale| clips.locales.number(bank.locale_tag(*locale), false)).collect();
         let records = Records::of(bank);
         let (mut shown, mut orphans) = (Vec::new(), HashSet::new());
         for clip in bank.clips().filter(|clip| !replaced.contains(clip.key())) {
@@ -50,7 +51,7 @@ impl Kept {
             }
             shown.push(texts.shown);
         }
-        let tags = locales.iter().map(|locale| locale.tag().to_owned()).collect();
+        let tags = locales.iter().map(|locale| bank.locale_tag(*locale).to_owned()).collect();
         let [babble, faces] = [Tag::BABBLE, Tag::FACES].map(|tag| profiles(bank, tag).to_vec());
         Kept { clips, babble, faces, dubs: KeptDubs::of(bank), orphans, tags, shown }
     }
@@ -60,10 +61,10 @@ impl Kept {
     /// # Errors
     /// If the project says that its originals are in another language than those of the bank.
     pub(super) fn add_options(bank: &Bank<'_>, options: &mut Options) -> Result<(), Report> {
-        if let Some(original) = bank.voices().next() {
-            let own = options.voices.original.get_or_insert_with(|| original.tag().to_owned());
-            if own != original.tag() {
-                let (own, tag) = (escape::text(own), escape::text(original.tag()));
+        if let Some(original) = bank.voices().next().map(|voice| bank.voice_tag(voice)) {
+            let own = options.voices.original.get_or_insert_with(|| original.to_owned());
+            if own != original {
+                let (own, tag) = (escape::text(own), escape::text(original));
                 let message = format!("the originals are in `{own}`, but those of the bank below are in `{tag}`");
                 let help = format!(
                     "set `default-locale` or `locale` of [audio] to `{tag}`, or pack all sources without `--keep-others`"
@@ -72,7 +73,7 @@ impl Kept {
             }
         }
         if options.default_locale.is_none() {
-            options.default_locale = bank.default_locale().map(|locale| locale.tag().to_owned());
+            options.default_locale = bank.default_locale().map(|locale| bank.locale_tag(locale).to_owned());
         }
         for clip in bank.clips() {
             if let Some(recording) = clip.recording() {

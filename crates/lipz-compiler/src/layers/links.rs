@@ -1,8 +1,8 @@
-//! Dubs of whole banks and of stacks, and what a layer says about them.
+//! Dubs of banks and of dialogues, and what a layer says about them.
 
-use super::content::{Shown, Texts};
+use crate::dialogue::{DubTexts, TaggedLocale};
 use crate::dubs::{Dub, Dubs, borrows};
-use lipz_bank::{Bank, Clip, LayeredClip, Layers, Locale, Spoken, Voice};
+use lipz_bank::{Bank, Clip, Dialogue, Locale, Spoken};
 use lipz_layout::{LAYER_DUB, LAYER_DUB_OF, LAYER_NO_DUB, LAYER_OTHER_DUB, LayerDubRecord};
 use std::collections::HashMap;
 
@@ -20,17 +20,18 @@ pub(super) struct Links {
 impl Links {
     /// What makes the dubs of one bank of those of another.
     pub(super) fn between(old: &Bank<'_>, new: &Bank<'_>) -> Links {
-        let tags = |bank: &Bank<'_>| bank.voices().map(|voice| voice.tag().to_owned()).collect::<Vec<String>>();
+        let tags =
+            |bank: &Bank<'_>| bank.voices().map(|voice| bank.voice_tag(voice).to_owned()).collect::<Vec<String>>();
         let (old_tags, new_tags) = (tags(old), tags(new));
         let are_all = old_tags.first().is_some_and(|original| new_tags.first() != Some(original))
             || !old_tags.iter().all(|tag| new_tags.contains(tag));
         let mut records = Vec::new();
         for clip in new.clips() {
             let before = old.clip_by_key(clip.key());
-            for (number, voice) in (0..).zip(new.voices()).skip(1) {
-                let old_voice = old.voice(voice.tag()).filter(|_| !are_all);
-                let was = before.as_ref().zip(old_voice).map_or((LAYER_NO_DUB, 0), |(clip, voice)| said(clip, voice));
-                let says = said(&clip, voice);
+            for (number, tag) in (0..).zip(&new_tags).skip(1) {
+                let before = before.as_ref().filter(|_| !are_all);
+                let was = before.map_or((LAYER_NO_DUB, 0), |clip| said(old, clip, tag));
+                let says = said(new, &clip, tag);
                 if says != was {
                     let (kind, other) = says;
                     records.push(LayerDubRecord {
@@ -50,9 +51,10 @@ impl Links {
 }
 
 /// What a bank says about a clip in a voice: the kind of a record and the other clip.
-fn said(clip: &Clip<'_, '_>, voice: Voice<'_>) -> (u16, u64) {
+fn said(bank: &Bank<'_>, clip: &Clip<'_>, tag: &str) -> (u16, u64) {
+    let Some(voice) = bank.voice(tag) else { return (LAYER_NO_DUB, 0) };
     if let Some(original) = clip.original() {
-        let is_own = clip.voice().is_some_and(|own| own.tag() == voice.tag());
+        let is_own = clip.voice() == Some(voice);
         return if is_own { (LAYER_DUB_OF, original.id().get()) } else { (LAYER_NO_DUB, 0) };
     }
     let voiced = clip.in_voice(voice);
@@ -74,44 +76,21 @@ pub(super) enum Whose {
 
 impl Whose {
     /// Whose the texts of a clip of a whole bank are.
-    pub(super) fn of(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> Whose {
+    pub(super) fn of(clip: &Clip<'_>, locales: &[Locale]) -> Whose {
         let Some(original) = clip.original() else { return Whose::Some(vec![false; locales.len()]) };
-        let is_same = |locale: &Locale<'_>| borrows(clip, Some(&original), *locale);
+        let is_same = |locale: &Locale| borrows(clip, Some(&original), *locale);
         if locales.iter().all(is_same) {
             return Whose::Original;
         }
-        let has_text = |locale: &Locale<'_>| clip.segment(0).is_some_and(|segment| segment.text(*locale).is_some());
+        let has_text = |locale: &Locale| clip.segment(0).is_some_and(|segment| segment.text(*locale).is_some());
         Whose::Some(locales.iter().map(|locale| has_text(locale) && is_same(locale)).collect())
     }
 
-    /// The same of a clip of a stack that shows these `texts`, a dub whose original shows `theirs`.
-    pub(super) fn of_layered<const N: usize>(
-        clip: &LayeredClip<'_, '_>,
-        layers: &Layers<'_, N>,
-        tags: &[&str],
-        (texts, theirs): (&Texts<'_>, &Texts<'_>),
-    ) -> Vec<bool> {
-        let (Some(at), Some(of_texts)) = (clip.texts_layer(), clip.texts()) else { return vec![false; tags.len()] };
-        let bank = layers.bank(at);
-        let layer = bank.and_then(Bank::layer).filter(|_| at > 0);
-        let original = of_texts.original();
-        let is_said = |tag: &str| match &layer {
-            _ if of_texts.id() != clip.id() => true,
-            Some(layer) => {
-                let place = bank.and_then(|bank| bank.locales().position(|locale| locale.tag() == tag));
-                place.is_some_and(|place| layer.borrows(of_texts.slot(), place))
-            }
-            None => {
-                let locale = bank.and_then(|bank| bank.locale(tag));
-                locale.is_some_and(|locale| borrows(&of_texts, original.as_ref(), locale))
-            }
-        };
-        // Layers that do not know each other may have changed one of the two.
-        let is_same = |locale: usize| {
-            let is_own = |texts: &Texts<'_>| texts.shown[locale] == Shown::Own;
-            is_own(texts) && is_own(theirs) && texts.segments(locale) == theirs.segments(locale)
-        };
-        tags.iter().enumerate().map(|(locale, tag)| is_same(locale) && is_said(tag)).collect()
+    /// The same of a clip of a dialogue.
+    pub(super) fn of_dialogue<'d>(clip: &Clip<'d>, dialogue: &Dialogue<'d>, locales: &[TaggedLocale<'_>]) -> Whose {
+        let of_dub = DubTexts::of(dialogue, clip);
+        let are_borrowed = |dub: DubTexts<'d>| locales.iter().map(|locale| dub.are_borrowed(clip, locale)).collect();
+        Whose::Some(of_dub.map(are_borrowed).unwrap_or_default())
     }
 
     /// Whether the text in a locale is that of the original, as far as there is one.
@@ -123,23 +102,23 @@ impl Whose {
     }
 }
 
-/// The dubs among these clips of a stack, which are in the order of their keys.
-pub(super) fn dubs_of<'d, 'b, const N: usize>(layers: &'b Layers<'d, N>, clips: &[LayeredClip<'d, 'b>]) -> Dubs {
-    let voices: Vec<String> = layers.voices().map(|voice| voice.tag().to_owned()).collect();
+/// The dubs among these clips of a dialogue, which are in the order of their keys.
+pub(super) fn dubs_of(dialogue: &Dialogue<'_>, clips: &[Clip<'_>]) -> Dubs {
+    let voices: Vec<String> = dialogue.voices().map(|voice| dialogue.voice_tag(voice).to_owned()).collect();
     if voices.is_empty() {
         return Dubs::default();
     }
-    let places: HashMap<_, usize> = clips.iter().map(|clip| clip.id()).zip(0..).collect();
+    let places: HashMap<_, usize> = clips.iter().map(Clip::id).zip(0..).collect();
     let mut of = vec![None; places.len()];
     let mut others = Vec::new();
     for (at, clip) in clips.iter().enumerate() {
-        if let (Some(original), Some(voice)) = (clip.original(layers), clip.voice(layers)) {
-            let voice = voices.iter().position(|tag| tag == voice.tag());
+        if let (Some(original), Some(voice)) = (clip.original(), clip.voice()) {
+            let voice = voices.iter().position(|tag| tag == dialogue.voice_tag(voice));
             of[at] = voice.zip(places.get(&original.id())).map(|(voice, &original)| Dub { voice, original });
             continue;
         }
-        for (voice, asked) in layers.voices().enumerate().skip(1) {
-            let voiced = clip.in_voice(&asked);
+        for (voice, asked) in dialogue.voices().enumerate().skip(1) {
+            let voiced = clip.in_voice(asked);
             let other = places.get(&voiced.clip.id()).filter(|_| voiced.spoken == Spoken::OtherDub);
             others.extend(other.map(|&other| (Dub { voice, original: at }, other)));
         }

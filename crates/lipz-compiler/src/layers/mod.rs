@@ -1,7 +1,7 @@
-//! Layers: patches, downloads and mods over a bank, and one bank of all of them.
+//! Layers: patches, downloads and mods over a bank or a set, and one bank of all of them.
 //!
 //! A layer is what two whole banks differ in, so that the reader's answers, the bank that a stack is merged into, and the
-//! one that is packed from the sources in one go are the same by construction: `merge` makes a whole bank of a stack,
+//! one that is packed from the sources in one go are the same by construction: `merge` makes a whole bank of a dialogue,
 //! `between` a layer of two whole banks, and both go through the layout that every bank has.
 
 mod between;
@@ -15,9 +15,8 @@ mod stack;
 
 pub use by_voice::VoiceBanks;
 pub(crate) use keep::Kept;
-pub(crate) use merge::joined;
 pub use over::Over;
-pub use stack::Stack;
+pub use stack::{Stack, dialogue_of};
 
 use lipz_bank::Bank;
 

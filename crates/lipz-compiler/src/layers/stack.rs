@@ -1,14 +1,13 @@
-//! A bank and the layers over it, as tools use them: opened, checked, and made one.
+//! A base and the patches over it, as tools use them: opened, checked, and made one.
 
 use super::merge;
 use crate::compile::verify;
-use lipz_bank::{Bank, ErrorKind, Layers};
+use crate::dialogue::patches;
+use lipz_bank::files::{DialogueFile, FileKind};
+use lipz_bank::{Bank, Dialogue, Error, ErrorKind};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 
-/// The most banks of a stack.
-pub(super) const MAX_LAYERS: usize = 64;
-
-/// A bank, or one with layers over it, and what they are together: the bank that would be packed from all of their
+/// A bank or a set with patches over it, and what they are together: the bank that would be packed from all of their
 /// sources in one go, byte for byte.
 ///
 /// ```
@@ -25,30 +24,51 @@ pub(super) const MAX_LAYERS: usize = 64;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Stack {
     pub(super) whole: Vec<u8>,
-    /// Checksums of the banks, the lowest first.
+    /// Checksums of the base, which of a set is that of its index, and of the patches, the lowest first.
     pub(super) checksums: Vec<u64>,
 }
 
 impl Stack {
-    /// Opens and verifies banks, the base first, each with the name that messages give it, and makes one bank of them.
+    /// Opens and verifies files, each with the name that messages give it, and makes one bank of them: a bank, or the index of a
+    /// set and its banks, and then patches.
     ///
     /// # Errors
-    /// When one of them is damaged or does not fit those before it. A single bank must not be a layer.
+    /// When one of them is damaged or does not fit those before it. The base must not be a patch.
     pub fn open<'f, B: AsRef<[u8]> + ?Sized + 'f>(
         files: impl IntoIterator<Item = (&'f str, &'f B)>,
     ) -> Result<Stack, Report> {
-        let files: Vec<(&str, &[u8])> = files.into_iter().map(|(name, bytes)| (name, bytes.as_ref())).collect();
-        let banks = files.iter().map(|(name, bytes)| verified(name, bytes)).collect::<Result<Vec<_>, _>>()?;
-        let layers = Layers::<MAX_LAYERS>::from_slice(&banks).map_err(|error| {
-            let (name, _) = files.get(error.layer()).or(files.last()).copied().unwrap_or_default();
-            misfit(name, error.error().kind(), banks.get(error.layer()))
-        })?;
-        let whole = match files.as_slice() {
-            [(_, bytes)] => bytes.to_vec(),
-            _ => merge::merge(&layers)?,
-        };
+        let named: Vec<(&str, &[u8])> = files.into_iter().map(|(name, bytes)| (name, bytes.as_ref())).collect();
+        let mut files: Vec<DialogueFile<'_>> = Vec::new();
+        for (number, (name, bytes)) in named.iter().enumerate() {
+            files.push(verified(name, bytes, &files, number)?);
+        }
+        let names: Vec<&str> = named.iter().map(|(name, _)| *name).collect();
+        let dialogue = dialogue_of(&names, &files)?;
+        match named.as_slice() {
+            [(name, bytes)] => {
+                refuse_part(name, &dialogue)?;
+                let bytes = if dialogue.set_index().is_some() { merge::merge(&dialogue)? } else { bytes.to_vec() };
+                Stack::new(bytes, &dialogue)
+            }
+            _ => Stack::new(merge::merge(&dialogue)?, &dialogue),
+        }
+    }
+
+    /// The same of a dialogue, which is verified and may have text banks.
+    ///
+    /// # Errors
+    /// When its base is a patch, and when it is too large for one bank.
+    pub fn of(dialogue: &Dialogue<'_>) -> Result<Stack, Report> {
+        refuse_part("", dialogue)?;
+        Stack::new(merge::merge(dialogue)?, dialogue)
+    }
+
+    fn new(whole: Vec<u8>, dialogue: &Dialogue<'_>) -> Result<Stack, Report> {
         verify(&whole)?;
-        Ok(Stack { whole, checksums: banks.iter().map(Bank::checksum).collect() })
+        let base = dialogue.file(0).map(DialogueFile::checksum);
+        let mut patches: Vec<u64> = patches(dialogue).map(|(_, bank)| bank.checksum()).collect();
+        patches.reverse();
+        Ok(Stack { whole, checksums: base.into_iter().chain(patches).collect() })
     }
 
     /// The bank that the stack is as a whole.
@@ -62,27 +82,63 @@ impl Stack {
     }
 }
 
-/// The bank in a file, verified.
-fn verified<'f>(name: &str, bytes: &'f [u8]) -> Result<Bank<'f>, Report> {
-    let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
-    let opened = Bank::open(bytes).map_err(|error| (Code::BankRefused, error));
-    let verified = opened.and_then(|bank| bank.verify_with(utf8).map_err(|error| (Code::BankDamaged, error)));
-    verified.map_err(|(code, error)| {
-        let place =
-            format!("bank error {}, at byte {} of {}", error.kind().number(), error.offset_bytes(), bytes.len());
-        let diagnostic = Diagnostic::new(code, error.kind().message()).note(place);
-        Report::about(name, diagnostic.help("name .lipzbank files, copied whole; pack those that are damaged again"))
+/// The dialogue of verified files, which messages call by these names.
+///
+/// # Errors
+/// When one of them does not fit those before it, with the remedy. Under other banks, the base must not be a patch.
+pub fn dialogue_of<'f>(names: &[&str], files: &'f [DialogueFile<'f>]) -> Result<Dialogue<'f>, Report> {
+    let name = |number: usize| names.get(number).or(names.last()).copied().unwrap_or_default();
+    if files.iter().filter_map(DialogueFile::bank).count() > 1 {
+        files.first().map_or(Ok(()), |base| refuse_patch(name(0), base))?;
+    }
+    Dialogue::new(files).map_err(|error| {
+        let number = error.file();
+        misfit(name(number), error.error().kind(), files.get(number).and_then(DialogueFile::bank))
     })
 }
 
-/// The report about a bank that does not fit those below it.
+/// Refuses a base that is a patch.
+fn refuse_patch(name: &str, base: &DialogueFile<'_>) -> Result<(), Report> {
+    match base.kind() {
+        FileKind::Patch => Err(misfit(name, ErrorKind::OtherBase, base.bank())),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a dialogue that is not a whole bank.
+pub(super) fn refuse_part(name: &str, dialogue: &Dialogue<'_>) -> Result<(), Report> {
+    dialogue.file(0).map_or(Ok(()), |base| refuse_patch(name, base))
+}
+
+/// A file, verified, the one with this number behind `files`.
+fn verified<'f>(
+    name: &str,
+    bytes: &'f [u8],
+    files: &[DialogueFile<'f>],
+    number: usize,
+) -> Result<DialogueFile<'f>, Report> {
+    let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
+    let opened = DialogueFile::open(bytes, number).map_err(|error| (Code::BankRefused, error));
+    let verified =
+        opened.and_then(|file| file.verify_in(files, number, utf8).map_err(|error| (Code::BankDamaged, error)));
+    verified.map_err(|(code, error)| refused(name, code, error, bytes))
+}
+
+fn refused(name: &str, code: Code, error: Error, bytes: &[u8]) -> Report {
+    let place = format!("bank error {}, at byte {} of {}", error.kind().number(), error.offset_bytes(), bytes.len());
+    let diagnostic = Diagnostic::new(code, error.kind().message()).note(place);
+    Report::about(name, diagnostic.help("name .lipzbank files, copied whole; pack those that are damaged again"))
+}
+
+/// The report about a file that does not fit those before it.
 fn misfit(name: &str, kind: ErrorKind, bank: Option<&Bank<'_>>) -> Report {
     let help = match kind {
         ErrorKind::OtherBase => {
             "name the banks that it was packed over, in their order, before it; `lipz inspect` shows their checksums"
         }
-        ErrorKind::NotALayer => "name one bank first, and behind it those that were packed with `--over`",
-        ErrorKind::LayerCount => "name at least one bank, and at most 64",
+        ErrorKind::NotALayer => "name one bank or set first, and behind it those that were packed with `--over`",
+        ErrorKind::LayerCount => "name at least one bank, and at most 15 that were packed with `--over`",
+        ErrorKind::OtherBank => "copy all files of the set again, or link it again: lipz link",
         _ => "pack it again",
     };
     let mut diagnostic = Diagnostic::new(Code::LayerMisfit, kind.message()).help(help);

@@ -39,7 +39,7 @@ pub(super) fn events<'c>(
             let number = *numbers.entry(string).or_insert(next);
             if number == next {
                 let typed_first = parsed.len();
-                parsed.extend(event::parse(string).into_iter().flatten());
+                parsed.extend(event::parse(string).into_iter().flatten().filter(|event| verb(event).is_some()));
                 records.push(EventRecord {
                     offset_bytes: fit(pool.len(), "events")?.into(),
                     length_bytes: fit(string.len(), "events")?.into(),
@@ -59,7 +59,7 @@ pub(super) fn events<'c>(
 
 /// The distinct names in `events`, and those of curves, in their order.
 fn sorted_names<'e>(events: &[Event<'e>], with_curves: &[(usize, Clip<'e>)]) -> Vec<&'e str> {
-    let words = events.iter().flat_map(|event| [event.character, event.command.object()]).flatten();
+    let words = events.iter().flat_map(|event| [event.character, second_word(event)]).flatten();
     let of_curves = with_curves.iter().flat_map(|(_, clip)| clip.curves()).map(|(name, _)| name);
     // Few names, each many times.
     let distinct: HashSet<&str> = words.map(|word| word.text).chain(of_curves).collect();
@@ -76,23 +76,34 @@ fn typed_record(event: &Event<'_>, sorted: &[&str]) -> TypedEventRecord {
     };
     TypedEventRecord {
         character: number(event.character),
-        object: number(event.command.object()),
-        verb: match event.command {
-            Command::Feels(_) => VERB_FEELS,
-            Command::Sees(_) => VERB_SEES,
-            Command::Stares(_) => VERB_STARES,
-            Command::StopsStaring => VERB_STOPS_STARING,
-            Command::Points(_) => VERB_POINTS,
-            Command::StopsPointing => VERB_STOPS_POINTING,
-            Command::Does(_) => VERB_DOES,
-            Command::Nods(_) => VERB_NODS,
-            Command::Shakes(_) => VERB_SHAKES,
-            Command::Breathes(_) => VERB_BREATHES,
-            Command::Blinks => VERB_BLINKS,
-            Command::LooksAway => VERB_LOOKS_AWAY,
-        },
+        object: number(second_word(event)),
+        verb: verb(event).unwrap_or_default(),
         reserved: [0; 7],
     }
+}
+
+/// What stands behind the verb: a name, or the number of a gesture.
+fn second_word<'t>(event: &Event<'t>) -> Option<Word<'t>> {
+    event.command.object().or(event.command.amount())
+}
+
+/// The number of the verb of an event; every verb of Lipz files has one.
+fn verb(event: &Event<'_>) -> Option<u8> {
+    Some(match event.command {
+        Command::Feels(_) => VERB_FEELS,
+        Command::Sees(_) => VERB_SEES,
+        Command::Stares(_) => VERB_STARES,
+        Command::StopsStaring => VERB_STOPS_STARING,
+        Command::Points(_) => VERB_POINTS,
+        Command::StopsPointing => VERB_STOPS_POINTING,
+        Command::Does(_) => VERB_DOES,
+        Command::Nods(_) => VERB_NODS,
+        Command::Shakes(_) => VERB_SHAKES,
+        Command::Breathes(_) => VERB_BREATHES,
+        Command::Blinks => VERB_BLINKS,
+        Command::LooksAway => VERB_LOOKS_AWAY,
+        _ => return None,
+    })
 }
 
 /// Adds the names to the pool.

@@ -74,7 +74,7 @@ impl LayerDraft {
     /// The filter of the ids that the layer says something about.
     fn filter(&self, ids: &[u64]) -> Vec<u64> {
         let bits = (ids.len() + self.removed.len()) * FILTER_BITS;
-        let mut words = vec![0; bits.div_ceil(64).next_power_of_two()];
+        let mut words = vec![0; bits.div_ceil(64).next_power_of_two().max(LEAST_FILTER_WORDS)];
         for &id in ids.iter().chain(&self.removed) {
             let (word, bit) = filter_place(id, words.len());
             words[word] |= 1 << bit;
@@ -85,3 +85,5 @@ impl LayerDraft {
 
 /// Bits of a filter for each id, before it is rounded up: of the ids that a layer does not know, it stops fifteen of sixteen.
 const FILTER_BITS: usize = 16;
+/// Words of the smallest filter: a line of the cache is read for it in any case.
+const LEAST_FILTER_WORDS: usize = 8;

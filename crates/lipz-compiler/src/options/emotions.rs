@@ -1,13 +1,13 @@
 //! What becomes of emotions in texts and events.
 
-use lipz_bank::Emotion;
+use lipz_bank::face::Emotion;
 use lipz_file::emotion::{self, Blend};
 use std::collections::BTreeMap;
 
 /// How emotions in texts and events become curves (docs/FACE.md).
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
-pub struct Emotions {
+pub struct EmotionOptions {
     /// Of which clips.
     pub curves: EmotionCurves,
     /// Value of an attribute without one, in thousandths.
@@ -31,16 +31,16 @@ pub enum EmotionCurves {
     Off,
 }
 
-impl Default for Emotions {
-    fn default() -> Emotions {
-        Emotions { curves: EmotionCurves::All, usual_thousandths: 5000, over_ms: 400, presets: BTreeMap::new() }
+impl Default for EmotionOptions {
+    fn default() -> EmotionOptions {
+        EmotionOptions { curves: EmotionCurves::All, usual_thousandths: 5000, over_ms: 400, presets: BTreeMap::new() }
     }
 }
 
 /// Values of all attributes, in thousandths.
 pub(crate) type Face = [i32; Emotion::ALL.len()];
 
-impl Emotions {
+impl EmotionOptions {
     /// Whether a name is that of an attribute or of a preset.
     pub(crate) fn knows(&self, name: &str) -> bool {
         Emotion::from_name(name).is_some() || emotion::preset(name).is_some() || self.presets.contains_key(name)

@@ -10,7 +10,7 @@ use std::path::{Component, Path, PathBuf};
 const MATCHING: MatchOptions =
     MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: false };
 
-/// Levels of lints for the files that a pattern matches; see [`Options::files_levels`].
+/// Levels of lints for the files that a pattern matches; see [`Options::file_levels`].
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FileLevels {
     pattern: Pattern,
@@ -38,9 +38,8 @@ impl Options {
     /// ```
     /// use lipz_compiler::diagnostics::{Code, Levels};
     /// use lipz_compiler::{FileLevels, Options};
-    /// let mut options = Options::new();
     /// let allowed = Levels::from([(Code::UnknownEmotion, None)]);
-    /// options.files_levels.push(FileLevels::new("".as_ref(), "voices/old/**", allowed)?);
+    /// let options = Options::new().file_levels(FileLevels::new("".as_ref(), "voices/old/**", allowed)?);
     /// assert_eq!(options.levels_for("voices/old/act1/mara.lipz").severity(Code::UnknownEmotion), None);
     /// assert!(options.levels_for("voices/act1/mara.lipz").severity(Code::UnknownEmotion).is_some());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -58,7 +57,7 @@ impl Options {
         self.levels_for(&report.source.path).apply(&mut report.diagnostics);
     }
 
-    /// The options for the file with this name, in which [`levels`](Options::levels) are [those for it](Options::levels_for).
+    /// The options for the file with this name, whose [levels](Options::get_levels) are [those for it](Options::levels_for).
     pub fn for_file(&self, name: &str) -> Cow<'_, Options> {
         match self.levels_for(name) {
             Cow::Borrowed(_) => Cow::Borrowed(self),

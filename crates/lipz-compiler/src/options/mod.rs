@@ -3,18 +3,21 @@
 mod emotions;
 mod file_levels;
 mod gestures;
+mod getters;
+mod locale_error;
 mod requirements;
 mod setters;
 
 pub(crate) use emotions::Face;
-pub use emotions::{EmotionCurves, Emotions};
+pub use emotions::{EmotionCurves, EmotionOptions};
 pub use file_levels::FileLevels;
 pub(crate) use file_levels::FileOptions;
 pub use gestures::{GestureKeys, Gestures};
+pub use locale_error::LocaleError;
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
 use crate::babble::BabbleProfiles;
-use crate::face::FaceProfiles;
+use crate::face::FaceProfileSettings;
 use crate::{Voices, WordTimes, pseudo};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
@@ -24,67 +27,73 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What a project decides about its Lipz files. New options appear with new versions: start from
 /// [`Options::new`] and set what differs.
 ///
+/// Each option has a method that sets it and one that returns it, whose name starts with `get_`, as those of
+/// [`std::process::Command`]. Locales are checked where they are set.
+///
 /// ```
 /// use lipz_compiler::{Options, TextLimits};
 /// let options = Options::new()
-///     .default_locale("en-us")
-///     .fallback("de-at", ["de-de", "en-us"])
+///     .default_locale("en-us")?
+///     .fallback("de-at", ["de-de", "en-us"])?
 ///     .text_limits(TextLimits::new().line_columns(42).lines(2));
-/// assert_eq!(options.text_limits.lines, Some(2));
+/// assert_eq!(options.get_default_locale(), Some("en-us"));
+/// assert_eq!(options.get_text_limits().get_lines(), Some(2));
+/// assert!(Options::new().default_locale("english").is_err());
+/// # Ok::<(), lipz_compiler::LocaleError>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Options {
     /// Frame rate of files without `fps`. Without it their clips' rate is "unspecified".
-    pub default_fps: Option<Fps>,
+    pub(crate) default_fps: Option<Fps>,
     /// Viseme type of files without `viseme_type`. Without it their clips' type is "unspecified".
-    pub default_viseme_type: Option<VisemeType>,
+    pub(crate) default_viseme_type: Option<VisemeType>,
     /// Locale of `text` elements without one, and the last resort of every locale's fallback. Any
     /// spelling that [`lipz_file::locale::canonical_tag`] accepts.
-    pub default_locale: Option<String>,
+    pub(crate) default_locale: Option<String>,
     /// Accept any BCP 47 language tag (`es-419`, `zh-hant`), not only `ll-cc`.
-    pub extended_locales: bool,
+    pub(crate) extended_locales: bool,
     /// Leave out the source section: smaller, but unpacking gives display forms only.
-    pub strip: bool,
+    pub(crate) strip: bool,
     /// Threads that read and check files; `None` for one per core.
-    pub threads: Option<usize>,
+    pub(crate) threads: Option<usize>,
     /// Levels of lints that differ from their defaults.
-    pub levels: Levels,
-    /// Levels that hold for some of the files, over [`levels`](Options::levels); later ones win.
-    pub files_levels: Vec<FileLevels>,
+    pub(crate) levels: Levels,
+    /// Levels that hold for some of the files, over `levels`; later ones win.
+    pub(crate) files_levels: Vec<FileLevels>,
     /// Locales to pack; `None` for all that the files have.
-    pub locales: Option<BTreeSet<String>>,
+    pub(crate) locales: Option<BTreeSet<String>>,
     /// For a locale, those that its missing texts are taken from, in order, instead of the usual
     /// ones.
-    pub fallbacks: BTreeMap<String, Vec<String>>,
+    pub(crate) fallbacks: BTreeMap<String, Vec<String>>,
     /// Braces are displayed as they are: `{0}` is a placeholder of the game, not meta.
-    pub literal_braces: bool,
+    pub(crate) literal_braces: bool,
     /// How much text a screen holds and a player reads.
-    pub text_limits: TextLimits,
+    pub(crate) text_limits: TextLimits,
     /// The names that events may mention.
-    pub known_names: KnownNames,
+    pub(crate) known_names: KnownNames,
     /// Viseme type that clips of other types are converted to.
-    pub viseme_type: Option<VisemeType>,
+    pub(crate) viseme_type: Option<VisemeType>,
     /// How much of the dialogue must be translated for a bank to be made.
-    pub min_coverage: MinCoverage,
+    pub(crate) min_coverage: MinCoverage,
     /// Add a pseudo-locale, made of the texts of the default locale: `en-xa` of `en-us`. It is packed
     /// whether `locales` names it or not. Files that have a text in it keep theirs.
-    pub pseudo: bool,
+    pub(crate) pseudo: bool,
     /// How mouths move that no clip describes.
-    pub babble: BabbleProfiles,
+    pub(crate) babble: BabbleProfiles,
     /// How faces move by themselves.
-    pub faces: FaceProfiles,
+    pub(crate) faces: FaceProfileSettings,
     /// How emotions in texts and events become curves.
-    pub emotions: Emotions,
+    pub(crate) emotions: EmotionOptions,
     /// What faces do while something is said or heard.
-    pub gestures: Gestures,
+    pub(crate) gestures: Gestures,
     /// What the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry
     /// the bank has no section about recordings.
-    pub recordings: BTreeMap<String, Recording>,
+    pub(crate) recordings: BTreeMap<String, Recording>,
     /// When the words of clips are said, by key: where emotions change, and what faces do.
-    pub word_times: BTreeMap<String, WordTimes>,
+    pub(crate) word_times: BTreeMap<String, WordTimes>,
     /// The languages in which lines are recorded: which clips are dubs, and whose text has the emotions that count.
-    pub voices: Voices,
+    pub(crate) voices: Voices,
 }
 
 impl Options {

@@ -1,5 +1,6 @@
 //! What a project requires of texts and of names.
 
+use super::LocaleError;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Limits of display texts; those that are `None` are not checked.
@@ -7,11 +8,11 @@ use std::collections::{BTreeMap, BTreeSet};
 #[non_exhaustive]
 pub struct TextLimits {
     /// Columns of a line; East Asian wide characters count two.
-    pub line_columns: Option<u32>,
+    pub(crate) line_columns: Option<u32>,
     /// Lines of a segment.
-    pub lines: Option<u32>,
+    pub(crate) lines: Option<u32>,
     /// Characters that a player reads in a second, over the time of the segment.
-    pub characters_per_second: Option<f64>,
+    pub(crate) characters_per_second: Option<f64>,
 }
 
 /// Shares of the clips that must have a text of their own, in percent from 0 to 100.
@@ -19,9 +20,9 @@ pub struct TextLimits {
 #[non_exhaustive]
 pub struct MinCoverage {
     /// In every locale that is not named below.
-    pub all: Option<f64>,
+    pub(crate) all: Option<f64>,
     /// In these locales.
-    pub locales: BTreeMap<String, f64>,
+    pub(crate) locales: BTreeMap<String, f64>,
 }
 
 /// Names that Character Event Syntax and curves may have; a list that is `None` is not checked.
@@ -29,15 +30,15 @@ pub struct MinCoverage {
 #[non_exhaustive]
 pub struct KnownNames {
     /// Characters of the scenes.
-    pub characters: Option<BTreeSet<String>>,
+    pub(crate) characters: Option<BTreeSet<String>>,
     /// Things that characters look and point at.
-    pub props: Option<BTreeSet<String>>,
+    pub(crate) props: Option<BTreeSet<String>>,
     /// Emotions beyond those of the specification.
-    pub emotions: BTreeSet<String>,
+    pub(crate) emotions: BTreeSet<String>,
     /// Actions of `does`.
-    pub actions: Option<BTreeSet<String>>,
+    pub(crate) actions: Option<BTreeSet<String>>,
     /// Curves beyond the emotions and the blend shapes of ARKit.
-    pub curves: Option<BTreeSet<String>>,
+    pub(crate) curves: Option<BTreeSet<String>>,
 }
 
 impl TextLimits {
@@ -64,6 +65,21 @@ impl TextLimits {
     pub fn characters_per_second(self, count: f64) -> TextLimits {
         TextLimits { characters_per_second: Some(count), ..self }
     }
+
+    /// The columns of a line; `None` if they are not checked.
+    pub fn get_line_columns(&self) -> Option<u32> {
+        self.line_columns
+    }
+
+    /// The lines of a segment; `None` if they are not checked.
+    pub fn get_lines(&self) -> Option<u32> {
+        self.lines
+    }
+
+    /// The characters that a player reads in a second; `None` if they are not checked.
+    pub fn get_characters_per_second(&self) -> Option<f64> {
+        self.characters_per_second
+    }
 }
 
 impl MinCoverage {
@@ -80,10 +96,22 @@ impl MinCoverage {
     }
 
     /// Requires this share of one locale, in percent.
-    #[must_use]
-    pub fn locale(mut self, tag: impl Into<String>, percent: f64) -> MinCoverage {
-        self.locales.insert(tag.into(), percent);
-        self
+    ///
+    /// # Errors
+    /// If the tag is not a BCP 47 language tag. Whether the project accepts it is checked when a run starts.
+    pub fn locale(mut self, tag: impl AsRef<str>, percent: f64) -> Result<MinCoverage, LocaleError> {
+        self.locales.insert(LocaleError::check(tag.as_ref(), true)?, percent);
+        Ok(self)
+    }
+
+    /// The share in every locale that is not named, in percent.
+    pub fn get_all(&self) -> Option<f64> {
+        self.all
+    }
+
+    /// The shares in the locales that are named, in percent.
+    pub fn get_locales(&self) -> &BTreeMap<String, f64> {
+        &self.locales
     }
 }
 
@@ -123,9 +151,34 @@ impl KnownNames {
     pub fn curves<T: Into<String>>(self, names: impl IntoIterator<Item = T>) -> KnownNames {
         KnownNames { curves: Some(strings(names)), ..self }
     }
+
+    /// The characters of the scenes; `None` if any name is accepted.
+    pub fn get_characters(&self) -> Option<&BTreeSet<String>> {
+        self.characters.as_ref()
+    }
+
+    /// The things that characters look and point at; `None` if any name is accepted.
+    pub fn get_props(&self) -> Option<&BTreeSet<String>> {
+        self.props.as_ref()
+    }
+
+    /// The emotions beyond those of the specification.
+    pub fn get_emotions(&self) -> &BTreeSet<String> {
+        &self.emotions
+    }
+
+    /// The actions of `does`; `None` if any name is accepted.
+    pub fn get_actions(&self) -> Option<&BTreeSet<String>> {
+        self.actions.as_ref()
+    }
+
+    /// The curves beyond the emotions and the blend shapes of ARKit; `None` if any name is accepted.
+    pub fn get_curves(&self) -> Option<&BTreeSet<String>> {
+        self.curves.as_ref()
+    }
 }
 
 /// The items as a set of strings.
-pub(super) fn strings<T: Into<String>>(items: impl IntoIterator<Item = T>) -> BTreeSet<String> {
+fn strings<T: Into<String>>(items: impl IntoIterator<Item = T>) -> BTreeSet<String> {
     items.into_iter().map(Into::into).collect()
 }

@@ -1,9 +1,8 @@
 //! The setters of [`Options`].
 
-use super::requirements::strings;
-use super::{Emotions, Gestures, KnownNames, MinCoverage, Options, TextLimits};
+use super::{EmotionOptions, FileLevels, Gestures, KnownNames, LocaleError, MinCoverage, Options, TextLimits};
 use crate::babble::BabbleProfiles;
-use crate::face::FaceProfiles;
+use crate::face::FaceProfileSettings;
 use crate::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -15,40 +14,45 @@ impl Options {
         Options::default()
     }
 
-    /// Sets the frame rate of files without `fps`.
+    /// Sets the frame rate of files without `fps`. Without it their clips' rate is "unspecified".
     #[must_use]
-    pub fn default_fps(self, fps: Fps) -> Options {
-        Options { default_fps: Some(fps), ..self }
+    pub fn default_fps(self, fps: impl Into<Option<Fps>>) -> Options {
+        Options { default_fps: fps.into(), ..self }
     }
 
-    /// Sets the viseme type of files without `viseme_type`.
+    /// Sets the viseme type of files without `viseme_type`. Without it their clips' type is "unspecified".
     #[must_use]
-    pub fn default_viseme_type(self, viseme_type: VisemeType) -> Options {
-        Options { default_viseme_type: Some(viseme_type), ..self }
+    pub fn default_viseme_type(self, viseme_type: impl Into<Option<VisemeType>>) -> Options {
+        Options { default_viseme_type: viseme_type.into(), ..self }
     }
 
-    /// Sets the locale of `text` elements without one, and the last resort of every locale's fallback.
-    #[must_use]
-    pub fn default_locale(self, tag: impl Into<String>) -> Options {
-        Options { default_locale: Some(tag.into()), ..self }
+    /// Sets the locale of `text` elements without one, and the last resort of every locale's fallback. Any
+    /// spelling that [`lipz_file::locale::canonical_tag`] accepts.
+    ///
+    /// # Errors
+    /// If the tag does not have the form `ll-cc`; after [`extended_locales(true)`](Options::extended_locales), if it is not a
+    /// BCP 47 language tag.
+    pub fn default_locale(self, tag: impl AsRef<str>) -> Result<Options, LocaleError> {
+        let tag = self.locale(tag.as_ref())?;
+        Ok(Options { default_locale: Some(tag), ..self })
     }
 
-    /// Accepts any BCP 47 language tag, or only `ll-cc`.
+    /// Accepts any BCP 47 language tag (`es-419`, `zh-hant`), or only `ll-cc`. Call it before locales are set.
     #[must_use]
     pub fn extended_locales(self, extended_locales: bool) -> Options {
         Options { extended_locales, ..self }
     }
 
-    /// Leaves out the source section, or includes it.
+    /// Leaves out the source section, or includes it. Without it, a bank is smaller, but unpacking gives display forms only.
     #[must_use]
     pub fn strip(self, strip: bool) -> Options {
         Options { strip, ..self }
     }
 
-    /// Sets the number of threads.
+    /// Sets the number of threads that read and check files; `None` for one per core.
     #[must_use]
-    pub fn threads(self, count: usize) -> Options {
-        Options { threads: Some(count), ..self }
+    pub fn threads(self, count: impl Into<Option<usize>>) -> Options {
+        Options { threads: count.into(), ..self }
     }
 
     /// Sets the levels of lints that differ from their defaults.
@@ -57,20 +61,43 @@ impl Options {
         Options { levels: levels.into(), ..self }
     }
 
-    /// Packs these locales only.
+    /// Adds levels that hold for some of the files, over those that were added before.
     #[must_use]
-    pub fn locales<T: Into<String>>(self, tags: impl IntoIterator<Item = T>) -> Options {
-        Options { locales: Some(strings(tags)), ..self }
-    }
-
-    /// Takes missing texts of one locale from others, in this order.
-    #[must_use]
-    pub fn fallback<T: Into<String>>(mut self, tag: impl Into<String>, chain: impl IntoIterator<Item = T>) -> Options {
-        self.fallbacks.insert(tag.into(), chain.into_iter().map(Into::into).collect());
+    pub fn file_levels(mut self, levels: FileLevels) -> Options {
+        self.files_levels.push(levels);
         self
     }
 
-    /// Displays braces as they are, or reads them as meta information.
+    /// Packs these locales only.
+    ///
+    /// # Errors
+    /// As for [`default_locale`](Options::default_locale).
+    pub fn locales<T: AsRef<str>>(self, tags: impl IntoIterator<Item = T>) -> Result<Options, LocaleError> {
+        let locales = tags.into_iter().map(|tag| self.locale(tag.as_ref())).collect::<Result<_, _>>()?;
+        Ok(Options { locales: Some(locales), ..self })
+    }
+
+    /// Takes missing texts of one locale from others, in this order, instead of the usual ones.
+    ///
+    /// # Errors
+    /// As for [`default_locale`](Options::default_locale).
+    pub fn fallback<T: AsRef<str>>(
+        mut self,
+        tag: impl AsRef<str>,
+        chain: impl IntoIterator<Item = T>,
+    ) -> Result<Options, LocaleError> {
+        let tag = self.locale(tag.as_ref())?;
+        let chain = chain.into_iter().map(|tag| self.locale(tag.as_ref())).collect::<Result<_, _>>()?;
+        self.fallbacks.insert(tag, chain);
+        Ok(self)
+    }
+
+    /// The canonical form of a locale.
+    fn locale(&self, tag: &str) -> Result<String, LocaleError> {
+        LocaleError::check(tag, self.extended_locales)
+    }
+
+    /// Displays braces as they are, for games with placeholders such as `{0}`, or reads them as meta information.
     #[must_use]
     pub fn literal_braces(self, literal_braces: bool) -> Options {
         Options { literal_braces, ..self }
@@ -90,8 +117,8 @@ impl Options {
 
     /// Converts clips of other viseme types to this one.
     #[must_use]
-    pub fn viseme_type(self, viseme_type: VisemeType) -> Options {
-        Options { viseme_type: Some(viseme_type), ..self }
+    pub fn viseme_type(self, viseme_type: impl Into<Option<VisemeType>>) -> Options {
+        Options { viseme_type: viseme_type.into(), ..self }
     }
 
     /// Sets how much of the dialogue must be translated for a bank to be made.
@@ -100,7 +127,9 @@ impl Options {
         Options { min_coverage, ..self }
     }
 
-    /// Adds a pseudo-locale, or does not.
+    /// Adds a pseudo-locale, made of the texts of the default locale (`en-xa` of `en-us`), or does not. A run reports an error
+    /// if there is no default locale. It is packed whether [`locales`](Options::locales) names it or not. Files that have a text
+    /// in it keep theirs.
     #[must_use]
     pub fn pseudo(self, pseudo: bool) -> Options {
         Options { pseudo, ..self }
@@ -114,13 +143,13 @@ impl Options {
 
     /// Sets how faces move by themselves.
     #[must_use]
-    pub fn faces(self, faces: FaceProfiles) -> Options {
+    pub fn faces(self, faces: FaceProfileSettings) -> Options {
         Options { faces, ..self }
     }
 
     /// Sets how emotions in texts and events become curves.
     #[must_use]
-    pub fn emotions(self, emotions: Emotions) -> Options {
+    pub fn emotions(self, emotions: EmotionOptions) -> Options {
         Options { emotions, ..self }
     }
 
@@ -130,21 +159,23 @@ impl Options {
         Options { gestures, ..self }
     }
 
-    /// Sets what the bank says about the recordings of clips, by key.
+    /// Sets what the bank says about the recordings of clips, by key. Keys without a clip are ignored; without any entry
+    /// the bank has no section about recordings.
     #[must_use]
     pub fn recordings<K: Into<String>>(self, recordings: impl IntoIterator<Item = (K, Recording)>) -> Options {
         let recordings = recordings.into_iter().map(|(key, recording)| (key.into(), recording)).collect();
         Options { recordings, ..self }
     }
 
-    /// Sets when the words of clips are said, by key.
+    /// Sets when the words of clips are said, by key: where emotions change, and what faces do.
     #[must_use]
     pub fn word_times<K: Into<String>>(self, word_times: impl IntoIterator<Item = (K, WordTimes)>) -> Options {
         let word_times = word_times.into_iter().map(|(key, times)| (key.into(), times)).collect();
         Options { word_times, ..self }
     }
 
-    /// Sets the languages in which lines are recorded.
+    /// Sets the languages in which lines are recorded: which clips are dubs, and whose text has the emotions that count. A run
+    /// checks whether the project accepts their locales.
     #[must_use]
     pub fn voices(self, voices: Voices) -> Options {
         Options { voices, ..self }

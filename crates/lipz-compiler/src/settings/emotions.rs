@@ -3,7 +3,7 @@
 use super::reading::Reading;
 use super::value::{Value, is_word, span};
 use crate::EmotionCurves;
-use lipz_bank::Emotion;
+use lipz_bank::face::Emotion;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
 use lipz_file::emotion::Blend;
 

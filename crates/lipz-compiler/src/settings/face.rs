@@ -4,7 +4,7 @@ use super::reading::Reading;
 use super::value::{Value, span};
 use crate::GestureKeys;
 use crate::face::{FaceNumbers, FaceSetting, SETTINGS, Unit, numbers};
-use lipz_bank::FaceProfile;
+use lipz_bank::face::FaceProfile;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
 use toml::de::DeValue;
 

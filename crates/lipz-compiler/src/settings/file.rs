@@ -11,27 +11,61 @@ use std::path::{Path, PathBuf};
 const MAX_BYTES: u64 = 1 << 20;
 
 impl Settings {
-    /// Reads the settings file at `path`.
+    /// Reads the settings file at `path`. Paths in the file count from its folder.
     ///
-    /// Paths in the file count from its folder. Settings with diagnostics at error level keep their
-    /// defaults; the report says whether there are any.
-    pub fn read(path: &Path) -> (Settings, Report) {
-        let name = display(path);
-        match read_limited(path) {
-            Ok(bytes) => Settings::parse(&bytes, name, path.parent().unwrap_or(Path::new(""))),
-            Err(error) => (Settings::default(), Report::about(name.as_str(), unreadable(&name, &error))),
-        }
+    /// The settings keep the [warnings](Settings::warnings) about the file.
+    ///
+    /// # Errors
+    /// All diagnostics about the file, if it cannot be read or one of them is an error.
+    pub fn read(path: impl AsRef<Path>) -> Result<Settings, Report> {
+        without_errors(Settings::read_with_report(path))
     }
 
     /// Reads the settings in `bytes`, which messages call `name`. Paths in them count from `folder`.
     ///
     /// ```
     /// use lipz_compiler::settings::Settings;
-    /// let (settings, report) = Settings::parse(b"sources = [\"voices\"]", "lipz.toml", "game".as_ref());
-    /// assert!(report.diagnostics.is_empty());
+    /// let settings = Settings::parse("sources = [\"voices\"]", "lipz.toml", "game")?;
     /// assert_eq!(settings.sources, [std::path::Path::new("game/voices")]);
+    ///
+    /// let error = Settings::parse("strip = 1", "lipz.toml", "game").unwrap_err();
+    /// assert!(error.to_string().starts_with("lipz.toml:1:9: error[LZ1003]"), "{error}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn parse(bytes: &[u8], name: impl Into<String>, folder: &Path) -> (Settings, Report) {
+    ///
+    /// # Errors
+    /// All diagnostics, if one of them is an error.
+    pub fn parse(
+        bytes: impl AsRef<[u8]>,
+        name: impl Into<String>,
+        folder: impl AsRef<Path>,
+    ) -> Result<Settings, Report> {
+        without_errors(Settings::parse_with_report(bytes, name, folder))
+    }
+
+    /// Reads the settings file at `path`, and goes on after errors.
+    ///
+    /// For tools that report everything at once, such as the command `lipz` and editors. Each setting with an error has its
+    /// default, and so have all of them if the file cannot be read: if the report [has errors](Report::has_errors), these
+    /// are not the settings of the project. All other programs call [`read`](Settings::read).
+    #[must_use = "the report says whether these are the settings of the project"]
+    pub fn read_with_report(path: impl AsRef<Path>) -> (Settings, Report) {
+        let path = path.as_ref();
+        let name = display(path);
+        match read_limited(path) {
+            Ok(bytes) => Settings::parse_with_report(&bytes, name, path.parent().unwrap_or(Path::new(""))),
+            Err(error) => (Settings::default(), Report::about(name.as_str(), unreadable(&name, &error))),
+        }
+    }
+
+    /// Reads the settings in `bytes`, and goes on after errors, as [`read_with_report`](Settings::read_with_report) does.
+    #[must_use = "the report says whether these are the settings of the project"]
+    pub fn parse_with_report(
+        bytes: impl AsRef<[u8]>,
+        name: impl Into<String>,
+        folder: impl AsRef<Path>,
+    ) -> (Settings, Report) {
+        let (bytes, folder) = (bytes.as_ref(), folder.as_ref());
         // A byte order mark is allowed in TOML.
         let mut diagnostics = Vec::new();
         let settings = match lipz_file::decode_marked(bytes, &mut diagnostics) {
@@ -42,6 +76,15 @@ impl Settings {
         diagnostics.sort_by_key(Diagnostic::start);
         (settings, Report::from_bytes(name, bytes, diagnostics))
     }
+}
+
+/// The settings with their warnings, unless something is an error.
+fn without_errors((mut settings, report): (Settings, Report)) -> Result<Settings, Report> {
+    if report.has_errors() {
+        return Err(report);
+    }
+    settings.warnings = (!report.diagnostics.is_empty()).then_some(report);
+    Ok(settings)
 }
 
 /// The bytes of a settings file; no more than could be one are read.
@@ -74,10 +117,30 @@ mod tests {
     #[test]
     fn a_file_that_is_too_long_is_not_read() {
         let file = tempfile::NamedTempFile::new().unwrap();
-        let diagnostics = || Settings::read(file.path()).1.diagnostics;
+        let diagnostics = || Settings::read_with_report(file.path()).1.diagnostics;
         file.as_file().set_len(MAX_BYTES).unwrap();
         assert!(diagnostics().iter().all(|diagnostic| diagnostic.code != Code::SettingsUnreadable));
         file.as_file().set_len(MAX_BYTES + 1).unwrap();
         assert!(diagnostics().iter().any(|diagnostic| diagnostic.code == Code::SettingsUnreadable));
+    }
+
+    #[test]
+    fn a_file_with_errors_gives_no_settings() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("lipz.toml");
+        let missing = Settings::read(&file).unwrap_err();
+        assert_eq!(missing.diagnostics[0].code, Code::SettingsUnreadable);
+        std::fs::write(&file, "strip = true\nsourcs = []\n").unwrap();
+        assert_eq!(Settings::read(&file).unwrap_err(), Settings::read_with_report(&file).1);
+        std::fs::write(&file, "strip = true\n").unwrap();
+        let settings = Settings::read(&file).unwrap();
+        assert!(settings.options.strip && settings.warnings().is_empty());
+    }
+
+    #[test]
+    fn settings_keep_their_warnings() {
+        let warning = Report::about("lipz.toml", Diagnostic::new(Code::ByteOrderMark, "a mark"));
+        let settings = without_errors((Settings::default(), warning.clone())).unwrap();
+        assert_eq!(settings.warnings(), [warning]);
     }
 }

@@ -34,8 +34,8 @@ pub use template::template;
 #[cfg(feature = "settings")]
 pub use value::is_word;
 
-use crate::{Input, Options, Voices, discover};
-use lipz_diagnostics::Report;
+use crate::{Input, Inputs, Options, Voices, discover};
+use lipz_diagnostics::{DiagnosticsError, Report};
 use std::path::PathBuf;
 
 /// What a project decides: where its Lipz files are, where its bank goes, and how it is made.
@@ -62,6 +62,9 @@ pub struct Settings {
     pub sync: Sync,
     /// How the bank is made.
     pub options: Options,
+    /// What is said about the file that they were read from.
+    #[cfg(feature = "settings")]
+    warnings: Option<Report>,
 }
 
 impl Settings {
@@ -76,9 +79,29 @@ impl Settings {
         Voices { original, patterns: self.audio.voices.clone() }
     }
 
-    /// The Lipz files of the sources with their keys, as [`discover`](discover()) finds them, and what it finds
-    /// wrong, at the project's levels.
-    pub fn discover(&self) -> (Vec<Input>, Vec<Report>) {
+    /// The warnings about the file that the settings were [read](Settings::read) from.
+    #[cfg(feature = "settings")]
+    pub fn warnings(&self) -> &[Report] {
+        self.warnings.as_slice()
+    }
+
+    /// The Lipz files of the sources with their keys, as [`discover`](discover()) finds them.
+    ///
+    /// # Errors
+    /// All diagnostics about the sources, at the project's levels, if one of them is an error: a file that cannot be read, or a
+    /// folder without Lipz files.
+    pub fn discover(&self) -> Result<Inputs, DiagnosticsError> {
+        let (inputs, reports) = self.discover_with_reports();
+        let (inputs, warnings) = DiagnosticsError::check(inputs, reports)?;
+        Ok(Inputs { inputs, warnings })
+    }
+
+    /// The Lipz files that could be found, and all diagnostics about the sources, at the project's levels.
+    ///
+    /// For tools that report everything at once, such as the command `lipz` and editors. If a report has an error, files of
+    /// the project are missing. All other programs call [`discover`](Settings::discover).
+    #[must_use = "the reports say whether files are missing"]
+    pub fn discover_with_reports(&self) -> (Vec<Input>, Vec<Report>) {
         let (inputs, mut reports) =
             discover::find(&self.sources, self.root.as_deref(), self.hidden, self.options.threads);
         for report in &mut reports {

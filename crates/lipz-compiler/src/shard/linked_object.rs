@@ -99,7 +99,7 @@ impl LinkedObject {
         if !bank.clips().all(|clip| is_here(clip.key())) {
             return Err(self.damaged("it has a clip of another shard"));
         }
-        if !bank.locales().map(|locale| locale.tag()).eq(self.export.locales.iter().map(String::as_str)) {
+        if !bank.locales().map(|locale| bank.locale_tag(locale)).eq(self.export.locales.iter().map(String::as_str)) {
             return Err(self.damaged("its export table names other locales"));
         }
         Ok(())

@@ -49,8 +49,9 @@ pub const SET_EXTENSION: &str = "lipzset";
 /// use lipz_compiler::Voices;
 /// use lipz_compiler::shard::shard_of_key;
 /// let many = std::num::NonZero::new(4096).unwrap();
-/// let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+/// let voices = Voices::new("en-us")?.dub("de-de", "de/{key}")?;
 /// assert_eq!(shard_of_key("de/act1/hello", &voices, many), shard_of_key("act1/hello", &voices, many));
+/// # Ok::<(), lipz_compiler::VoiceError>(())
 /// ```
 pub fn shard_of_key(key: &str, voices: &Voices, shards: NonZero<u16>) -> u16 {
     shard_of(ClipId::from_key(voices.line_of(key)), shards)

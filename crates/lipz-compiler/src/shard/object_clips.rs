@@ -32,7 +32,7 @@ struct Object<'b> {
 pub(super) fn object_clips(bytes: &[u8], bank: &Bank<'_>, file: ClipFile) -> Option<Clips> {
     let mut object = Object::new(bytes)?;
     let (mut clips, mut clip) = (Clips::staying_in(file), ClipData::default());
-    let locales: Vec<u32> = bank.locales().map(|locale| clips.locales.number(locale.tag(), false)).collect();
+    let locales: Vec<u32> = bank.locales().map(|locale| clips.locales.number(bank.locale_tag(locale), false)).collect();
     let mut slots: Vec<u32> = bank.clips().map(|clip| clip.slot()).collect();
     slots.sort_by_key(|&slot| object.records.get(slot as usize).map_or(0, |record| record.segments_first.get()));
     for slot in slots {

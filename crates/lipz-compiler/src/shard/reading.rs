@@ -186,7 +186,7 @@ mod tests {
         for name in ["a", "b", "c", "d"] {
             std::fs::write(folder.path().join(name).with_extension("lipz"), "{}").unwrap();
         }
-        let (inputs, _) = discover(&[folder.path().into()], None);
+        let inputs = discover(&[folder.path().into()], None).unwrap();
         let voices = Voices::default();
         let common = Common { settings: None, record: Path::new("r.txt"), files: &[], voices: &voices };
         let shards = plan(Step::Pack, &inputs, NonZero::new(2).unwrap(), common, |_| Beside::default()).unwrap();

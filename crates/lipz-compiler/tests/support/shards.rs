@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// Writes the objects of `inputs` into a folder.
 pub(crate) fn objects(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, folder: &Path) -> Vec<PathBuf> {
     let count = NonZero::new(shards).unwrap();
-    let voices = &compiler.options().voices;
+    let voices = &compiler.options().get_voices();
     let of_shard = |shard: u16| {
         let is_own = |input: &&Input| shard_of_key(&input.key, voices, count) == shard;
         let own: Vec<Input> = inputs.iter().filter(is_own).cloned().collect();
@@ -67,9 +67,15 @@ pub(crate) fn project() -> impl Strategy<Value = (Options, Vec<Input>)> {
             inputs.insert(key, file);
         }
         let inputs = inputs.into_iter().map(|(key, file)| Input::from_bytes(key, file)).collect();
-        let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("fr-fr", "fr/{key}");
-        let options = Options::new().default_locale("en-us").fallback("ja-jp", ["fr-fr"]).fallback("fr-fr", ["de-de"]);
+        let voices = Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap().dub("fr-fr", "fr/{key}").unwrap();
+        let options = Options::new()
+            .default_locale("en-us")
+            .unwrap()
+            .fallback("ja-jp", ["fr-fr"])
+            .unwrap()
+            .fallback("fr-fr", ["de-de"])
+            .unwrap();
         let options = options.pseudo(pseudo).voices(voices).recordings(recordings);
-        (if chooses { options.locales(["de-at", "en-us", "ja-jp"]) } else { options }, inputs)
+        (if chooses { options.locales(["de-at", "en-us", "ja-jp"]).unwrap() } else { options }, inputs)
     })
 }

@@ -16,7 +16,7 @@ pub(super) fn offers(document: &Document, known: &Known, around: Around) -> Vec<
     let mut all: Vec<(&str, &str)> = Vec::new();
     all.extend(Emotion::ALL.map(|emotion| (emotion.name(), "emotion, 0 to 10")));
     all.extend(FaceCurve::ALL.map(|curve| (curve.name(), "moves the face")));
-    let own = known.project.settings.options.known_names.curves.iter().flatten();
+    let own = known.project.settings.options.get_known_names().get_curves().into_iter().flatten();
     all.extend(own.map(|name| (name.as_str(), "curve of the project")));
     all.extend(ARKIT.map(|name| (name, "blend shape of ARKit, 0 to 1")));
     all.retain(|(name, _)| !present.contains(name));
@@ -36,11 +36,12 @@ fn offer(name: &str, about: &str, around: Around) -> Offer {
 mod tests {
     use super::super::tests::at;
     use crate::project::Known;
+    use lipz_compiler::{KnownNames, Options};
 
     #[test]
     fn curves_that_are_missing_are_offered() {
         let mut known = Known::default();
-        known.project.settings.options.known_names.curves = Some(["sparks".to_owned()].into());
+        known.project.settings.options = Options::new().known_names(KnownNames::new().curves(["sparks"]));
         let (names, first) = at("{ \"curves\": { \"sadness\": \"0:1\", \"§\" } }", &known);
         assert_eq!(names.len(), 11 + 15 + 1 + 52);
         assert_eq!(first, "{ \"curves\": { \"sadness\": \"0:1\", \"anger\": \"0:$0\" } }");

@@ -68,9 +68,10 @@ pub(super) fn in_term(term: &str, known: &Known) -> Vec<Offer> {
 fn names(known: &Known) -> Vec<Offer> {
     let options = &known.project.settings.options;
     let mut seen = BTreeSet::new();
-    let names = options.emotions.names().map(str::to_owned);
-    let names =
-        names.chain(lipz_file::event::EMOTIONS.map(str::to_owned)).chain(options.known_names.emotions.iter().cloned());
+    let names = options.get_emotions().names().map(str::to_owned);
+    let names = names
+        .chain(lipz_file::event::EMOTIONS.map(str::to_owned))
+        .chain(options.get_known_names().get_emotions().iter().cloned());
     names
         .filter(|name| seen.insert(name.clone()))
         .map(|name| {
@@ -81,7 +82,7 @@ fn names(known: &Known) -> Vec<Offer> {
 }
 
 fn about(name: &str, known: &Known) -> String {
-    let attributes = known.project.settings.options.emotions.attributes(name);
+    let attributes = known.project.settings.options.get_emotions().attributes(name);
     match attributes.as_slice() {
         _ if Emotion::from_name(name).is_some() => "emotion, 0 to 10".to_owned(),
         [] => "emotion: nothing shows".to_owned(),
@@ -93,7 +94,7 @@ fn about(name: &str, known: &Known) -> String {
 }
 
 fn is_emotion(name: &str, known: &Known) -> bool {
-    known.project.settings.options.emotions.names().any(|own| own == name)
+    known.project.settings.options.get_emotions().names().any(|own| own == name)
 }
 
 #[cfg(test)]

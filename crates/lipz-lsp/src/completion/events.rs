@@ -67,7 +67,7 @@ fn verbs() -> Vec<Offer> {
 }
 
 fn named(known: &Known, role: Role, detail: &str, kind: CompletionItemKind) -> Vec<Offer> {
-    let names = known.words.allowed(role, &known.project.settings.options.known_names);
+    let names = known.words.allowed(role, known.project.settings.options.get_known_names());
     names.into_iter().map(|name| Offer::new(name, detail, kind)).collect()
 }
 
@@ -75,13 +75,12 @@ fn named(known: &Known, role: Role, detail: &str, kind: CompletionItemKind) -> V
 mod tests {
     use super::super::tests::at;
     use crate::project::Known;
+    use lipz_compiler::{KnownNames, Options};
 
     fn known() -> Known {
         let mut known = Known::default();
-        let names = &mut known.project.settings.options.known_names;
-        names.characters = Some(["mara".to_owned()].into());
-        names.props = Some(["door".to_owned()].into());
-        names.actions = Some(["wave".to_owned()].into());
+        let names = KnownNames::new().characters(["mara"]).props(["door"]).actions(["wave"]);
+        known.project.settings.options = Options::new().known_names(names);
         known
     }
 

@@ -36,9 +36,9 @@ pub(super) fn offers(document: &Document, known: &Known, around: Around) -> Vec<
     let present: HashSet<&str> = context::names(&document.text).into_iter().collect();
     let options = &known.project.settings.options;
     let mut locales: BTreeSet<&str> = known.words.locales.iter().map(String::as_str).collect();
-    locales.extend(options.locales.iter().flatten().map(String::as_str));
+    locales.extend(options.get_locales().into_iter().flatten().map(String::as_str));
     // That of the project comes first; `en-us` where nothing else is known.
-    let first = options.default_locale.as_deref().or((locales.is_empty()).then_some("en-us"));
+    let first = options.get_default_locale().or((locales.is_empty()).then_some("en-us"));
     let texts = first.into_iter().chain(locales.iter().copied().filter(|tag| Some(*tag) != first));
     let texts = texts.map(|tag| format!("text_{tag}"));
     let names = ["visemes", "viseme_type", "fps", "events", "curves"].map(str::to_owned);
@@ -65,6 +65,7 @@ fn offer(name: String, around: Around) -> Offer {
 mod tests {
     use super::super::tests::at;
     use crate::project::Known;
+    use lipz_compiler::Options;
 
     #[test]
     fn elements_that_are_missing_are_offered() {
@@ -73,7 +74,7 @@ mod tests {
         assert_eq!(labels, ["visemes", "viseme_type", "fps", "events", "curves", "text_en-us"]);
         assert_eq!(first, "{ \"visemes\": \"$0\"");
         known.words.locales = ["de-de", "fr-fr"].map(str::to_owned).into();
-        known.project.settings.options.default_locale = Some("fr-fr".into());
+        known.project.settings.options = Options::new().default_locale("fr-fr").expect("a locale");
         let (labels, first) = at("{ \"visemes\": \"\", \"fps\": 24,\n\"v§\" \n\"text_de-de\": \"\" }", &known);
         assert_eq!(labels, ["viseme_type", "events", "curves", "text_fr-fr"]);
         assert_eq!(first, "{ \"visemes\": \"\", \"fps\": 24,\n\"viseme_type\": \"$0\" \n\"text_de-de\": \"\" }");

@@ -23,8 +23,9 @@ pub(crate) fn hover(document: &Document, known: &Known, at: usize, has_pictures:
     let mut parts = Vec::new();
     let mut span = None;
     if let Some(element) = element_at(&read, at) {
-        let timing = Timing::of(&read, options.default_fps);
-        let viseme_type = read.string("viseme_type").and_then(|name| name.parse().ok()).or(options.default_viseme_type);
+        let timing = Timing::of(&read, options.get_default_fps());
+        let viseme_type =
+            read.string("viseme_type").and_then(|name| name.parse().ok()).or(options.get_default_viseme_type());
         let clip = Clip { timing: timing.as_ref(), viseme_type, has_pictures };
         if let Some((said, place)) = clip.about(element, at) {
             parts.push(said);

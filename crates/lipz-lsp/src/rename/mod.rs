@@ -67,7 +67,8 @@ pub(crate) fn rename(known: &Known, open: &OpenFiles<'_>, name: &Name, new: &str
         return Err("a name is a word without spaces, `,` and `|`".to_owned());
     }
     let is_same = new == name.text;
-    let is_taken = |role: &Role| known.words.allowed(*role, &known.project.settings.options.known_names).contains(new);
+    let is_taken =
+        |role: &Role| known.words.allowed(*role, known.project.settings.options.get_known_names()).contains(new);
     if !is_same && name.roles().iter().any(is_taken) {
         return Err(format!("`{new}` is in use: the two could not be told apart any more"));
     }

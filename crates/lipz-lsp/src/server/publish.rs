@@ -112,7 +112,7 @@ fn local(document: &Document, known: &Known) -> Vec<Diagnostic> {
     match &document.path {
         Some(path) if path.file_name().is_some_and(|name| name == FILE_NAME) => {
             let folder = path.parent().unwrap_or(Path::new(""));
-            Settings::parse(document.text.as_bytes(), path_name(path), folder).1.diagnostics
+            Settings::parse_with_report(&document.text, path_name(path), folder).1.diagnostics
         }
         path => check::check(known, path.as_deref(), &document.text),
     }

@@ -104,7 +104,7 @@ impl<W: Write> Server<W> {
             let why = parsed.diagnostics.first().map(|diagnostic| diagnostic.message.clone()).unwrap_or_default();
             return Err(format!("the file cannot be formatted: {why}"));
         };
-        let default_locale = known.project.settings.options.default_locale.as_deref();
+        let default_locale = known.project.settings.options.get_default_locale();
         let after = format(&read, Style { default_locale, line_ending: LineEnding::detect(&document.text) });
         let is_same = after == document.text;
         Ok(Some(if is_same { Vec::new() } else { vec![actions::replacement(document, &after)] }))

@@ -112,7 +112,7 @@ fn run(home: PathBuf, project: &Project, check: &Check, open: Vec<(PathBuf, i32,
     for found in each_file(project, &checked.inputs, &unsaved, words_of) {
         words.add(found);
     }
-    let (recordings, _) = Recordings::discover(&project.settings);
+    let (recordings, _) = Recordings::discover_with_reports(&project.settings);
     Ran { home, checked, words, recordings, versions, took: start.elapsed() }
 }
 

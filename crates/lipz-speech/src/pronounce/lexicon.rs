@@ -28,23 +28,24 @@ pub struct Lexicon {
     words: HashMap<String, Vec<Vec<Phone>>>,
     /// How many words the longest entry has: `New York` and `Jean-Luc` have two.
     longest: usize,
+    problems: Vec<Problem>,
 }
 
 /// Longer entries are not looked for in texts.
 const LONGEST: usize = 16;
 
 impl Lexicon {
-    /// Reads a lexicon. Lines with a problem are left out; the ranges of problems are bytes of `text`.
+    /// Reads a lexicon. Lines with a problem are left out, and [`problems`](Lexicon::problems) lists them.
     ///
     /// ```
     /// use lipz_speech::{Lexicon, ProblemKind};
-    /// let (lexicon, problems) = Lexicon::parse("WESNOTH  W EH S N AO TH\nKONRAD  K QQ\n");
+    /// let lexicon = Lexicon::parse("WESNOTH  W EH S N AO TH\nKONRAD  K QQ\n");
     /// assert_eq!(lexicon.len(), 1);
-    /// assert_eq!((problems[0].kind, problems[0].range.clone()), (ProblemKind::UnknownPhone, 34..36));
+    /// let problem = &lexicon.problems()[0];
+    /// assert_eq!((problem.kind, problem.range.clone()), (ProblemKind::UnknownPhone, 34..36));
     /// ```
-    pub fn parse(text: &str) -> (Lexicon, Vec<Problem>) {
+    pub fn parse(text: &str) -> Lexicon {
         let mut lexicon = Lexicon::default();
-        let mut problems = Vec::new();
         let mut start = 0;
         for line in text.split_inclusive('\n') {
             let line_start = start;
@@ -56,11 +57,16 @@ impl Lexicon {
                 Ok(None) => {}
                 Err((kind, range)) => {
                     let at = line_start + mark;
-                    problems.push(Problem { kind, range: at + range.start..at + range.end });
+                    lexicon.problems.push(Problem { kind, range: at + range.start..at + range.end });
                 }
             }
         }
-        (lexicon, problems)
+        lexicon
+    }
+
+    /// The problems of the lines that were left out, in their order; the ranges are bytes of the text that was read.
+    pub fn problems(&self) -> &[Problem] {
+        &self.problems
     }
 
     /// Adds a pronunciation of a word, after those that it has.
@@ -74,7 +80,8 @@ impl Lexicon {
         }
     }
 
-    /// Adds all words of another lexicon. A word that both have keeps its pronunciations, and those of `other` follow.
+    /// Adds all words of another lexicon, without its problems. A word that both have keeps its pronunciations, and those of
+    /// `other` follow.
     pub fn extend(&mut self, other: Lexicon) {
         for (word, all) in other.words {
             all.into_iter().for_each(|phones| self.add(&word, phones));
@@ -193,8 +200,8 @@ mod tests {
     fn lines_of_every_kind_of_dictionary() {
         let text = "\u{feff};;; CMUdict\r\nKONRAD  K AA1 N R AE2 D\r\nkonrad(2) K OW N R AA D # remark\n\n\
                     # MFA\nLi'sar\t0.99\t0.1\t1.0\t1.0\tl iː s ɑː ɹ\nNew York  N UW Y AO R K\nÉowyn\teɪoʊɪn";
-        let (lexicon, problems) = Lexicon::parse(text);
-        assert_eq!(problems, []);
+        let lexicon = Lexicon::parse(text);
+        assert_eq!(lexicon.problems(), []);
         assert_eq!(all(&lexicon, "Konrad"), ["K AA N R AE D", "K OW N R AA D"]);
         assert_eq!(all(&lexicon, "li’sar"), ["L IY S AA R"]);
         assert_eq!(all(&lexicon, "NEW YORK"), ["N UW Y AO R K"]);
@@ -204,11 +211,11 @@ mod tests {
 
     #[test]
     fn readings_in_kana() {
-        let (lexicon, problems) = Lexicon::parse("東京 とうきょう\nWESNOTH  ウェスノス\n母\tは は\n朝 あさ kk\n");
+        let lexicon = Lexicon::parse("東京 とうきょう\nWESNOTH  ウェスノス\n母\tは は\n朝 あさ kk\n");
         assert_eq!(all(&lexicon, "東京"), ["T AO K Y AO"]);
         assert_eq!(all(&lexicon, "Wesnoth").first().map(String::as_str), Some("W EH S UW N AO S UW"));
         assert_eq!(all(&lexicon, "母"), ["HH AA HH AA"], "no particle");
-        let kinds: Vec<ProblemKind> = problems.iter().map(|problem| problem.kind).collect();
+        let kinds: Vec<ProblemKind> = lexicon.problems().iter().map(|problem| problem.kind).collect();
         assert_eq!(kinds, [ProblemKind::UnknownPhone]);
     }
 
@@ -216,9 +223,9 @@ mod tests {
     fn problems_say_where_they_are() {
         let text = "A  K\nB  k xx1 Ü\nC\n  D  SIL\nE  k 世";
         let found = |(kind, range): (ProblemKind, &str)| (kind, range.to_owned());
-        let (lexicon, problems) = Lexicon::parse(text);
+        let lexicon = Lexicon::parse(text);
         let problems: Vec<_> =
-            problems.iter().map(|problem| found((problem.kind, &text[problem.range.clone()]))).collect();
+            lexicon.problems().iter().map(|problem| found((problem.kind, &text[problem.range.clone()]))).collect();
         let unknown = |text| found((ProblemKind::UnknownPhone, text));
         assert_eq!(problems, [unknown("Ü"), found((ProblemKind::NoPhones, "C")), unknown("SIL"), unknown("世")]);
         assert_eq!(lexicon.len(), 1);

@@ -25,7 +25,7 @@ use std::collections::HashMap;
 ///
 /// ```
 /// use lipz_speech::{Language, Lexicon, Pronouncer};
-/// let (lexicon, _) = Lexicon::parse("WESNOTH  W EH S N AO TH\n");
+/// let lexicon = Lexicon::parse("WESNOTH  W EH S N AO TH\n");
 /// let pronouncer = Pronouncer::new(Language::ENGLISH).with_lexicon(lexicon);
 /// let script = pronouncer.script("To Wesnoth, {sighs}Li'sar{say: lee-sar}!| At last!");
 /// let words: Vec<String> = script.words.iter().map(ToString::to_string).collect();

@@ -66,7 +66,7 @@ impl Mouth {
 /// The mouth of an alignment: as many frames as the sound lasts, the last of which may be cut short.
 ///
 /// For [`VisemeType::Rms`], how far each shape is open; [`rms`] does it by loudness.
-pub fn render(alignment: &Alignment, viseme_type: VisemeType, fps: Fps, rules: &RenderRules) -> Mouth {
+pub fn render(alignment: &Alignment, fps: Fps, viseme_type: VisemeType, rules: &RenderRules) -> Mouth {
     let mut shapes = shapes::of_phones(&alignment.phones, rules);
     // The lead first: lips that are closed when the sound starts must still be seen.
     shapes::advance(&mut shapes, rules.lead_us);

@@ -89,7 +89,7 @@ mod tests {
             amplitude * (1..20).map(|k| (TAU * (i * k * 150 % 16_000) as f32 / 16_000.0).sin()).sum::<f32>() / 20.0
         };
         let amplitudes = amplitudes.iter().flat_map(|&amplitude| [amplitude; 4_000]);
-        Sound::from_samples(16_000, &amplitudes.enumerate().map(sample).collect::<Vec<_>>()).unwrap()
+        Sound::from_samples(&amplitudes.enumerate().map(sample).collect::<Vec<_>>(), 16_000).unwrap()
     }
 
     #[test]
@@ -115,7 +115,7 @@ mod tests {
         for amplitude in [0.0, 1e-4] {
             assert_eq!(rms(&hum(&[amplitude; 4]), Fps::whole(24), &RmsRules::default()).frames, "-".repeat(24));
         }
-        let short = Sound::from_samples(16_000, &[0.1; 3]).unwrap();
+        let short = Sound::from_samples(&[0.1; 3], 16_000).unwrap();
         assert_eq!(rms(&short, Fps::whole(24), &RmsRules::default()).frames.len(), 1);
     }
 }

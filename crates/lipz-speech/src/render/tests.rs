@@ -19,7 +19,7 @@ fn alignment(phones: &[(&str, u64)], breaks_ms: &[u64]) -> Alignment {
 
 fn blair(phones: &[(&str, u64)]) -> String {
     let rules = RenderRules { lead_us: 0, ..RenderRules::default() };
-    render(&alignment(phones, &[]), VisemeType::Blair, Fps::whole(24), &rules).frames
+    render(&alignment(phones, &[]), Fps::whole(24), VisemeType::Blair, &rules).frames
 }
 
 #[test]
@@ -35,7 +35,7 @@ fn closed_lips_take_time_from_the_sound_before_them() {
     assert_eq!(blair(&[("SIL", 250), ("P", 30), ("AA", 250)]), "-----MMAAAAAA");
     // Even if the lead leaves nothing of them.
     let phones = alignment(&[("B", 30), ("AA", 250)], &[]);
-    let mouth = render(&phones, VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let mouth = render(&phones, Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     assert_eq!(mouth.frames, "MMAAAA-");
     // Nothing before, or nothing to spare: from the sound after them.
     assert_eq!(blair(&[("B", 30), ("AA", 250)]), "MMAAAAA");
@@ -46,7 +46,7 @@ fn closed_lips_take_time_from_the_sound_before_them() {
 fn other_consonants_stay_as_long_if_that_is_wanted() {
     let held = |phones: &[(&str, u64)]| {
         let rules = RenderRules { lead_us: 0, hold_consonants: true, ..RenderRules::default() };
-        render(&alignment(phones, &[]), VisemeType::Blair, Fps::whole(24), &rules).frames
+        render(&alignment(phones, &[]), Fps::whole(24), VisemeType::Blair, &rules).frames
     };
     let phones = [("AA", 250), ("T", 30), ("AA", 250), ("L", 42), ("IY", 250)];
     assert_eq!(blair(&phones), "AAAAAASAAAAAALEEEEEE");
@@ -80,7 +80,7 @@ fn a_vowel_shorter_than_a_frame_does_not_open_the_mouth_wide() {
 #[test]
 fn the_mouth_leads_and_segments_start_with_their_word() {
     let phones = [("SIL", 500), ("AA", 500), ("SIL", 500), ("IY", 500)];
-    let mouth = render(&alignment(&phones, &[1_500]), VisemeType::Blair, Fps::whole(24), &RenderRules::default());
+    let mouth = render(&alignment(&phones, &[1_500]), Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     assert_eq!(mouth.frames, format!("{}{}{}{}", "-".repeat(11), "A".repeat(12), "-".repeat(12), "E".repeat(12)) + "-");
     assert_eq!(mouth.segment_starts, [0, 35]);
     assert_eq!(mouth.visemes().find('|'), Some(35));
@@ -91,8 +91,8 @@ fn the_mouth_leads_and_segments_start_with_their_word() {
 fn breaks_at_the_ends_and_in_one_place_make_empty_segments() {
     let mouth = render(
         &alignment(&[("AA", 250)], &[0, 0, 9_000, 9_000]),
-        VisemeType::Blair,
         Fps::whole(24),
+        VisemeType::Blair,
         &RenderRules { lead_us: 0, ..RenderRules::default() },
     );
     assert_eq!(mouth.visemes(), "||AAAAAA||");
@@ -103,7 +103,7 @@ fn every_shape_has_a_code_in_every_type() {
     let phones: Vec<(&str, u64)> = Phone::ALL.iter().map(|phone| (phone.name(), 200)).collect();
     for viseme_type in VisemeType::ALL {
         for fps in [Fps::whole(1), Fps::whole(12), Fps::whole(24), Fps::whole(60), Fps::whole(1000)] {
-            let mouth = render(&alignment(&phones, &[]), viseme_type, fps, &RenderRules::default());
+            let mouth = render(&alignment(&phones, &[]), fps, viseme_type, &RenderRules::default());
             assert!(viseme_type.contains_all(mouth.frames.as_bytes()));
             assert_eq!(mouth.frames.len(), frames::count(phones.len() as u64 * 200_000, fps));
         }

@@ -54,7 +54,7 @@ mod tests {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (f32::from(state.to_be_bytes()[0]) / 127.5 - 1.0) * amplitude(i)
         };
-        Sound::from_samples(16_000, &(0..32_000).map(sample).collect::<Vec<_>>()).unwrap()
+        Sound::from_samples(&(0..32_000).map(sample).collect::<Vec<_>>(), 16_000).unwrap()
     }
 
     #[test]

@@ -102,12 +102,12 @@ impl Sound {
         Sound::read(Cursor::new(bytes), extension)
     }
 
-    /// The sound of these samples of one channel, from -1 to 1.
+    /// The sound of these samples of one channel, from -1 to 1, of which a second has `rate_hz`.
     ///
     /// # Errors
     ///
     /// If there are none or too many, or the rate is none for speech.
-    pub fn from_samples(rate_hz: u32, samples: &[f32]) -> Result<Sound, SoundError> {
+    pub fn from_samples(samples: &[f32], rate_hz: u32) -> Result<Sound, SoundError> {
         if !decode::RATES_HZ.contains(&rate_hz) {
             return Err(SoundError::Rate { rate_hz });
         }
@@ -179,7 +179,7 @@ impl Sound {
     /// use lipz_speech::Sound;
     ///
     /// let hum: Vec<f32> = (0..32_000).map(|at| (at % 100) as f32 / 200.0).collect();
-    /// assert!(Sound::from_samples(16_000, &hum)?.is_no_speech());
+    /// assert!(Sound::from_samples(&hum, 16_000)?.is_no_speech());
     /// # Ok::<(), lipz_speech::SoundError>(())
     /// ```
     pub fn is_no_speech(&self) -> bool {

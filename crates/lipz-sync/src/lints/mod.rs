@@ -29,13 +29,13 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     if settings.audio.folder.is_none() {
         return Vec::new();
     }
-    let (recordings, mut reports) = Recordings::discover(settings);
+    let (recordings, mut reports) = Recordings::discover_with_reports(settings);
     if lipz_diagnostics::reports::have_errors(&reports) {
         return reports; // whatever is missing may be where nobody could look
     }
     let (ear, record) = match (Ear::open(settings.audio.cache.as_deref()), SyncRecord::read(&record_place(settings))) {
-        (Ok(ear), Ok((record, odd_lines))) => {
-            reports.extend(odd_lines);
+        (Ok(ear), Ok(record)) => {
+            reports.extend_from_slice(record.warnings());
             (ear, record)
         }
         (ear, record) => {
@@ -51,7 +51,7 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
         reports.push(Report::failure(shown(path), Code::RecordingWithoutClip, message, help));
     }
     let originals = Originals::new(recordings.voices(), inputs);
-    let found = threads::map(inputs, settings.options.threads, |input| {
+    let found = threads::map(inputs, settings.options.get_threads(), |input| {
         let original = originals.of(&input.key, input.name().as_ref());
         let reports = one(settings, (input, original.as_deref()), &recordings, &ear, &record);
         progress();

@@ -29,8 +29,7 @@ impl Project {
     fn new(settings: &str) -> Project {
         let folder = tempfile::tempdir().unwrap();
         let text = format!("default-fps = 24\n[audio]\nfolder = \"sounds\"\n{settings}");
-        let (settings, report) = Settings::parse(text.as_bytes(), "lipz.toml", folder.path());
-        assert_eq!(report.diagnostics, []);
+        let settings = Settings::parse(text, "lipz.toml", folder.path()).unwrap();
         Project { folder, settings }
     }
 
@@ -146,7 +145,7 @@ fn the_voice_of_a_clip_decides_which_text_is_spoken() {
     let found = project.check(&[("a", HALF_A_SECOND)]);
     assert_eq!(found, ["the clip has mouth shapes, but no recording"], "no spoken locale is named: dubs only");
     let mut project = project;
-    project.settings.options.default_locale = Some("en-us".to_owned());
+    project.settings.options = project.settings.options.default_locale("en-us").unwrap();
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [""; 0], "one mouth, two recordings");
     project.settings.audio.voices.insert("fr-fr".to_owned(), "fr/{key}".to_owned());
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), ["the clip has no recording in `fr-fr`"]);

@@ -12,7 +12,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Brings the mouths of all shards into their Lipz files and the record, as [`sync`](crate::sync()) does with those that it
+/// Brings the mouths of all shards into their Lipz files and the record, as a [`SyncRun`](crate::SyncRun) does with those that it
 /// makes. A file that is not what it was when the plan was made stays as it is, which is reported, and so does one of which the
 /// record says something else, or that has another recording; one that has its mouth already is done. So a run that ended in
 /// the middle can be done again.

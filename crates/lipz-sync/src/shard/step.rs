@@ -8,7 +8,7 @@ use crate::{Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::shard::{Beside, ContentHash, ShardPlan, WireReport};
 use lipz_compiler::{Content, Input};
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, DiagnosticsError, Report};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs;
 use std::io;
@@ -67,10 +67,7 @@ pub fn mouths(
 ) -> Result<Mouths, Vec<Report>> {
     let inputs = plan.inputs();
     let planned: HashSet<&Path> = plan.needs().map(Path::new).collect();
-    let (mut recordings, unread) = Recordings::discover(settings);
-    if lipz_diagnostics::reports::have_errors(&unread) {
-        return Err(unread);
-    }
+    let mut recordings = Recordings::discover(settings).map_err(DiagnosticsError::into_reports)?;
     recordings.retain(|path| planned.contains(path));
     let known = beside(settings, &inputs, &recordings, record);
     let changed = plan.changed(|input| known.get(&input.key).and_then(|beside| beside.record));

@@ -91,8 +91,14 @@ fn file(input: &Input) -> Option<&Path> {
 /// `output`, under its path below the root of the settings if it is there, otherwise below its source. What is said stands
 /// in `script`, under the name of the file, or beside it in `NAME.txt`.
 ///
-/// Reports what cannot be read or used, and lines of the script that have no recording.
-pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Script>) -> (Vec<Job>, Vec<Report>) {
+/// Reports what cannot be read or used, and lines of the script that have no recording. For tools that report everything at
+/// once, such as the command `lipz`. All other programs call [`SyncRun::of_recordings`](crate::SyncRun::of_recordings).
+#[must_use = "the reports say whether recordings are missing"]
+pub fn jobs_of_recordings_with_reports(
+    settings: &Settings,
+    output: &Path,
+    script: Option<&Script>,
+) -> (Vec<Job>, Vec<Report>) {
     let (mut found, mut reports) = (Vec::new(), Vec::new());
     for source in &settings.sources {
         if source.is_file() {
@@ -107,7 +113,7 @@ pub fn jobs_of_recordings(settings: &Settings, output: &Path, script: Option<&Sc
             }
             continue;
         }
-        let (recordings, unread) = Recordings::below(source);
+        let (recordings, unread) = Recordings::below_with_reports(source);
         if unread.is_empty() && recordings.iter().next().is_none() {
             let message = format!("no recordings in `{}`", shown(source));
             let help = format!("recordings end in {}", lipz_compiler::settings::SOUND_EXTENSIONS.join(", "));

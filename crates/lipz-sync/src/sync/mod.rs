@@ -11,6 +11,7 @@ mod options;
 mod phones;
 mod progress;
 mod record;
+mod run;
 mod said;
 mod spoken;
 mod subject;
@@ -19,7 +20,7 @@ mod train;
 
 pub(crate) use grid::place as grid_place;
 pub use grid::{CodesOfPhones, codes_of_phones};
-pub use jobs::{Job, Original, jobs_of_clips, jobs_of_recordings};
+pub use jobs::{Job, Original, jobs_of_clips, jobs_of_recordings_with_reports};
 pub use model_file::{model_at, write_model};
 pub use one::Kept;
 pub use options::SyncOptions;
@@ -27,6 +28,7 @@ pub(crate) use options::{spoken_string, spoken_text};
 pub use phones::{KnownPhones, PhoneTime};
 pub use progress::JOB_PARTS;
 pub use record::{Line, Made, OriginalThen, RECORD_NAME, SyncRecord, record_place};
+pub use run::SyncRun;
 pub use said::{Said, SaidTiers};
 pub use spoken::Spoken;
 pub use train::{TRAINING_ROUNDS, Trained, train};
@@ -41,7 +43,6 @@ pub(crate) use one::{New, Step, hash_of};
 use progress::Progress;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::{fs, io};
 
 /// What a run did, clip by clip in the order of the jobs, originals before dubs.
@@ -86,62 +87,6 @@ pub struct DoubtfulWord {
 
 /// How files are written: runs what it gets, and lets nothing end the process meanwhile.
 pub type Whole<'w> = dyn Fn(&mut dyn FnMut()) + Sync + 'w;
-
-/// Makes the mouths of these jobs, on as many threads as the options say, and writes each file when its mouth is made. The
-/// files are the same, however many threads there are.
-///
-/// A file that exists gets only `visemes`, `viseme_type` and `fps`; all else stays, and the `|` of its text move with the
-/// words. What `record` knows of is not made again unless recording, text or settings changed, and mouths that were changed by
-/// hand stay (see [`SyncOptions::force`]). The record is written whenever a file is, so that an interrupted run goes on where
-/// it ended. `progress` is told how many more parts of a job are done, of which each job has [`JOB_PARTS`].
-///
-/// ```no_run
-/// use lipz_compiler::settings::Settings;
-/// use lipz_sync::{Recordings, SyncOptions, SyncRecord, jobs_of_clips, record_place, sync};
-/// let (settings, _) = Settings::read("lipz.toml".as_ref());
-/// let (inputs, _) = settings.discover();
-/// let (recordings, _) = Recordings::discover(&settings);
-/// let (options, _) = SyncOptions::new(&settings)?;
-/// let (mut record, _) = SyncRecord::read(&record_place(&settings))?;
-/// let jobs = jobs_of_clips(&inputs, &recordings);
-/// let synced = sync(&jobs, &options, &mut record, &|_| (), &|write| write());
-/// println!("{} mouths made, {} kept", synced.made.len(), synced.kept.len());
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn sync(
-    jobs: &[Job],
-    options: &SyncOptions,
-    record: &mut SyncRecord,
-    progress: &(dyn Fn(u32) + Sync),
-    whole: &Whole<'_>,
-) -> Synced {
-    let known = &*record;
-    let sources = Sources { record: known, has_no_record: AtomicBool::new(false), whole };
-    let done = work(jobs, options, known, &sources, progress);
-    let mut synced = Synced::default();
-    let mut listed = Listings::default();
-    let mut lines = Vec::new();
-    for (job, step, reports) in done {
-        synced.reports.extend(reports);
-        match step {
-            Step::Unchanged(words) => {
-                synced.unchanged += 1;
-                listed.unchanged(&job.key, words);
-            }
-            Step::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
-            Step::Refused => synced.refused += 1,
-            Step::New(new) => {
-                synced.read_by_letters.extend(by_letters(job, options, &new));
-                synced.made.push(job.key.clone());
-                synced.with_new_text.extend(new.has_new_text.then(|| job.key.clone()));
-                listed.made(&job.key, new.listed);
-                lines.push((&job.lipz_file, new.line, new.outdated));
-            }
-        }
-    }
-    lines.into_iter().for_each(|(lipz_file, line, spoken)| record.set(lipz_file, line, spoken));
-    synced.end(listed, record, whole)
-}
 
 impl Synced {
     /// Ends a run: the record is written as a whole.
@@ -191,8 +136,8 @@ pub(crate) fn work<'j>(
         progress.finish();
         (*job, step, reports)
     };
-    let mut done = threads::map(&originals, options.options.threads, make);
-    done.extend(threads::map(&dubs, options.options.threads, make));
+    let mut done = threads::map(&originals, options.options.get_threads(), make);
+    done.extend(threads::map(&dubs, options.options.get_threads(), make));
     done
 }
 
@@ -217,40 +162,6 @@ impl Place for OnDisk {
 
     fn put(&self, _job: &Job, _new: &New) -> Result<(), Option<Report>> {
         Err(None)
-    }
-}
-
-/// The Lipz files themselves, each of which is written when its mouth is made.
-struct Sources<'s> {
-    record: &'s SyncRecord,
-    /// Without the record, no mouth may be written: one clip says so, the others need not be made.
-    has_no_record: AtomicBool,
-    whole: &'s Whole<'s>,
-}
-
-impl Place for Sources<'_> {
-    fn read(&self, lipz_file: &Path) -> io::Result<Vec<u8>> {
-        fs::read(lipz_file)
-    }
-
-    fn is_closed(&self) -> bool {
-        self.has_no_record.load(Ordering::Relaxed)
-    }
-
-    fn put(&self, job: &Job, new: &New) -> Result<(), Option<Report>> {
-        let grid = new.grid.as_ref().map(|(place, text)| (place.as_path(), text.as_str()));
-        write(
-            &job.lipz_file,
-            new.before.as_deref(),
-            &new.after,
-            (&new.line, &new.outdated, grid),
-            self.record,
-            self.whole,
-        )
-        .map_err(|fault| {
-            let is_first = !fault.is_of_record || !self.has_no_record.swap(true, Ordering::Relaxed);
-            is_first.then_some(fault.report)
-        })
     }
 }
 

@@ -73,7 +73,7 @@ pub(super) fn make(
     let (is_corrected, is_unwritten) = (corrected.is_some(), script.words.is_empty());
     let listen = || if is_unwritten { aligner.listen(sound) } else { aligner.align(sound, script) };
     let alignment = corrected.unwrap_or_else(listen);
-    let mouth = render(&alignment, viseme_type, fps, &options.rules);
+    let mouth = render(&alignment, fps, viseme_type, &options.rules);
     let doubtful = doubtful(&alignment, script);
     let opinion = opinion.filter(|_| !is_corrected);
     let mismatches = opinion.map(|opinion| opinion.mismatches(script, &alignment));

@@ -113,7 +113,7 @@ pub(super) fn with_subject<R>(
     let script = to_read.map(|spoken| script(spoken, options, &mut of_text)).unwrap_or_default();
     let (locale, text) = spoken.as_ref().map_or((None, None), |(locale, text)| (locale.as_deref(), Some(*text)));
     let sound = hash_of(&job.recording)?;
-    let own_type = own_type(&before).or(options.options.default_viseme_type);
+    let own_type = own_type(&before).or(options.options.get_default_viseme_type());
     let textgrids = options.textgrids.as_deref().filter(|_| rate.0 != VisemeType::Rms);
     let grid_place = textgrids.map(|folder| grid::place(folder, &job.key));
     let (grid, odd_grid) =
@@ -135,7 +135,7 @@ pub(super) fn with_subject<R>(
         sound,
         text: text_hash(spoken_text),
         settings: settings_with(grid.as_ref()),
-        mouth: mouth_hash(&clip.codes, own_fps.or(options.options.default_fps), own_type),
+        mouth: mouth_hash(&clip.codes, own_fps.or(options.options.get_default_fps()), own_type),
     };
     let known = known_lines.iter().map(|line| line.renewed(spoken_text)).collect();
     let of_original = spoken_in_original(job, original.as_ref(), options);
@@ -188,7 +188,7 @@ pub(super) fn text_file(
     match read {
         Ok(bytes) => Ok((false, bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            let style = Style { default_locale: options.options.default_locale.as_deref(), ..Style::default() };
+            let style = Style { default_locale: options.options.get_default_locale(), ..Style::default() };
             Ok((true, format(&new_document(job, options), style).into_bytes()))
         }
         Err(error) => Err(unreadable(&job.lipz_file, &error)),

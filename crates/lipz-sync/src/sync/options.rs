@@ -43,6 +43,7 @@ pub struct SyncOptions {
     /// Where TextGrids of what is heard are.
     pub(crate) textgrids: Option<PathBuf>,
     lexicon: Lexicon,
+    warnings: Option<Report>,
     trained: Option<Trained>,
     /// What hears phones where there is no text.
     pub(crate) recogniser: Option<Recogniser>,
@@ -58,11 +59,33 @@ pub(crate) struct Trained {
 }
 
 impl SyncOptions {
-    /// What the settings of a project say, and what is wrong with its lexicon.
+    /// The options of a project, with its lexicon, its model and its recogniser. They keep the
+    /// [warnings](SyncOptions::warnings) about the lexicon.
+    ///
+    /// # Errors
+    /// If one of these files cannot be read, or the project makes a problem of the lexicon an error.
+    pub fn new(settings: &Settings) -> Result<SyncOptions, Report> {
+        let (mut options, report) = SyncOptions::new_with_report(settings)?;
+        if let Some(report) = report.as_ref().filter(|report| report.has_errors()) {
+            return Err(report.clone());
+        }
+        options.warnings = report;
+        Ok(options)
+    }
+
+    /// The warnings about the lexicon: lines that are not used.
+    pub fn warnings(&self) -> &[Report] {
+        self.warnings.as_slice()
+    }
+
+    /// The options of a project, and the problems of its lexicon, whatever level they have in the project.
+    ///
+    /// For tools that report everything at once and go on, such as the command `lipz`. All other programs call
+    /// [`new`](SyncOptions::new).
     ///
     /// # Errors
     /// If the lexicon, the model or the recogniser cannot be read.
-    pub fn new(settings: &Settings) -> Result<(SyncOptions, Option<Report>), Report> {
+    pub fn new_with_report(settings: &Settings) -> Result<(SyncOptions, Option<Report>), Report> {
         let sync = &settings.sync;
         let (lexicon, report) = match &sync.lexicon {
             None => Default::default(),
@@ -71,12 +94,12 @@ impl SyncOptions {
                 let mut diagnostics = Vec::new();
                 let text = lipz_file::decode(lipz_file::without_byte_order_mark(&bytes), &mut diagnostics);
                 let Some(text) = text else { return Err(Report::from_bytes(shown(path), &bytes, diagnostics)) };
-                let (lexicon, problems) = Lexicon::parse(text);
-                diagnostics.extend(problems.iter().map(|problem| {
+                let lexicon = Lexicon::parse(text);
+                diagnostics.extend(lexicon.problems().iter().map(|problem| {
                     let span = Span::new(problem.range.start, problem.range.end);
                     Diagnostic::at(Code::Pronunciation, span, problem.kind.to_string()).help(problem.kind.help())
                 }));
-                settings.options.levels.apply(&mut diagnostics);
+                settings.options.get_levels().apply(&mut diagnostics);
                 let report =
                     (!diagnostics.is_empty()).then(|| Report::new(Source::new(shown(path), text), diagnostics));
                 (lexicon, report)
@@ -94,8 +117,8 @@ impl SyncOptions {
         let recogniser = sync.recogniser.as_deref().map(model_file::read_recogniser).transpose()?;
         let mut options = SyncOptions {
             options: settings.options.clone(),
-            locale: settings.audio.locale.clone().or_else(|| settings.options.default_locale.clone()),
-            viseme_type: settings.options.viseme_type,
+            locale: settings.audio.locale.clone().or_else(|| settings.options.get_default_locale().map(str::to_owned)),
+            viseme_type: settings.options.get_viseme_type(),
             fps: None,
             force: false,
             align,
@@ -103,6 +126,7 @@ impl SyncOptions {
             rms,
             textgrids: sync.textgrids.clone(),
             lexicon,
+            warnings: None,
             trained: None,
             recogniser,
             pronouncers: Mutex::default(),
@@ -157,7 +181,7 @@ impl SyncOptions {
         job: &Job,
         document: &'d Document<'d>,
     ) -> Option<(Option<String>, &'d JsonString<'d>)> {
-        spoken(document, self.locale_of(job), self.options.default_locale.as_deref())
+        spoken(document, self.locale_of(job), self.options.get_default_locale())
     }
 
     /// The text that is spoken in this locale, or in the project's, and its locale.
@@ -166,7 +190,7 @@ impl SyncOptions {
         locale: Option<&str>,
         document: &'d Document<'d>,
     ) -> Option<(Option<String>, &'d JsonString<'d>)> {
-        spoken(document, locale.or(self.locale.as_deref()), self.options.default_locale.as_deref())
+        spoken(document, locale.or(self.locale.as_deref()), self.options.get_default_locale())
     }
 
     /// The locale that is spoken in a recording.
@@ -176,12 +200,12 @@ impl SyncOptions {
 
     /// The frame rate of a mouth whose file says this.
     pub(crate) fn fps_of(&self, own: Option<Fps>) -> Fps {
-        self.fps.or(own).or(self.options.default_fps).unwrap_or(DEFAULT_FPS)
+        self.fps.or(own).or(self.options.get_default_fps()).unwrap_or(DEFAULT_FPS)
     }
 
     /// The viseme type of a mouth whose file says this.
     pub(crate) fn viseme_type_of(&self, own: Option<VisemeType>) -> VisemeType {
-        self.viseme_type.or(own).or(self.options.default_viseme_type).unwrap_or(VisemeType::Blair)
+        self.viseme_type.or(own).or(self.options.get_default_viseme_type()).unwrap_or(VisemeType::Blair)
     }
 }
 
@@ -229,7 +253,30 @@ pub(crate) fn spoken_string<'d>(
     voice: Option<&str>,
     document: &'d Document<'d>,
 ) -> Option<&'d JsonString<'d>> {
-    let default_locale = settings.options.default_locale.as_deref();
+    let default_locale = settings.options.get_default_locale();
     let locale = voice.or(settings.audio.locale.as_deref()).or(default_locale);
     spoken(document, locale, default_locale).map(|(_, text)| text)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn problems_of_the_lexicon_are_warnings_or_errors_as_the_project_says() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("words.txt"), "mara  M AE QQ\n").unwrap();
+        let settings = |lints: &str| {
+            let text = format!("[sync]\nlexicon = \"words.txt\"\n[lints]\n{lints}");
+            Settings::parse(text, "lipz.toml", folder.path()).unwrap()
+        };
+        let options = SyncOptions::new(&settings("")).unwrap();
+        assert_eq!(options.warnings()[0].diagnostics[0].code, Code::Pronunciation);
+        let denied = settings("pronunciation = \"deny\"\n");
+        let error = SyncOptions::new(&denied).unwrap_err();
+        assert_eq!(SyncOptions::new_with_report(&denied).unwrap().1, Some(error));
+        fs::remove_file(folder.path().join("words.txt")).unwrap();
+        assert!(SyncOptions::new(&settings("")).unwrap_err().to_string().contains("words.txt"));
+    }
 }

@@ -55,7 +55,7 @@ impl KnownPhones {
         record: &SyncRecord,
         progress: &(dyn Fn() + Sync),
     ) -> Vec<Result<Arc<[PhoneTime]>, Report>> {
-        threads::map(jobs, options.options.threads, |job| {
+        threads::map(jobs, options.options.get_threads(), |job| {
             let phones = self.of(job, options, record);
             progress();
             phones

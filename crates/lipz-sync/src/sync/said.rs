@@ -43,9 +43,10 @@ impl<'s> Said<'s> {
         if !place.is_file() {
             return Ok(None);
         }
-        let (record, _) = SyncRecord::read(&place)?;
-        let (options, _) = SyncOptions::new(settings)?;
-        let (recordings, _) = Recordings::discover(settings);
+        let record = SyncRecord::read(&place)?;
+        // Problems of the lexicon, and folders that cannot be read, are for `check` and `SyncRun`.
+        let (options, _) = SyncOptions::new_with_report(settings)?;
+        let (recordings, _) = Recordings::discover_with_reports(settings);
         let jobs = jobs_of_clips(inputs, &recordings).into_iter().map(|job| (job.key.clone(), job)).collect();
         Ok(Some(Said { settings, options, record, recordings, jobs }))
     }

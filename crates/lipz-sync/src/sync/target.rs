@@ -38,14 +38,14 @@ pub(super) fn merged(
         .segment_starts((!script.words.is_empty()).then(starts));
     let merge_options = MergeOptions::new()
         .locale(target.locale)
-        .default_rate(options.options.default_fps.map(rate))
-        .default_viseme_type(options.options.default_viseme_type);
+        .default_rate(options.options.get_default_fps().map(rate))
+        .default_viseme_type(options.options.get_default_viseme_type());
     let mut merged = merge(&divided(target), &mouth, &merge_options);
     if let Some((name, _)) = &target.borrowed {
         merged.document.elements.retain(|element| element.name.text != *name);
     }
     let text = String::from_utf8_lossy(target.bytes);
-    let default_locale = options.options.default_locale.as_deref();
+    let default_locale = options.options.get_default_locale();
     let style = Style { default_locale, line_ending: LineEnding::detect(&text) };
     let after = match target.is_new {
         true => format(&merged.document, style),

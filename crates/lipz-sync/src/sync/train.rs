@@ -46,7 +46,7 @@ struct Lesson<'j> {
 /// [`SyncOptions::locale`]. The same recordings and texts give the same model, on every machine and on any number of threads.
 ///
 /// `known` is the model that there is: none is made if it was learnt from the same. `progress` is called for each recording,
-/// [`TRAINING_ROUNDS`] times. Recordings and texts that cannot be read are left out; [`sync`](crate::sync()) reports them.
+/// [`TRAINING_ROUNDS`] times. Recordings and texts that cannot be read are left out; a [`SyncRun`](crate::SyncRun) reports them.
 ///
 /// # Errors
 /// If no locale is named, or there is too little speech.
@@ -64,7 +64,7 @@ pub fn train(
             "name the language that is spoken",
         )
     })?;
-    let threads = options.options.threads;
+    let threads = options.options.get_threads();
     let found = threads::map(jobs, threads, |job| lesson(job, language, options));
     let mut lessons: Vec<Lesson<'_>> = found.into_iter().flatten().collect();
     // In an order that names do not change.

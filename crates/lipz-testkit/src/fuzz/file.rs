@@ -40,7 +40,7 @@ fn the_long_way_is_the_same(bytes: &[u8]) {
     let before = r#"{"text_en-us":"Aye.","text_de-de":"Nun.","text_fr-fr":"Oui."}"#;
     let bank = |bytes: &[u8]| {
         let inputs = [Input::from_bytes("a", before), Input::from_bytes("clip", bytes)];
-        Compiler::new(Options::new().threads(1).default_locale("en-us")).compile(&inputs).bank
+        Compiler::new(Options::new().threads(1).default_locale("en-us").expect("a locale")).compile(&inputs).bank
     };
     assert!(bank(bytes) == bank(&escaped), "the short way makes another bank");
 }
@@ -78,7 +78,7 @@ pub fn rewrite(bytes: &[u8]) {
 /// The banks that projects make of a file, without source records; none where it has errors.
 fn banks(bytes: &[u8]) -> [Option<Vec<u8>>; 2] {
     let lowered = || Options::new().strip(true).levels([(Code::SegmentCount, Some(Severity::Warning))]);
-    [lowered(), lowered().default_locale("en-us")]
+    [lowered(), lowered().default_locale("en-us").expect("a locale")]
         .map(|options| Compiler::new(options).compile(&[Input::from_bytes("clip", bytes)]).bank)
 }
 

@@ -5,7 +5,6 @@ use crate::forge;
 use crate::golden::{directory, put, reseal, section, u32_at};
 use crate::tools::is_used;
 use arbitrary::{Arbitrary, Unstructured};
-use lipz_bank::Bank;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, Voices};
 use lipz_layout::{ClipRecord, Header, KeyRecord, Tag, fingerprint};
@@ -82,11 +81,16 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
         r#"{ "fps": 4, "visemes": "MAEO|EO--", "text_en-us": "{anger 2} Yes, sure!|{calm} No.",
             "events": "|amy feels fear 3, looks away" }"#,
     )];
-    let voices = Voices::new("en-us").dub("de-de", "de/{key}").dub("fr-fr", "fr/{key}");
+    let voices = Voices::new("en-us")
+        .expect("a voice")
+        .dub("de-de", "de/{key}")
+        .expect("a voice")
+        .dub("fr-fr", "fr/{key}")
+        .expect("a voice");
     let bank = |set: &[(&str, &str)], settings: &str, strip| {
         let inputs: Vec<Input> = set.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect();
-        let (settings, _) = Settings::parse(settings.as_bytes(), "lipz.toml", "".as_ref());
-        let options = settings.options.strip(strip).default_locale("en-us").voices(voices.clone());
+        let settings = Settings::parse(settings, "lipz.toml", "").expect("settings without errors");
+        let options = settings.options.strip(strip).default_locale("en-us").expect("a locale").voices(voices.clone());
         Compiler::new(options.clone()).compile(&inputs).bank.expect("files without errors")
     };
     let sets = sets.iter().map(|set| (*set, "")).chain([(face, FACES)]);
@@ -100,8 +104,7 @@ pub fn forged_bank(bytes: &[u8]) {
     let base = &BASES[usize::from(forgery.base) % BASES.len()];
     let forged = forgery.apply_to(base);
     if provoke(&forged, Effort::Few) {
-        let original = Bank::open(base).and_then(Bank::verify).expect("what the compiler made");
-        assert!(is_used(&forged, &original));
+        assert!(is_used(&forged, base));
     }
 }
 

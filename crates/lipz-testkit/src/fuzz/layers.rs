@@ -1,10 +1,10 @@
 //! Layers: those that the compiler makes of the versions of a project, and those of someone who knows the format.
 
 use super::forged_bank::Forgery;
-use crate::layered::assert_same;
-use crate::stacked::every_query;
+use crate::dialogues::{assert_same, places};
+use crate::stacked::{every_query, every_query_verified};
 use arbitrary::{Arbitrary, Unstructured};
-use lipz_bank::{Bank, Layers, Text};
+use lipz_bank::{Bank, Dialogue, Locale};
 use lipz_compiler::{Compiler, Input, Options, Over, Stack, Voices};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -24,7 +24,8 @@ static FILES: LazyLock<[Vec<u8>; 2]> = LazyLock::new(|| {
         ("b", r#"{ "visemes": "AA", "text_en-us": "Aye." }"#),
         ("d", r#"{ "text_fr-fr": "Oui.", "text_en-us": "Yes.", "curves": { "joy": "0:1" } }"#),
     ]);
-    let compiler = |locale: &str| Compiler::new(Options::new().strip(true).default_locale(locale).threads(1));
+    let compiler =
+        |locale: &str| Compiler::new(Options::new().strip(true).default_locale(locale).expect("a locale").threads(1));
     let base = compiler("en-us").compile(&old).into_bank().expect("files without errors");
     let over = Over::new(Stack::open([("base", &base)]).expect("a bank"));
     let layer = compiler("fr-fr").compile_over(&new, &over).into_bank().expect("a change");
@@ -46,30 +47,32 @@ pub fn layers(bytes: &[u8]) {
 fn forged(forgery: &Forgery) {
     let [base, layer] = &*FILES;
     let forged = forgery.apply_to(layer);
-    let (below, opened) = (Bank::open(base).expect("a bank"), Bank::open(&forged));
-    let Ok(opened) = opened else { return };
-    for stack in [&[below, opened][..], &[opened, below], &[opened, opened], &[below, opened, opened]] {
+    let (base, layer) = (base.as_slice(), forged.as_slice());
+    if Bank::open(layer).is_err() {
+        return;
+    }
+    for stack in [&[base, layer][..], &[layer, base], &[layer, layer], &[base, layer, layer]] {
         every_query(stack);
     }
-    let Ok(verified) = opened.verify() else { return };
-    let banks = [below.verify().expect("a whole bank"), verified];
-    let fits = every_query(&banks);
+    if Bank::open(layer).and_then(Bank::verify).is_err() {
+        return;
+    }
+    let fits = every_query_verified(&[base, layer]);
     let stack = Stack::open([("base", base), ("layer", &forged)]);
     assert_eq!(stack.is_ok(), fits, "reader and tools differ about what fits");
-    if let (Ok(stack), Ok(layers)) = (stack, Layers::new(banks))
-        && layers.locale_tags().all(|tag| has_texts(&layers, tag))
+    let mut files = places(2);
+    if let (Ok(stack), Ok(dialogue)) = (stack, Dialogue::open(&mut files, [base, layer]))
+        && dialogue.locales().all(|locale| has_texts(&dialogue, locale))
     {
         let merged = stack.into_bank();
-        assert_same(&layers, &Bank::open(&merged).and_then(Bank::verify).expect("a whole bank"));
+        assert_same(&dialogue, &Bank::open(&merged).and_then(Bank::verify).expect("a whole bank"));
     }
 }
 
 /// Whether some clip has a text of its own in a locale. A layer of the compiler removes the others, as merging does; a forged one
 /// may leave them.
-fn has_texts<const N: usize>(layers: &Layers<'_, N>, tag: &str) -> bool {
-    let Some(locale) = layers.locale(tag) else { return false };
-    let is_own = |text: Option<Text<'_>>| text.is_some_and(|text| !text.is_fallback());
-    layers.clips().any(|clip| clip.segments().any(|segment| is_own(clip.text(segment.index(), &locale))))
+fn has_texts(dialogue: &Dialogue<'_>, locale: Locale) -> bool {
+    dialogue.clips().any(|clip| clip.segments().any(|segment| segment.has_own_text(locale)))
 }
 
 /// The most versions of a project.
@@ -130,10 +133,10 @@ impl History {
                 Ok(below) => files.extend(compiler.compile_over(&inputs, &Over::new(below)).bank),
                 Err(_) => files.push(whole.clone()),
             }
-            let banks: Vec<Bank<'_>> =
-                files.iter().map(|file| Bank::open(file).and_then(Bank::verify).expect("a whole bank")).collect();
-            let layers = Layers::<MOST>::from_slice(&banks).expect("they were made for each other");
-            assert_same(&layers, &Bank::open(&whole).expect("a bank"));
+            let mut places = places(MOST);
+            let dialogue = Dialogue::open(&mut places, files.iter().map(Vec::as_slice));
+            let dialogue = dialogue.expect("they were made for each other");
+            assert_same(&dialogue, &Bank::open(&whole).expect("a bank"));
             assert!(stack(&files).expect("banks").into_bank() == whole, "the merged bank is another one");
         }
     }
@@ -143,10 +146,10 @@ impl Version {
     fn options(&self, strip: bool) -> Options {
         let options = Options::new().strip(strip).threads(1);
         let options = match chosen(&TAGS, self.default_locale) {
-            Some(tag) => options.default_locale(*tag),
+            Some(tag) => options.default_locale(tag).expect("a locale"),
             None => options,
         };
-        let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+        let voices = Voices::new("en-us").expect("a voice").dub("de-de", "de/{key}").expect("a voice");
         if self.has_voices { options.voices(voices) } else { options }
     }
 }

@@ -1,5 +1,6 @@
 //! Files that are packed and unpacked.
 
+use crate::dialogue;
 use crate::exercise::verified_is_whole;
 use lipz_bank::Bank;
 use lipz_compiler::{Compiler, Documents, Input, Options};
@@ -12,7 +13,7 @@ const SEPARATOR: u8 = 0;
 /// element as they were, and packed again they are the same bank.
 pub fn round_trip(bytes: &[u8]) {
     let joined = [(Code::SegmentCount, Some(Severity::Warning))];
-    let options = Options::new().default_locale("en-us").levels(joined);
+    let options = Options::new().default_locale("en-us").expect("a locale").levels(joined);
     let files = bytes.split(|byte| *byte == SEPARATOR).take(4);
     let input = |(number, file): (usize, &[u8])| Input::from_bytes(format!("clip-{number}"), file);
     let is_good = |file: &&[u8]| Compiler::new(options.clone()).compile(&[input((0, file))]).bank.is_some();
@@ -23,7 +24,8 @@ pub fn round_trip(bytes: &[u8]) {
     let bank = Bank::open(&packed).and_then(Bank::verify).expect("what the compiler made");
     verified_is_whole(&bank);
 
-    let documents = Documents::from_bank(&bank).expect("the sources are in the bank");
+    dialogue!(dialogue = &packed);
+    let documents = Documents::from_dialogue(&dialogue).expect("the sources are in the bank");
     let mut unpacked = Vec::new();
     for (file, document) in good.iter().zip(documents.iter()) {
         let (key, document) = document.expect("a source record of the compiler");

@@ -1,11 +1,12 @@
 //! Indices of sets by someone who knows the format, over banks that they are or are not about.
 
 use super::forged_bank::Forgery;
+use crate::dialogues::places;
 use crate::forge;
 use crate::golden::reseal;
 use crate::stacked::every_query_of_index;
 use arbitrary::{Arbitrary, Unstructured};
-use lipz_bank::{Bank, BankSet, ClipId};
+use lipz_bank::{Bank, ClipId, Dialogue};
 use lipz_compiler::shard::{shard_of, shard_of_key};
 use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{SET_MAGIC, SetBankRecord, Tag, U16, U64, set_fingerprint};
@@ -17,7 +18,7 @@ const SHARDS: NonZero<u16> = NonZero::new(3).expect("not 0");
 
 /// The index of a set, and its banks, some of whose clips are dubs in the bank of their original.
 static FILES: LazyLock<(Vec<u8>, Vec<Vec<u8>>)> = LazyLock::new(|| {
-    let voices = Voices::new("en-us").dub("de-de", "de/{key}");
+    let voices = Voices::new("en-us").expect("a voice").dub("de-de", "de/{key}").expect("a voice");
     let file = r#"{ "fps": 24, "visemes": "MA|EO", "text_en-us": "Aye.|No", "events": "|amy points door" }"#;
     let keys = ["a", "b", "c", "d", "de/a", "de/b", "de/d"];
     let mut moved: Vec<(ClipId, u16)> = Vec::new();
@@ -26,7 +27,8 @@ static FILES: LazyLock<(Vec<u8>, Vec<Vec<u8>>)> = LazyLock::new(|| {
         let ids = own.iter().map(|key| ClipId::from_key(key)).filter(|id| shard_of(*id, SHARDS) != shard);
         moved.extend(ids.map(|id| (id, shard)));
         let inputs: Vec<Input> = own.iter().map(|key| Input::from_bytes(*key, file)).collect();
-        let options = Options::new().strip(true).default_locale("en-us").voices(voices.clone()).threads(1);
+        let options =
+            Options::new().strip(true).default_locale("en-us").expect("a locale").voices(voices.clone()).threads(1);
         Compiler::new(options).compile(&inputs).into_bank().expect("files without errors")
     });
     let banks: Vec<Vec<u8>> = banks.collect();
@@ -70,11 +72,13 @@ pub fn set(bytes: &[u8]) {
     let (index, files) = &*FILES;
     let forged = sealed(forgery.apply_to(index));
     assert!(Bank::open(&forged).is_err(), "an index is no bank");
-    let banks: Vec<Bank<'_>> = files.iter().map(|bytes| Bank::open(bytes).expect("a bank")).collect();
+    let banks: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
     let Some(verified) = every_query_of_index(&forged, &banks) else { return };
-    let Ok(set) = BankSet::with_index(&banks, &verified).and_then(BankSet::verify) else { return };
+    let mut places = places(banks.len() + 1);
+    let contents = [forged.as_slice()].into_iter().chain(banks.iter().copied());
+    let Ok(set) = Dialogue::open(&mut places, contents) else { return };
     for (number, bank) in banks.iter().enumerate() {
-        for clip in bank.clips() {
+        for clip in Bank::open(bank).expect("a bank").clips() {
             assert_eq!(set.clip(clip.id()).map(|found| found.key()), Some(clip.key()));
             assert_eq!(verified.bank_of(clip.id()), number);
         }

@@ -2,13 +2,14 @@
 //! TIME`, `emotions speaker CHARACTER TIME`. All values are thousandths.
 
 use super::{Stage, Time, number};
-use lipz_bank::{Clip, CurveCursor, CurveValue, Emotions};
+use lipz_bank::Clip;
+use lipz_bank::curve::{CurveCursor, CurveValue};
+use lipz_bank::face::{Emotions, Who};
 use std::fmt::Write;
 
 impl Stage {
     pub(super) fn curve_command(&mut self, words: &[&str]) {
-        let bank = self.bank;
-        let clip = self.chosen(&bank);
+        let clip = self.chosen();
         match words {
             ["curves"] => {
                 for curve in clip.curves() {
@@ -20,7 +21,7 @@ impl Stage {
                 }
             }
             ["curve", name, rest @ ..] => {
-                match clip.curve(name).map(|curve| value(&curve, rest, &mut self.curve_cursor)) {
+                match clip.curve(*name).map(|curve| value(&curve, rest, &mut self.curve_cursor)) {
                     None => self.answers.push_str("  no curve\n"),
                     Some(None) => self.answers.push_str("  no frame rate\n"),
                     Some(Some(value)) => {
@@ -31,8 +32,8 @@ impl Stage {
             ["emotions", rest @ ..] => {
                 let (who, time) = super::faces::who(rest);
                 let found = at!(Time::read(time).0, |time| match who {
-                    None => clip.emotions_at(time),
-                    Some(who) => clip.emotions_of(who, time),
+                    None => clip.emotions_at(time, Who::Speaker),
+                    Some(who) => clip.emotions_at(time, who),
                 });
                 self.answers.push_str(&told(&found));
             }
@@ -41,9 +42,8 @@ impl Stage {
     }
 
     /// The clip with what it was given.
-    pub(super) fn chosen<'bank>(&self, bank: &'bank Option<lipz_bank::Bank<'static>>) -> Clip<'static, 'bank> {
-        let bank = bank.as_ref().expect("a bank");
-        let mut clip = self.clip.and_then(|id| bank.clip(id)).expect("a clip");
+    pub(super) fn chosen(&self) -> Clip<'static> {
+        let mut clip = self.clip.and_then(|id| self.dialogue.clip(id)).expect("a clip");
         if let Some(fps) = self.given.0 {
             clip = clip.or_fps(fps);
         }
@@ -52,7 +52,7 @@ impl Stage {
 }
 
 /// The value at a frame or a time, which a curve and a cursor agree about that all cases share.
-fn value(curve: &lipz_bank::Curve<'_>, words: &[&str], cursor: &mut CurveCursor) -> Option<CurveValue> {
+fn value(curve: &lipz_bank::curve::Curve<'_>, words: &[&str], cursor: &mut CurveCursor) -> Option<CurveValue> {
     let (found, with_cursor) = match words {
         ["frame", frame] => (Some(curve.value(number(frame))), Some(cursor.value(curve, number(frame)))),
         _ => at!(Time::read(words).0, |time| (curve.value_at(time), cursor.value_at(curve, time))),

@@ -2,19 +2,19 @@
 //! `point PITCH YAW`. All values are thousandths.
 
 use super::{Stage, Time, number};
-use lipz_bank::{CurveValue, Face, FaceProfile, LookAt, Who};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::{Face, FaceProfile, LookAt, Who};
 
 impl Stage {
     /// The face of the clip at a time.
     pub(super) fn face(&mut self, words: &[&str]) {
-        let bank = self.bank;
-        let clip = self.chosen(&bank);
+        let clip = self.chosen();
         let (who, words) = who(&words[1..]);
         let (look, time) = look(&words[1..]);
         let Some(profile) = self.profile(words[0]) else { return };
         let face = at!(Time::read(time).0, |time| match who {
-            None => clip.face_at(time, &profile, look),
-            Some(who) => clip.face_of(who, time, &profile, look),
+            None => clip.face_at(time, Who::Speaker, &profile, look),
+            Some(who) => clip.face_at(time, who, &profile, look),
         });
         self.answers.push_str(&told(&face));
     }
@@ -28,8 +28,8 @@ impl Stage {
     }
 
     fn profile(&mut self, name: &str) -> Option<FaceProfile<'static>> {
-        let bank = self.bank();
-        let found = if name == "default" { Some(bank.default_face_profile()) } else { bank.face_profile(name) };
+        let dialogue = self.dialogue;
+        let found = if name == "default" { Some(dialogue.default_face_profile()) } else { dialogue.face_profile(name) };
         if found.is_none() {
             self.answers.push_str("  no profile\n");
         }

@@ -7,11 +7,12 @@
 mod time;
 mod curves;
 mod faces;
+mod files;
 
-use lipz_bank::{
-    Babble, Bank, CharacterState, Clip, ClipId, ConsonantHold, Cursor, CurveCursor, DueSegments, EventName, Fps, Lead,
-    Locale, Spoken, TextBank, VisemeType, VoiceLevel, VoicedClip, Weights,
-};
+use lipz_bank::babble::{Babble, VoiceLevel, Weights};
+use lipz_bank::curve::CurveCursor;
+use lipz_bank::playback::{CharacterState, ConsonantHold, DueSegments, Lead};
+use lipz_bank::{Clip, ClipId, Cursor, Dialogue, EventName, Fps, Locale, Spoken, VisemeType, VoicedClip};
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,21 +22,18 @@ fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
 }
 
-/// A file of the golden banks, for as long as the test runs.
-fn golden(file: &str) -> &'static [u8] {
-    Vec::leak(fs::read(fixtures().join("banks/v1").join(file)).expect("a golden bank"))
-}
-
 fn number<T: std::str::FromStr>(word: &str) -> T {
     word.parse().unwrap_or_else(|_| panic!("`{word}` is not a number"))
 }
 
 /// What the cases are played with.
-#[derive(Default)]
 struct Stage {
-    bank: Option<Bank<'static>>,
-    texts: Option<TextBank<'static>>,
-    locale: Option<Locale<'static>>,
+    /// Where the files are.
+    folder: PathBuf,
+    /// The files of the dialogue.
+    files: Vec<PathBuf>,
+    dialogue: &'static Dialogue<'static>,
+    locale: Option<Locale>,
     clip: Option<ClipId>,
     /// What the clip was given where it has none.
     given: (Option<Fps>, Option<VisemeType>),
@@ -45,8 +43,11 @@ struct Stage {
 }
 
 impl Stage {
-    fn bank(&self) -> Bank<'static> {
-        self.bank.expect("a bank")
+    fn new(folder: PathBuf) -> Stage {
+        let dialogue = files::open(&[fixtures().join("banks/v1/small.lipzbank")]);
+        let (locale, clip, given, cursor) = (None, None, (None, None), None);
+        let (curve_cursor, answers) = (CurveCursor::default(), String::new());
+        Stage { folder, files: Vec::new(), dialogue, locale, clip, given, cursor, curve_cursor, answers }
     }
 
     fn cursor(&mut self, change: impl FnOnce(Cursor) -> Cursor) {
@@ -56,27 +57,29 @@ impl Stage {
     /// Does what a line says.
     fn command(&mut self, line: &str) {
         let words: Vec<&str> = line.split(' ').collect();
-        let bank = self.bank;
-        let fps = || self.clip.and_then(|id| bank?.clip(id)?.fps().or(self.given.0)).expect("a frame rate");
+        let dialogue = self.dialogue;
+        let fps = || self.clip.and_then(|id| dialogue.clip(id)?.fps().or(self.given.0)).expect("a frame rate");
         match words[..] {
             ["bank", name] => {
-                let bytes = golden(&format!("{name}.lipzbank"));
-                self.bank = Some(Bank::open(bytes).and_then(Bank::verify).expect("a bank"));
-                (self.texts, self.locale) = (None, None);
+                self.files = files::of_bank(&self.folder, name);
+                self.dialogue = files::open(&self.files);
+                self.locale = None;
             }
             ["texts", name] => {
-                let bytes = golden(&format!("{name}.lipztexts"));
-                let opened = self.bank().open_texts(bytes).and_then(|texts| texts.verify(&self.bank()));
-                (self.texts, self.locale) = (Some(opened.expect("a text bank")), None);
+                self.files.push(self.folder.join(format!("{name}.lipztexts")));
+                self.dialogue = files::open(&self.files);
+                self.locale = None;
             }
             ["locale", tag] => {
-                self.locale = self.texts.map_or_else(|| self.bank().locale(tag), |texts| texts.locale(tag));
+                self.locale = self.dialogue.locale(tag);
                 if self.locale.is_none() {
                     self.answers.push_str("  no locale\n");
                 }
             }
             ["clip", key, ref given @ ..] => self.start(key, given),
-            ["speaker", name] => self.cursor(|cursor| cursor.with_speaker(bank.and_then(|bank| bank.event_name(name)))),
+            ["speaker", name] => {
+                self.cursor(|cursor| cursor.with_speaker(dialogue.event_name(name)));
+            }
             ["lead", lead] => {
                 let lead = match lead {
                     "one" => Lead::one_frame(fps()),
@@ -97,13 +100,13 @@ impl Stage {
             ["advance" | "loop" | "seek" | "finish", ..] => self.go(&words),
             ["state", name] => {
                 let name = Some(name).filter(|name| *name != "-");
-                let found = name.map(|name| self.bank().event_name(name).expect("a name"));
-                let (clip, cursor) = self.playing(&bank);
+                let found = name.map(|name| dialogue.event_name(name).expect("a name"));
+                let (clip, cursor) = self.playing();
                 let state = cursor.state(&clip, found);
                 self.state(name, state);
             }
             ["characters"] => {
-                let (clip, cursor) = self.playing(&bank);
+                let (clip, cursor) = self.playing();
                 let all: Vec<(Option<EventName<'_>>, CharacterState<'_>)> = cursor.characters(&clip).collect();
                 for (name, state) in all {
                     self.state(name.map(EventName::as_str), state);
@@ -114,8 +117,8 @@ impl Stage {
             ["face", ..] => self.face(&words),
             ["idle", ..] => self.idle(&words),
             ["voices"] => {
-                for voice in self.bank().voices() {
-                    let _ = writeln!(self.answers, "  {}", voice.tag());
+                for voice in dialogue.voices() {
+                    let _ = writeln!(self.answers, "  {}", dialogue.voice_tag(voice));
                 }
             }
             ["voice", tag] => self.voice(tag),
@@ -125,8 +128,7 @@ impl Stage {
 
     /// Starts a clip, with the frame rate and the viseme type of these words.
     fn start(&mut self, key: &str, given: &[&str]) {
-        let bank = self.bank();
-        let mut clip = bank.clip_by_key(key).expect("a clip");
+        let mut clip = self.dialogue.clip_by_key(key).expect("a clip");
         self.given = (None, None);
         for pair in given.chunks(2) {
             match pair {
@@ -152,9 +154,8 @@ impl Stage {
 
     /// The chosen clip in a voice.
     fn voice(&mut self, tag: &str) {
-        let bank = self.bank;
-        let clip = self.chosen(&bank);
-        let Some(voice) = self.bank().voice(tag) else {
+        let clip = self.chosen();
+        let Some(voice) = self.dialogue.voice(tag) else {
             self.answers.push_str("  no voice\n");
             return;
         };
@@ -164,21 +165,19 @@ impl Stage {
             Spoken::Dub => "dub",
             _ => "other dub",
         };
-        let tag = clip.voice().map_or("-", |voice| voice.tag());
+        let tag = clip.voice().map_or("-", |voice| self.dialogue.voice_tag(voice));
         let _ = writeln!(self.answers, "  {whose}: {}, spoken in {tag}", clip.key());
     }
 
-    /// The clip as a game looks it up for each picture, and the cursor.
-    fn playing<'bank>(&self, bank: &'bank Option<Bank<'static>>) -> (Clip<'static, 'bank>, Cursor) {
-        let id = self.clip.expect("a clip");
-        let clip = bank.as_ref().and_then(|bank| bank.clip(id)).expect("a clip");
+    /// The clip as a game looks it up for each rendered frame, and the cursor.
+    fn playing(&self) -> (Clip<'static>, Cursor) {
+        let clip = self.clip.and_then(|id| self.dialogue.clip(id)).expect("a clip");
         (clip, self.cursor.expect("a cursor"))
     }
 
     /// Moves the cursor, and writes what is shown and what is due.
     fn go(&mut self, words: &[&str]) {
-        let bank = self.bank;
-        let (clip, mut cursor) = self.playing(&bank);
+        let (clip, mut cursor) = self.playing();
         let due = match words {
             ["advance", time @ ..] => Some(at!(Time::read(time).0, |time| cursor.advance_to(&clip, time))),
             ["loop", time @ ..] => Some(at!(Time::read(time).0, |time| cursor.loop_to(&clip, time))),
@@ -195,7 +194,7 @@ impl Stage {
         }
     }
 
-    fn shown(&mut self, clip: &Clip<'static, '_>, cursor: &Cursor) {
+    fn shown(&mut self, clip: &Clip<'_>, cursor: &Cursor) {
         let frame = match cursor.frame() {
             Some(frame) => frame.to_string(),
             None => String::from(if cursor.is_over() { "over" } else { "waiting" }),
@@ -217,7 +216,7 @@ impl Stage {
         self.answers.push('\n');
     }
 
-    fn due(&mut self, due: DueSegments<'_, '_>) {
+    fn due(&mut self, due: DueSegments<'_>) {
         for segment in due.clone() {
             let _ = write!(self.answers, "  due {}", segment.index());
             if let Some(event) = segment.event() {
@@ -239,8 +238,8 @@ impl Stage {
     }
 
     fn babble(&mut self, name: &str, words: &[&str]) {
-        let bank = self.bank();
-        let found = if name == "default" { Some(bank.default_babble()) } else { bank.babble(name) };
+        let dialogue = self.dialogue;
+        let found = if name == "default" { Some(dialogue.default_babble()) } else { dialogue.babble(name) };
         let Some(babble) = found else {
             self.answers.push_str("  no profile\n");
             return;
@@ -256,33 +255,55 @@ impl Stage {
     }
 }
 
-fn babbled(babble: &Babble<'_>, elapsed: Time, power: impl lipz_bank::Power) -> Weights {
+fn babbled(babble: &Babble<'_>, elapsed: Time, power: impl lipz_bank::babble::Power) -> Weights {
     at!(elapsed, |elapsed| babble.at(elapsed, power))
+}
+
+/// Plays the cases with the files of a folder; the answers, and the number of commands.
+fn play(folder: PathBuf, cases: &str) -> (String, usize) {
+    let (mut stage, mut count) = (Stage::new(folder), 0);
+    for line in cases.lines().filter(|line| !line.starts_with("  ")) {
+        stage.answers.push_str(line);
+        stage.answers.push('\n');
+        // This reader has all that sections need.
+        if !line.is_empty() && !line.starts_with('#') && !line.starts_with("needs ") {
+            stage.command(line);
+            count += 1;
+        }
+    }
+    (stage.answers, count)
+}
+
+#[track_caller]
+fn assert_same(answers: &str, expected: &str) {
+    let different = answers.lines().zip(expected.lines()).position(|(found, expected)| found != expected);
+    let at = different.unwrap_or(0);
+    let [found, said] = [answers, expected].map(|text| text.lines().nth(at));
+    assert!(answers == expected, "cases.txt:{}: {found:?} instead of {said:?}", at + 1);
 }
 
 #[test]
 fn the_reader_answers_as_the_cases_say() {
     let path = fixtures().join("playback/cases.txt");
     let expected = fs::read_to_string(&path).expect("the cases");
-    let mut stage = Stage::default();
-    for line in expected.lines().filter(|line| !line.starts_with("  ")) {
-        stage.answers.push_str(line);
-        stage.answers.push('\n');
-        if !line.is_empty() && !line.starts_with('#') {
-            stage.command(line);
-        }
-    }
+    let (answers, _) = play(fixtures().join("banks/v1"), &expected);
     if std::env::var_os("LIPZ_BLESS").is_some() {
-        fs::write(&path, &stage.answers).expect("the cases can be written");
+        fs::write(&path, &answers).expect("the cases can be written");
         return;
     }
-    let different = stage.answers.lines().zip(expected.lines()).position(|(found, expected)| found != expected);
-    let at = different.unwrap_or(0);
-    assert!(
-        stage.answers == expected,
-        "cases.txt:{}: {:?} instead of {:?}",
-        at + 1,
-        stage.answers.lines().nth(at),
-        expected.lines().nth(at),
-    );
+    assert_same(&answers, &expected);
+}
+
+/// A game asks several files as it asks one.
+#[test]
+#[cfg(feature = "tools")]
+fn files_in_every_layout_answer_as_the_cases_say() {
+    let folder = tempfile::tempdir().expect("a folder");
+    lipz_testkit::layouts::write(folder.path());
+    let expected = fs::read_to_string(fixtures().join("playback/cases.txt")).expect("the cases");
+    for layout in lipz_testkit::layouts::LAYOUTS {
+        let (answers, count) = play(folder.path().join(layout), &expected);
+        println!("{layout}: {count} commands");
+        assert_same(&answers, &expected);
+    }
 }

@@ -56,7 +56,7 @@ impl Run for Convert {
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let project = self.sources.project(reporter)?;
         let options = &project.settings.options;
-        let Some(viseme_type) = options.viseme_type else {
+        let Some(viseme_type) = options.get_viseme_type() else {
             let tip = "name it with `--viseme-type`, or set `viseme-type` in lipz.toml";
             return Err(reporter.usage("no viseme type to convert to is named", tip));
         };
@@ -65,7 +65,7 @@ impl Run for Convert {
         }
         let target = self.target(reporter)?;
         let quiet = self.sources.is_quiet();
-        let (inputs, mut reports) = project.settings.discover();
+        let (inputs, mut reports) = project.settings.discover_with_reports();
         if let Target::Folder(folder) = target {
             key::check(&inputs, &mut reports);
             reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));

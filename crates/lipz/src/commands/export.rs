@@ -147,15 +147,15 @@ impl Work<'_> {
         let tiers: Vec<_> = said.words.into_iter().chain(said.phones).collect();
         let export_options = ExportOptions::new()
             .map(self.map)
-            .default_rate(self.options.default_fps.map(formats::rate))
-            .default_viseme_type(self.options.default_viseme_type)
+            .default_rate(self.options.get_default_fps().map(formats::rate))
+            .default_viseme_type(self.options.get_default_viseme_type())
             .dat_base(self.dat_base)
             .name(input.key.rsplit('/').next())
             .tiers(&tiers);
         let mut exported =
             parsed.document.map(|document| export(self.format, &document, &export_options)).unwrap_or_default();
         diagnostics.append(&mut exported.diagnostics);
-        self.options.levels.apply(&mut diagnostics);
+        self.options.get_levels().apply(&mut diagnostics);
         if has_errors(&diagnostics) {
             exported.bytes = None;
         }

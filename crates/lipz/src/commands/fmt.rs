@@ -68,13 +68,13 @@ impl Run for Fmt {
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
-        settings.options.threads = self.threads.map(usize::from);
+        settings.options = std::mem::take(&mut settings.options).threads(self.threads.map(usize::from));
         settings.hidden = self.hidden.unwrap_or(settings.hidden);
-        let default_locale = self.default_locale.as_deref().or(settings.options.default_locale.as_deref());
+        let default_locale = self.default_locale.as_deref().or(settings.options.get_default_locale());
         if reads_standard_input(&settings.sources, reporter)? {
             return standard_input(self, default_locale, reporter);
         }
-        let (inputs, mut reports) = settings.discover();
+        let (inputs, mut reports) = settings.discover_with_reports();
         let bar = console::progress_bar(inputs.len(), self.quiet);
         let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
         let files_to_write = Files::new();

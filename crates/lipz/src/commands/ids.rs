@@ -3,27 +3,29 @@
 use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::bank_file::BankFile;
 use crate::shared::bank_or_sources::packed;
+use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::output_file;
 use crate::shared::sources::Sources;
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
-use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
+use lipz_compiler::shard::SET_EXTENSION;
 use lipz_diagnostics::Report;
-use lipz_layout::MAGIC;
+use lipz_layout::{MAGIC, SET_MAGIC};
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Write the ids of clips as constants, so that a misspelt key does not compile.
 ///
-/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank). A file that has
+/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank) or set (.lipzset). A file that has
 /// these ids already is left alone, so that nothing is compiled again for it.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz ids dialogue.lipzbank --lang c -o dialogue_ids.h
+  lipz ids dialogue.lipzset --lang rust
   lipz ids voices --lang csharp --prefix Game.Dialogue -o DialogueIds.cs
   lipz ids voices --lang json")]
 pub(crate) struct Ids {
@@ -90,20 +92,23 @@ impl Run for Ids {
         }
         match self.sources.paths() {
             [bank] if is_bank_file(bank) => {
-                let file = BankFile::open(bank, reporter)?;
-                write(&file.name, &file.bank(reporter)?, self, reporter)
+                let files = DialogueFiles::open(bank, reporter)?;
+                write(&files.name, &files, self, reporter)
             }
             sources => of_sources(sources, self, reporter),
         }
     }
 }
 
-/// Whether a path is that of a bank: by its name, or whatever it is called, by how it begins.
+/// Whether a path is that of a bank or a set: by its name, or whatever it is called, by how it begins.
 fn is_bank_file(path: &Path) -> bool {
-    let is_named = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("lipzbank"));
+    let is_bank =
+        |extension: &OsStr| ["lipzbank", SET_EXTENSION].iter().any(|known| extension.eq_ignore_ascii_case(known));
+    let is_named = path.extension().is_some_and(is_bank);
     let begins = || {
         let mut start = [0; MAGIC.len()];
-        path.is_file() && File::open(path).is_ok_and(|mut file| file.read_exact(&mut start).is_ok() && start == MAGIC)
+        let is_magic = |start| start == MAGIC || start == SET_MAGIC;
+        path.is_file() && File::open(path).is_ok_and(|mut file| file.read_exact(&mut start).is_ok() && is_magic(start))
     };
     is_named && !path.is_dir() || begins()
 }
@@ -113,11 +118,13 @@ fn of_sources(sources: &[PathBuf], arguments: &Ids, reporter: &mut Reporter) -> 
     let project = arguments.sources.project(reporter)?;
     let file = packed(&project.settings, arguments.sources.is_quiet(), reporter)?;
     let source = sources.first().map(|path| console::path(path)).unwrap_or_default();
-    write(&source, &file.bank(reporter)?, arguments, reporter)
+    write(&source, &DialogueFiles::one(file), arguments, reporter)
 }
 
-fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, reporter: &mut Reporter) -> Ended {
-    let text = generate(bank, arguments.lang.into(), arguments.prefix.as_deref())
+fn write(source: &str, named: &DialogueFiles, arguments: &Ids, reporter: &mut Reporter) -> Ended {
+    let files = named.verified(reporter)?;
+    let dialogue = named.dialogue(&files, reporter)?;
+    let text = generate(&dialogue, arguments.lang.into(), arguments.prefix.as_deref())
         .map_err(|clashes| reporter.refuse(vec![Report::all_about(source, clashes)]))?;
     let Some(output) = &arguments.output else {
         reporter.print(&text)?;
@@ -131,7 +138,7 @@ fn write(source: &str, bank: &Bank<'_>, arguments: &Ids, reporter: &mut Reporter
     if arguments.sources.is_quiet() {
         return Ok(Outcome::Clean);
     }
-    let ids = console::counted(bank.clip_count(), "id");
+    let ids = console::counted(dialogue.clip_count(), "id");
     let done = if is_there { "unchanged in" } else { "written to" };
     reporter.summary(&format!("{ids} {done} {}\n", console::path(output)))?;
     Ok(Outcome::Clean)

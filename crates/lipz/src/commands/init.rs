@@ -112,7 +112,7 @@ impl Run for Init {
 fn has_clips(folder: &Path) -> bool {
     let mut settings = Settings::default();
     settings.sources = vec![folder.to_owned()];
-    folder.is_dir() && !settings.discover().0.is_empty()
+    folder.is_dir() && !settings.discover_with_reports().0.is_empty()
 }
 
 /// Adds a line to a file of git, unless it has that line or one that `says_so`.

@@ -61,8 +61,7 @@ impl Run for LinkArguments {
             reporter.abort(reports, outcome)
         })?;
         let settings = settings(&link, reporter)?;
-        let mut options = settings.options.clone().voices(settings.voices());
-        options.threads = self.threads.map(usize::from);
+        let options = settings.options.clone().voices(settings.voices()).threads(self.threads.map(usize::from));
         let split = Split { locales: settings.split_locales, voices: settings.split_voices };
         split.refuse_both(reporter)?;
         let is_split = split.locales || split.voices;
@@ -128,6 +127,5 @@ impl LinkArguments {
 fn settings(link: &Link, reporter: &mut Reporter) -> Result<Settings, Abort> {
     let Some((path, text)) = link.settings() else { return Ok(Settings::default()) };
     let folder = Path::new(path).parent().unwrap_or(Path::new(""));
-    let (settings, report) = Settings::parse(text.as_bytes(), path, folder);
-    if report.has_errors() { Err(reporter.refuse(vec![report])) } else { Ok(settings) }
+    Settings::parse(text, path, folder).map_err(|report| reporter.refuse(vec![report]))
 }

@@ -60,7 +60,7 @@ impl Run for New {
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let named: Vec<PathBuf> = self.output.iter().cloned().collect();
         let Project { settings, .. } = self.file.project(&named, reporter)?;
-        let Some(locale) = self.locale.as_ref().or(settings.options.default_locale.as_ref()) else {
+        let Some(locale) = self.locale.as_deref().or(settings.options.get_default_locale()) else {
             let tip = "name it with `--locale`, or set default-locale in lipz.toml";
             return Err(reporter.usage("the locale of the text is not known", tip));
         };
@@ -110,7 +110,7 @@ fn refusal(key: &str, folder: &Path, settings: &Settings, file: &Path) -> Option
     if let Some(report) = in_the_way(file) {
         return Some(report);
     }
-    let (inputs, _) = settings.discover();
+    let (inputs, _) = settings.discover_with_reports();
     let same = inputs.iter().find(|input| key::folded(&input.key) == key::folded(key))?;
     let message = format!("{named} and {} would be one key", escape::quoted(&same.key));
     about(Code::KeyClash, message, "choose another key")

@@ -4,16 +4,15 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
-use crate::shared::bank_file::BankFile;
-use crate::shared::set_file::SetFile;
-use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::shared::dialogue_files::DialogueFiles;
+use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console, interrupt};
 use clap::Args;
-use lipz_compiler::{BankWithTexts, unpack};
+use lipz_compiler::unpack;
 use lipz_diagnostics::Code;
 use std::path::PathBuf;
 
-/// Write the clips of a bank as Lipz files.
+/// Write the clips of a bank or a set as Lipz files.
 ///
 /// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. If the run
 /// is interrupted, the files written so far remain, and all of them are complete.
@@ -50,34 +49,17 @@ impl Run for Unpack {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let Some(set) = SetFile::open(&self.bank, reporter)? else {
-            return self.bank(&BankFile::open(&self.bank, reporter)?, reporter);
-        };
-        if !self.texts.texts.is_empty() {
-            return Err(reporter.usage("text banks belong to one bank", "name the bank of the set that they belong to"));
-        }
-        // One bank is in memory at a time. Another one has other clips, and so other files.
-        for number in 0..set.index(reporter)?.bank_count() {
-            self.bank(&set.bank(number, reporter)?, reporter)?;
-        }
-        Ok(Outcome::Clean)
-    }
-}
-
-impl Unpack {
-    fn bank(&self, file: &BankFile, reporter: &mut Reporter) -> Ended {
-        let bank = file.bank(reporter)?;
-        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
-        let texts = text_files.verified(&bank, reporter)?;
-        let bar = console::progress_bar(bank.clip_count(), self.quiet);
-        let whole = BankWithTexts::new(&bank, &texts);
+        let named = DialogueFiles::open(&self.bank, reporter)?.with_texts(&self.texts.texts, reporter)?;
+        let opened = named.verified(reporter)?;
+        let dialogue = named.dialogue(&opened, reporter)?;
+        let bar = console::progress_bar(dialogue.clip_count(), self.quiet);
         let files = Files::new();
         let unpacked = interrupt::whole_files(|point| {
             let progress = |count| {
                 bar.inc(count);
                 point();
             };
-            unpack(whole, &self.output, self.force, files.waiting(), &progress)
+            unpack(&dialogue, &self.output, self.force, files.waiting(), &progress)
         });
         bar.finish_and_clear();
         match unpacked {
@@ -88,7 +70,7 @@ impl Unpack {
                 }
                 let form = match unpacked.is_exact {
                     true => "",
-                    false if whole.locales().is_empty() => {
+                    false if dialogue.locales().next().is_none() => {
                         " (no texts: those of a split bank are in its text banks, --texts)"
                     }
                     false => " (display forms: the bank has no source section)",
@@ -100,7 +82,7 @@ impl Unpack {
             Err(mut reports) => {
                 for report in &mut reports {
                     if report.source.path.is_empty() {
-                        file.name.clone_into(&mut report.source.path);
+                        named.name.clone_into(&mut report.source.path);
                     }
                 }
                 let failed =

@@ -5,12 +5,13 @@ use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
+use crate::shared::dialogue_files::{DialogueFiles, tags_of, texts};
 use crate::shared::patterns;
 use crate::shared::set_file::SetFile;
 use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_bank::{Bank, BankSetError};
+use lipz_bank::files::DialogueFile;
 use lipz_diagnostics::escape;
 use std::path::{Path, PathBuf};
 
@@ -57,12 +58,14 @@ fn verify(path: &Path, arguments: &Verify, reporter: &mut Reporter) -> Ended {
     if let Some(set) = SetFile::open(path, reporter)? {
         return verify_set(&set, arguments, reporter);
     }
-    let file = BankFile::open(path, reporter)?;
-    let bank = file.bank(reporter)?;
-    let clips = console::counted(bank.clip_count(), "clip");
-    print_verified(&file.name, &clips, bank.length_bytes(), arguments, reporter)?;
+    let named = DialogueFiles::open(path, reporter)?;
+    let files = named.verified(reporter)?;
+    let dialogue = named.dialogue(&files, reporter)?;
+    let clips = console::counted(dialogue.clip_count(), "clip");
+    let length_bytes = files.iter().map(DialogueFile::length_bytes).sum();
+    print_verified(&named.name, &clips, length_bytes, arguments, reporter)?;
     let texts = patterns::files(&arguments.texts.texts);
-    let texts = texts.iter().map(|path| verify_texts(path, &bank, arguments, reporter));
+    let texts = texts.iter().map(|path| verify_texts(path, &files, arguments, reporter));
     Ok(worst(texts))
 }
 
@@ -75,11 +78,8 @@ fn verify_set(set: &SetFile, arguments: &Verify, reporter: &mut Reporter) -> End
     let mut length_bytes = index.length_bytes();
     for number in 0..index.bank_count() {
         let file = set.bank(number, reporter)?;
-        let bank = file.bank(reporter)?;
-        if bank.clips().any(|clip| index.bank_of(clip.id()) != number) {
-            return Err(set.refuse(BankSetError::OtherShard { bank: number }, reporter));
-        }
-        length_bytes += bank.length_bytes();
+        set.verify_bank(number, &file, reporter)?;
+        length_bytes += file.bytes().len();
     }
     let clips = console::counted(usize::try_from(index.clip_count()).unwrap_or(usize::MAX), "clip");
     let banks = console::counted(index.bank_count(), "bank");
@@ -87,11 +87,12 @@ fn verify_set(set: &SetFile, arguments: &Verify, reporter: &mut Reporter) -> End
     Ok(Outcome::Clean)
 }
 
-fn verify_texts(path: &Path, bank: &Bank<'_>, arguments: &Verify, reporter: &mut Reporter) -> Ended {
-    let file = BankFile::open(path, reporter)?;
-    let texts = file.texts(bank, reporter)?;
-    let tags: Vec<_> = texts.locales().map(|locale| escape::text(locale.tag())).collect();
-    print_verified(&file.name, &format!("texts in {}", tags.join(", ")), texts.length_bytes(), arguments, reporter)?;
+fn verify_texts(path: &Path, banks: &[DialogueFile<'_>], arguments: &Verify, reporter: &mut Reporter) -> Ended {
+    let file = BankFile::read(path, reporter)?;
+    texts(&file, banks, banks.len()).map_err(|report| reporter.refuse(vec![report]))?;
+    let tags = tags_of(&file, banks);
+    let tags: Vec<_> = tags.iter().map(|tag| escape::text(tag)).collect();
+    print_verified(&file.name, &format!("texts in {}", tags.join(", ")), file.bytes().len(), arguments, reporter)?;
     Ok(Outcome::Clean)
 }
 

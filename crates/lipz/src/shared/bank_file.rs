@@ -3,8 +3,8 @@
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::{stack, stdio};
-use lipz_bank::{Bank, Error, ErrorKind, TextBank};
+use crate::shared::stdio;
+use lipz_bank::{Bank, Error, ErrorKind};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_host::FileBytes;
 use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SET_MAGIC};
@@ -17,8 +17,9 @@ const LONGEST_BANK: u64 = u32::MAX as u64;
 
 const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` packs one from Lipz files";
 
-const NAME_ONE_OF_SET: &str =
-    "it is the index of a set of banks, which `lipz verify`, `inspect` and `unpack` read; name one of its banks";
+const NAME_SET_FIRST: &str = "name the index of a set first, before the banks that were packed over it";
+
+const LINK_AGAIN: &str = "copy all files of the set again, or link it again: lipz link";
 
 /// The bytes of a bank, and how messages name it.
 pub(crate) struct BankFile {
@@ -27,18 +28,6 @@ pub(crate) struct BankFile {
 }
 
 impl BankFile {
-    /// Reads the file at `path`, or standard input; a path of the form `base+layer` is made one bank in memory. Reports why
-    /// that is not possible.
-    pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
-        let paths = stack::paths(path);
-        if let [path] = paths.as_slice() {
-            return BankFile::read(path, reporter);
-        }
-        let files = paths.iter().map(|path| BankFile::read(path, reporter)).collect::<Result<Vec<_>, _>>()?;
-        let stack = stack::of(&files, reporter)?;
-        Ok(BankFile::made(console::path(path), stack.into_bank()))
-    }
-
     /// The bytes of the file.
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
@@ -58,15 +47,6 @@ impl BankFile {
                 Err(reporter.fail(Report::about(name, diagnostic)))
             }
         }
-    }
-
-    /// The file as a text bank of `bank`, verified. Reports what is wrong with it.
-    pub(crate) fn texts(&self, bank: &Bank<'_>, reporter: &mut Reporter) -> Result<TextBank<'_>, Abort> {
-        let opened = bank.open_texts(&self.bytes).map_err(|error| (Code::BankRefused, error));
-        let verified = opened.and_then(|texts| texts.verify(bank).map_err(|error| (Code::BankDamaged, error)));
-        verified.map_err(|(code, error)| {
-            reporter.refuse(vec![Report::about(self.name.as_str(), refused(code, error, &self.bytes))])
-        })
     }
 
     /// A bank that was made in memory.
@@ -112,11 +92,12 @@ pub(crate) fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
             .note(format!("the bank has {}, this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
             .help(update),
         ErrorKind::SectionUnknown => diagnostic.help(update),
-        ErrorKind::NotABank if bytes.starts_with(&SET_MAGIC) => diagnostic.help(NAME_ONE_OF_SET),
+        ErrorKind::NotABank if bytes.starts_with(&SET_MAGIC) => diagnostic.help(NAME_SET_FIRST),
         ErrorKind::NotABank => diagnostic.help(NAME_A_BANK),
         ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => diagnostic.help(NAME_A_BANK),
         ErrorKind::TextsOnly => diagnostic.help("name the bank that it belongs to, and this file with --texts"),
         ErrorKind::OtherClips => diagnostic.help("use the texts that were packed with this bank, or pack both again"),
+        ErrorKind::OtherBank => diagnostic.help(LINK_AGAIN),
         ErrorKind::TextMode => diagnostic.help("copy it again in binary mode"),
         _ => diagnostic.help("copy the bank again, or pack it again"),
     }

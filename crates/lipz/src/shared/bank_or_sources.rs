@@ -3,10 +3,11 @@
 use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
+use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::inputs::{find, with_inputs};
 use crate::shared::settings_file::Project;
 use crate::shared::sources::ProjectArguments;
-use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::key::EXTENSION;
@@ -19,8 +20,8 @@ use std::path::{Path, PathBuf};
 
 /// The dialogue that a command looks at as a whole.
 #[derive(Args, Debug)]
-pub(crate) struct Dialogue {
-    /// A bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
+pub(crate) struct DialogueArguments {
+    /// A bank or a set, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
     /// Lipz files of lipz.toml]
     #[arg(value_name = "BANK")]
     bank: Option<PathBuf>,
@@ -32,10 +33,11 @@ pub(crate) struct Dialogue {
     arguments: ProjectArguments,
 }
 
-impl Dialogue {
-    /// The bank, or the Lipz files packed in memory. Reports what is wrong with them.
-    pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<BankFile, Abort> {
-        bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)
+impl DialogueArguments {
+    /// The files of the bank or set with its text banks, or the Lipz files packed in memory. Reports what is wrong with them.
+    pub(crate) fn files(&self, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        let files = bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)?;
+        files.with_texts(&self.texts.texts, reporter)
     }
 
     /// Whether text banks are named.
@@ -44,20 +46,23 @@ impl Dialogue {
     }
 
     /// The same, and of Lipz files, how much of them is recorded, if their project has recordings.
-    pub(crate) fn bank_and_recorded(&self, reporter: &mut Reporter) -> Result<(BankFile, Option<Recorded>), Abort> {
+    pub(crate) fn files_and_recorded(
+        &self,
+        reporter: &mut Reporter,
+    ) -> Result<(DialogueFiles, Option<Recorded>), Abort> {
         if self.is_bank() {
-            return Ok((self.bank(reporter)?, None));
+            return Ok((self.files(reporter)?, None));
         }
         let project = self.project(reporter)?;
-        let bank = self.bank_of(&project, reporter)?;
+        let files = self.files_of(&project, reporter)?;
         let (inputs, _) = find(&project.settings);
-        let (recorded, reports) = Recorded::count(&project.settings, &inputs);
+        let (recorded, reports) = Recorded::count_with_reports(&project.settings, &inputs);
         if have_errors(&reports) {
             let outcome = Outcome::from_reports(&reports);
             return Err(reporter.abort(reports, outcome));
         }
         reporter.add(reports);
-        Ok((bank, recorded))
+        Ok((files, recorded))
     }
 
     /// The project to which the bank or the Lipz files belong.
@@ -65,22 +70,23 @@ impl Dialogue {
         self.arguments.project(self.bank.as_slice(), reporter)
     }
 
-    /// [`bank`](Self::bank), with settings that are read already.
-    pub(crate) fn bank_of(&self, project: &Project, reporter: &mut Reporter) -> Result<BankFile, Abort> {
-        self.bank_with_clip(project, None, reporter)
+    /// [`files`](Self::files), with settings that are read already.
+    pub(crate) fn files_of(&self, project: &Project, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        self.files_with_clip(project, None, reporter)
     }
 
     /// The same for somebody who looks at one clip: warnings about other files are none of theirs.
-    pub(crate) fn bank_with_clip(
+    pub(crate) fn files_with_clip(
         &self,
         project: &Project,
         key: Option<&str>,
         reporter: &mut Reporter,
-    ) -> Result<BankFile, Abort> {
-        match &self.bank {
-            Some(bank) if self.is_bank() => BankFile::open(bank, reporter),
-            _ => packed_for(&project.settings, self.arguments.quiet, key, reporter),
-        }
+    ) -> Result<DialogueFiles, Abort> {
+        let files = match &self.bank {
+            Some(bank) if self.is_bank() => DialogueFiles::open(bank, reporter)?,
+            _ => DialogueFiles::one(packed_for(&project.settings, self.arguments.quiet, key, reporter)?),
+        };
+        files.with_texts(&self.texts.texts, reporter)
     }
 
     /// The path of the bank, if it is one.
@@ -102,26 +108,21 @@ impl Dialogue {
     pub(crate) fn is_quiet(&self) -> bool {
         self.arguments.quiet
     }
-
-    /// The files that are to be its text banks. Reports which one cannot be read.
-    pub(crate) fn text_files(&self, reporter: &mut Reporter) -> Result<TextFiles, Abort> {
-        TextFiles::open(&self.texts.texts, reporter)
-    }
 }
 
-/// The bank at `path`, or the Lipz files there, packed in memory; without a path, those of `lipz.toml`.
+/// The bank or set at `path`, or the Lipz files there, packed in memory; without a path, those of `lipz.toml`.
 /// Reports what is wrong with them.
 pub(crate) fn bank_or_sources(
     path: Option<&Path>,
     arguments: &ProjectArguments,
     reporter: &mut Reporter,
-) -> Result<BankFile, Abort> {
+) -> Result<DialogueFiles, Abort> {
     match path {
-        Some(path) if !names_lipz_files(path) => BankFile::open(path, reporter),
+        Some(path) if !names_lipz_files(path) => DialogueFiles::open(path, reporter),
         path => {
             let sources: Vec<_> = path.into_iter().map(Path::to_owned).collect();
             let project = arguments.project(&sources, reporter)?;
-            packed(&project.settings, arguments.quiet, reporter)
+            packed(&project.settings, arguments.quiet, reporter).map(DialogueFiles::one)
         }
     }
 }

@@ -43,7 +43,7 @@ pub(crate) fn with_found<'i, B>(
 ) -> Worked<'i, B> {
     let start = Instant::now();
     let Found { inputs, mut reports, took } = found;
-    let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank(settings, &inputs);
+    let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank_with_reports(settings, &inputs);
     reports.extend(unread);
     let word_times = lipz_sync::word_times(settings, &inputs).unwrap_or_else(|report| {
         reports.push(report);
@@ -69,7 +69,7 @@ pub(crate) fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
     let (standard, paths) = settings.sources.iter().cloned().partition::<Vec<_>, _>(|path| stdio::is_meant(path));
     let mut on_disk = settings.clone();
     on_disk.sources = paths;
-    let (mut inputs, mut reports) = on_disk.discover();
+    let (mut inputs, mut reports) = on_disk.discover_with_reports();
     if !standard.is_empty() {
         match stdio::lipz_file(settings.root.as_deref()) {
             Ok(input) => inputs.push(input),

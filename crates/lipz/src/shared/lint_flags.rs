@@ -84,8 +84,8 @@ mod tests {
         let matches = command.try_get_matches_from(words.split(' ')).unwrap();
         let mut options = Options::new();
         LintFlags::from_arg_matches(&matches).unwrap().apply(&mut options);
-        assert_eq!(options.levels.severity(Code::UnknownEmotion), Some(Severity::Error));
-        assert_eq!(options.levels.severity(Code::SegmentCount), Some(Severity::Warning));
-        assert_eq!(options.levels.severity(Code::UnknownLocale), None);
+        assert_eq!(options.get_levels().severity(Code::UnknownEmotion), Some(Severity::Error));
+        assert_eq!(options.get_levels().severity(Code::SegmentCount), Some(Severity::Warning));
+        assert_eq!(options.get_levels().severity(Code::UnknownLocale), None);
     }
 }

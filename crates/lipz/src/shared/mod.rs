@@ -4,6 +4,7 @@ pub(crate) mod audio_flags;
 pub(crate) mod bank_file;
 pub(crate) mod bank_or_sources;
 pub(crate) mod characters;
+pub(crate) mod dialogue_files;
 pub(crate) mod existing;
 pub(crate) mod format_examples;
 pub(crate) mod formats;

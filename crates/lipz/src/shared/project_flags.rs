@@ -3,9 +3,8 @@
 use crate::reporter::{Abort, Reporter};
 use clap::{Arg, ArgAction, Args};
 use lipz_bank::{Fps, VisemeType};
-use lipz_compiler::Options;
 use lipz_compiler::settings::is_word;
-use std::collections::BTreeSet;
+use lipz_compiler::{KnownNames, LocaleError, Options, TextLimits};
 
 const DEFAULTS: &str = "What files leave open";
 const LOCALES: &str = "Locales";
@@ -105,70 +104,103 @@ pub(crate) struct ProjectFlags {
 }
 
 impl ProjectFlags {
-    /// Sets what the flags name over the options of the project.
-    pub(crate) fn apply(&self, options: &mut Options) {
-        override_some(&mut options.default_fps, &self.default_fps);
-        override_some(&mut options.default_viseme_type, &self.default_viseme_type);
-        override_some(&mut options.default_locale, &self.default_locale);
-        override_some(&mut options.viseme_type, &self.viseme_type);
-        options.extended_locales = self.extended_locales.unwrap_or(options.extended_locales);
-        override_some(&mut options.locales, &set(&self.locales));
-        options.fallbacks.extend(self.fallback.iter().cloned());
-        options.pseudo = self.pseudo.unwrap_or(options.pseudo);
-        for (locale, percent) in &self.min_coverage {
-            match locale {
-                None => options.min_coverage.all = Some(*percent),
-                Some(locale) => {
-                    options.min_coverage.locales.insert(locale.clone(), *percent);
-                }
-            }
-        }
-        options.literal_braces = self.literal_braces.unwrap_or(options.literal_braces);
-        let limits = &mut options.text_limits;
-        override_some(&mut limits.line_columns, &self.max_line_columns);
-        override_some(&mut limits.lines, &self.max_lines);
-        override_some(&mut limits.characters_per_second, &self.max_characters_per_second);
-        let names = &mut options.known_names;
-        override_some(&mut names.characters, &set(&self.characters));
-        override_some(&mut names.props, &set(&self.props));
-        override_some(&mut names.actions, &set(&self.actions));
-        override_some(&mut names.curves, &set(&self.curves));
-        if let Some(emotions) = set(&self.emotions) {
-            names.emotions = emotions;
-        }
+    /// The options of the project with what the flags name over them.
+    ///
+    /// # Errors
+    /// Those of the setters, for locales that no project accepts: flags with such locales are refused before.
+    pub(crate) fn apply(&self, options: Options) -> Result<Options, LocaleError> {
+        let options = self.apply_locales(options)?;
+        let (limits, names) = (self.limits(options.get_text_limits()), self.names(options.get_known_names().clone()));
+        let default_fps = self.default_fps.or(options.get_default_fps());
+        let default_viseme_type = self.default_viseme_type.or(options.get_default_viseme_type());
+        let viseme_type = self.viseme_type.or(options.get_viseme_type());
+        let literal_braces = self.literal_braces.unwrap_or(options.get_literal_braces());
+        let options = options.default_fps(default_fps).default_viseme_type(default_viseme_type);
+        Ok(options.viseme_type(viseme_type).literal_braces(literal_braces).text_limits(limits).known_names(names))
     }
+
+    /// The same with what they say about locales.
+    fn apply_locales(&self, options: Options) -> Result<Options, LocaleError> {
+        let extended = self.extended_locales.unwrap_or(options.get_extended_locales());
+        let pseudo = self.pseudo.unwrap_or(options.get_pseudo());
+        let mut min_coverage = options.get_min_coverage().clone();
+        for (locale, percent) in &self.min_coverage {
+            min_coverage = match locale {
+                None => min_coverage.all(*percent),
+                Some(locale) => min_coverage.locale(locale, *percent)?,
+            };
+        }
+        // Whether the project accepts these locales is checked afterwards, together with those of its settings.
+        let mut options = options.extended_locales(true).pseudo(pseudo).min_coverage(min_coverage);
+        if let Some(locale) = &self.default_locale {
+            options = options.default_locale(locale)?;
+        }
+        if let Some(locales) = &self.locales {
+            options = options.locales(locales)?;
+        }
+        for (locale, chain) in &self.fallback {
+            options = options.fallback(locale, chain)?;
+        }
+        Ok(options.extended_locales(extended))
+    }
+
+    fn limits(&self, mut limits: TextLimits) -> TextLimits {
+        if let Some(count) = self.max_line_columns {
+            limits = limits.line_columns(count);
+        }
+        if let Some(count) = self.max_lines {
+            limits = limits.lines(count);
+        }
+        if let Some(count) = self.max_characters_per_second {
+            limits = limits.characters_per_second(count);
+        }
+        limits
+    }
+
+    fn names(&self, mut names: KnownNames) -> KnownNames {
+        let present = |names: &Vec<String>| names.iter().filter(|name| !name.is_empty()).cloned().collect::<Vec<_>>();
+        if let Some(characters) = &self.characters {
+            names = names.characters(present(characters));
+        }
+        if let Some(props) = &self.props {
+            names = names.props(present(props));
+        }
+        if let Some(emotions) = &self.emotions {
+            names = names.emotions(present(emotions));
+        }
+        if let Some(actions) = &self.actions {
+            names = names.actions(present(actions));
+        }
+        if let Some(curves) = &self.curves {
+            names = names.curves(present(curves));
+        }
+        names
+    }
+}
+
+/// The options with a locale of the command line for texts without one, whether the project accepts it or not.
+pub(crate) fn with_default_locale(options: Options, locale: &str) -> Result<Options, LocaleError> {
+    let extended = options.get_extended_locales();
+    Ok(options.extended_locales(true).default_locale(locale)?.extended_locales(extended))
 }
 
 /// Refuses locales of the options that need `extended-locales`, which is not set.
 pub(crate) fn refuse_locales_of(options: &Options, reporter: &mut Reporter) -> Result<(), Abort> {
-    let fallbacks = options.fallbacks.iter().flat_map(|(locale, chain)| std::iter::once(locale).chain(chain));
-    refuse_locales(
-        options.default_locale.iter().chain(options.locales.iter().flatten()).chain(fallbacks),
-        options,
-        reporter,
-    )
+    let fallbacks = options.get_fallbacks().iter().flat_map(|(locale, chain)| std::iter::once(locale).chain(chain));
+    let locales = options.get_locales().into_iter().flatten().chain(fallbacks).map(String::as_str);
+    refuse_locales(options.get_default_locale().into_iter().chain(locales), options, reporter)
 }
 
 /// Refuses the first of these locales that the project does not accept in its Lipz files.
 pub(crate) fn refuse_locales<'l>(
-    locales: impl IntoIterator<Item = &'l String>,
+    locales: impl IntoIterator<Item = &'l str>,
     options: &Options,
     reporter: &mut Reporter,
 ) -> Result<(), Abort> {
-    let is_refused = |tag: &&String| !options.extended_locales && !lipz_file::locale::has_lipz_shape(tag);
+    let is_refused = |tag: &&str| !options.get_extended_locales() && !lipz_file::locale::has_lipz_shape(tag);
     let Some(tag) = locales.into_iter().find(is_refused) else { return Ok(()) };
     let tip = "name a country, as in en-us, or accept any BCP 47 tag: --extended-locales, `extended-locales = true` in lipz.toml";
     Err(reporter.usage(format!("the locale `{tag}` does not have the form ll-cc"), tip))
-}
-
-fn override_some<T: Clone>(option: &mut Option<T>, flag: &Option<T>) {
-    if flag.is_some() {
-        option.clone_from(flag);
-    }
-}
-
-fn set(names: &Option<Vec<String>>) -> Option<BTreeSet<String>> {
-    names.as_ref().map(|names| names.iter().filter(|name| !name.is_empty()).cloned().collect())
 }
 
 pub(crate) fn parse_fps(text: &str) -> Result<Fps, String> {

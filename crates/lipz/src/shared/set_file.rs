@@ -1,17 +1,16 @@
-//! Sets of banks on disk: the index, and the banks beside it one at a time.
+//! Sets of banks on disk: the index, and the banks next to it.
 
 use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::{BankFile, refused};
 use crate::shared::stdio;
-use lipz_bank::{Bank, BankSetError, SetIndex};
+use lipz_bank::files::SetIndex;
+use lipz_bank::{Bank, Error};
 use lipz_diagnostics::{Code, Report};
 use lipz_layout::SET_MAGIC;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-
-const LINK_AGAIN: &str = "copy all files of the set again, or link it again: lipz link";
 
 /// The index of a set.
 pub(crate) struct SetFile {
@@ -25,12 +24,14 @@ impl SetFile {
         if stdio::is_meant(path) || !begins_as_set(path) {
             return Ok(None);
         }
-        let file = BankFile::read(path, reporter)?;
-        if let Err(error) = SetIndex::open(file.bytes()).and_then(SetIndex::verify) {
-            let diagnostic = refused(Code::BankDamaged, error, file.bytes());
-            return Err(reporter.refuse(vec![Report::about(file.name.as_str(), diagnostic)]));
-        }
-        Ok(Some(SetFile { path: path.to_owned(), file }))
+        let set = SetFile { path: path.to_owned(), file: BankFile::read(path, reporter)? };
+        set.index(reporter)?;
+        Ok(Some(set))
+    }
+
+    /// Whether bytes begin as an index.
+    pub(crate) fn is_index(bytes: &[u8]) -> bool {
+        bytes.starts_with(&SET_MAGIC)
     }
 
     /// How messages name it.
@@ -48,23 +49,33 @@ impl SetFile {
 
     /// The bank with this number, read and not yet verified. Reports that it is not the one that the index names.
     pub(crate) fn bank(&self, number: usize, reporter: &mut Reporter) -> Result<BankFile, Abort> {
-        let Some(entry) = self.index(reporter)?.bank_at(number) else {
-            return Err(self.refuse(BankSetError::Count, reporter));
-        };
-        let file = BankFile::read(&self.path.with_file_name(entry.file_name), reporter)?;
-        match Bank::open(file.bytes()) {
-            Ok(bank) if bank.checksum() != entry.checksum => {
-                Err(self.refuse(BankSetError::OtherBank { bank: number }, reporter))
-            }
-            // Whoever opens it says what is wrong with a file that is no bank.
-            _ => Ok(file),
+        let index = self.index(reporter)?;
+        let name = index.bank_at(number).map_or("", |bank| bank.file_name);
+        let file = BankFile::read(&self.path.with_file_name(name), reporter)?;
+        // What is wrong with a file that is no bank, is reported when it is verified.
+        if let Ok(bank) = Bank::open(file.bytes()) {
+            index.check_bank(number, &bank).map_err(|error| SetFile::refuse(&file, error, reporter))?;
         }
+        Ok(file)
     }
 
-    /// Reports that the banks are not those of the set.
-    pub(crate) fn refuse(&self, error: BankSetError, reporter: &mut Reporter) -> Abort {
-        let report = Report::failure(self.name(), Code::BankDamaged, error.to_string(), LINK_AGAIN);
-        reporter.refuse(vec![report])
+    /// The bank with this number, verified, with each of its clips in the place where it is looked for. Reports what is wrong.
+    pub(crate) fn verify_bank(&self, number: usize, file: &BankFile, reporter: &mut Reporter) -> Result<(), Abort> {
+        let bank = file.bank(reporter)?;
+        let verified = self.index(reporter)?.verify_bank(number, &bank);
+        verified.map_err(|error| SetFile::refuse(file, error, reporter))
+    }
+
+    /// The index and all banks, read and not yet verified.
+    pub(crate) fn into_files(self, reporter: &mut Reporter) -> Result<Vec<BankFile>, Abort> {
+        let count = self.index(reporter)?.bank_count();
+        let banks = (0..count).map(|number| self.bank(number, reporter)).collect::<Result<Vec<_>, _>>()?;
+        Ok(std::iter::once(self.file).chain(banks).collect())
+    }
+
+    fn refuse(file: &BankFile, error: Error, reporter: &mut Reporter) -> Abort {
+        let diagnostic = refused(Code::BankDamaged, error, file.bytes());
+        reporter.refuse(vec![Report::about(file.name.as_str(), diagnostic)])
     }
 }
 

@@ -104,7 +104,7 @@ impl SettingsFile {
 
 /// The settings in `file`; its diagnostics are printed.
 fn read(file: &Path, reporter: &mut Reporter) -> Result<Settings, Abort> {
-    let (settings, report) = Settings::read(file);
+    let (settings, report) = Settings::read_with_report(file);
     let has_errors = report.has_errors();
     let is_read = report.diagnostics.iter().all(|diagnostic| diagnostic.code != Code::SettingsUnreadable);
     let found = if report.diagnostics.is_empty() { Vec::new() } else { vec![report] };

@@ -50,10 +50,7 @@ pub(crate) fn settings(
     reporter: &mut Reporter,
 ) -> Result<(Settings, Option<(String, String)>), Abort> {
     let Some(file) = &plan.settings else { return Ok((Settings::default(), None)) };
-    let (settings, report) = Settings::read(Path::new(&file.path));
-    if report.has_errors() {
-        return Err(reporter.refuse(vec![report]));
-    }
+    let settings = Settings::read(&file.path).map_err(|report| reporter.refuse(vec![report]))?;
     let text = fs::read_to_string(&file.path).map_err(|error| {
         let message = format!("`{}` cannot be read: {error}", file.path);
         reporter.fail(Report::failure(file.path.as_str(), Code::UnreadableFile, message, "make the plan again"))

@@ -98,11 +98,11 @@ impl ProjectArguments {
     /// The project to which these sources belong; those of its settings file if there are none.
     pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
         let mut project = self.file.project(sources, reporter)?;
-        let options = &mut project.settings.options;
-        self.flags.apply(options);
-        self.lints.apply(options);
-        options.threads = self.threads.map(usize::from);
-        refuse_locales_of(options, reporter)?;
+        let options = self.flags.apply(std::mem::take(&mut project.settings.options));
+        let mut options = options.map_err(|error| reporter.fail(error.to_report()))?;
+        self.lints.apply(&mut options);
+        project.settings.options = options.threads(self.threads.map(usize::from));
+        refuse_locales_of(&project.settings.options, reporter)?;
         Ok(project)
     }
 }

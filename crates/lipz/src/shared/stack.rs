@@ -1,9 +1,5 @@
-//! Several banks in the place of one: a base and the layers over it.
+//! Several files in the place of one: a base and the patches over it.
 
-use crate::Abort;
-use crate::reporter::Reporter;
-use crate::shared::bank_file::BankFile;
-use lipz_compiler::Stack;
 use std::path::{Path, PathBuf};
 
 /// What stands between the names of a base and its layers.
@@ -27,19 +23,6 @@ pub(crate) fn paths(path: &Path) -> Vec<PathBuf> {
         rest = &rest[count..];
     }
     files
-}
-
-/// The stack of these files, the base first. Reports which of them is damaged or does not fit.
-pub(crate) fn of(files: &[BankFile], reporter: &mut Reporter) -> Result<Stack, Abort> {
-    let named = files.iter().map(|file| (file.name.as_str(), file.bytes()));
-    Stack::open(named).map_err(|report| reporter.refuse(vec![report]))
-}
-
-/// The stack of the files that several arguments name, each perhaps one itself. Reports what is wrong with them.
-pub(crate) fn open(named: &[PathBuf], reporter: &mut Reporter) -> Result<Stack, Abort> {
-    let paths = named.iter().flat_map(|path| paths(path));
-    let files = paths.map(|path| BankFile::read(&path, reporter)).collect::<Result<Vec<_>, _>>()?;
-    of(&files, reporter)
 }
 
 #[cfg(test)]

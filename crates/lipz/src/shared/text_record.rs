@@ -136,7 +136,7 @@ impl RecordFile {
             .collect();
         let texts = Compiler::new(options.clone()).each_file(&new, |_, bytes| {
             let document = lipz_file::parse(bytes).document.unwrap_or_default();
-            texts_of(&document, options.default_locale.as_deref())
+            texts_of(&document, options.get_default_locale())
         });
         let texts: Vec<_> =
             new.iter().zip(texts).filter_map(|(input, texts)| Some((self.name(input), texts.ok()?))).collect();

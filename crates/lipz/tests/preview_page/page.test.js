@@ -189,7 +189,8 @@ test("what is typed stays while files change", { timeout: TIMEOUT_MS }, async (t
   assert.deepEqual(await page.value(state), ["Oh, Mayor?", 4, true]);
   assert.equal(await page.value("preview.then(({ player }) => player.isChanged)"), false, "typing is not done");
   await page.key("Enter");
-  await page.until(`preview.then(async ({ player }) => (await player.settled, player.clip.segment(0).text("en-us").text === "Oh, Mayor?"))`);
+  const drawn = 'player.clip.segment(0).text(player.dialogue.locale("en-us")).text';
+  await page.until(`preview.then(async ({ player }) => (await player.settled, ${drawn} === "Oh, Mayor?"))`);
 });
 
 test("codes are those of the file, whatever the bank has", { timeout: TIMEOUT_MS }, async (t) => {

@@ -52,10 +52,10 @@ impl Rival for LipzSimd {
 }
 
 impl Reader for Bank<'static> {
-    type Clip<'r> = Clip<'static, 'r>;
-    type Locale<'r> = Locale<'static>;
+    type Clip<'r> = Clip<'r>;
+    type Locale<'r> = Locale;
 
-    fn locale(&self, tag: &str) -> Option<Locale<'static>> {
+    fn locale(&self, tag: &str) -> Option<Locale> {
         Bank::locale(self, tag)
     }
 
@@ -65,28 +65,22 @@ impl Reader for Bank<'static> {
     }
 
     #[inline]
-    fn clip(&self, number: u32) -> Option<Clip<'static, '_>> {
+    fn clip(&self, number: u32) -> Option<Clip<'_>> {
         self.clip_at(number)
     }
 
     #[inline]
-    fn viseme(&self, clip: Clip<'static, '_>, time_us: u32) -> u8 {
+    fn viseme(&self, clip: Clip<'_>, time_us: u32) -> u8 {
         clip.viseme_at(Micros(time_us.into())).code()
     }
 
     #[inline(always)]
-    fn text<T>(
-        &self,
-        clip: Clip<'static, '_>,
-        locale: Locale<'static>,
-        time_us: u32,
-        then: impl FnOnce(&str) -> T,
-    ) -> Option<T> {
+    fn text<T>(&self, clip: Clip<'_>, locale: Locale, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.segment_at(Micros(time_us.into()))?.text(locale)?.as_str()))
     }
 
     #[inline(always)]
-    fn event<T>(&self, clip: Clip<'static, '_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
+    fn event<T>(&self, clip: Clip<'_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T> {
         Some(then(clip.segment_at(Micros(time_us.into()))?.event().unwrap_or("")))
     }
 }

@@ -78,7 +78,7 @@ impl<'c> Change<'c> {
         let first_of = |number: usize| Some(entries(number)?.first()?.get());
         let (mut texts, mut fallbacks): (Vec<TextChange>, _) = (Vec::new(), Vec::new());
         for (number, locale) in recall.locales.iter().enumerate() {
-            let index = clip.texts().iter().position(|text| clip.tag(text) == locale.tag());
+            let index = clip.texts().iter().position(|text| clip.tag(text) == recall.bank.locale_tag(*locale));
             match (first_of(number)?, index) {
                 (NO_TEXT, None) => {}
                 (start, None) if start & TEXT_FALLBACK != 0 => fallbacks.push((number, start & TEXT_OFFSET)),

@@ -24,7 +24,7 @@ fn input(number: usize, (visemes, texts, events): &Parts) -> Input {
 }
 
 fn options(is_stripped: bool) -> Options {
-    Options::new().default_locale("en-us").strip(is_stripped).threads(1)
+    Options::new().default_locale("en-us").unwrap().strip(is_stripped).threads(1)
 }
 
 /// The bank of `before` with the clips of `after` that are others, if it can be patched; and the bank of `after`.

@@ -65,11 +65,11 @@ fn all_options() -> Vec<Options> {
     let usual = Options::new();
     let mut of_values = Options::new();
     of_values.emotions.curves = EmotionCurves::Values;
-    let mut with_gestures = Options::new().default_locale("en-us");
+    let mut with_gestures = Options::new().default_locale("en-us").unwrap();
     with_gestures.gestures.keys = GestureKeys::Words;
     vec![
         with_gestures,
-        usual.clone().default_locale("en-us"),
+        usual.clone().default_locale("en-us").unwrap(),
         usual.clone().strip(true),
         usual.clone().literal_braces(true),
         Options { locales: Some(["de-de", "en-us"].map(str::to_owned).into()), ..usual.clone() },
@@ -170,14 +170,14 @@ fn whatever_could_be_reported_is_refused() {
         "\u{feff}{\"fps\":24}",
     ];
     for file in files {
-        assert!(!is_clean(file.as_bytes(), &Options::new().default_locale("en-us")), "{file}");
+        assert!(!is_clean(file.as_bytes(), &Options::new().default_locale("en-us").unwrap()), "{file}");
     }
 }
 
 #[test]
 fn fixtures_are_read_alike() {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
-    let (inputs, _) = crate::discover(&[fixtures], None);
+    let inputs = crate::discover(&[fixtures], None).unwrap();
     let (mut count, mut clean_count) = (0, 0);
     for input in inputs {
         let crate::Content::File(path) = input.content else { continue };
@@ -231,6 +231,6 @@ proptest! {
         let (at, byte) = change;
         let mut changed = bytes.clone();
         changed[usize::from(at) % bytes.len()] = byte;
-        are_clean([&bytes, &changed, &bytes], &Options::new().default_locale("en-us"));
+        are_clean([&bytes, &changed, &bytes], &Options::new().default_locale("en-us").unwrap());
     }
 }

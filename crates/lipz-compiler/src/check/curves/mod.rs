@@ -4,7 +4,7 @@ mod ranges;
 
 use crate::KnownNames;
 use crate::clip::ClipData;
-use lipz_bank::{Emotion, FaceCurve};
+use lipz_bank::face::{Emotion, FaceCurve};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::{Raw, curve};
 

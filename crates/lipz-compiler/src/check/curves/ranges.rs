@@ -1,7 +1,8 @@
 //! Values of known curves that no face can show.
 
 use super::who_and_what;
-use lipz_bank::{CurveValue, Emotion, FaceCurve};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::{Emotion, FaceCurve};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::curve::{self, Curve};
 use std::ops::RangeInclusive;

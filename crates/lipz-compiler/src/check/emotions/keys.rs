@@ -3,7 +3,8 @@
 use super::faces::Changes;
 pub(super) use crate::clip::Key;
 use crate::options::Face;
-use lipz_bank::{CurveValue, Emotion};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::Emotion;
 use std::collections::BTreeMap;
 
 /// A face changes.

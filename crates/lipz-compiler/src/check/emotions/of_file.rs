@@ -5,7 +5,7 @@ use super::faces::{sum, too_much};
 use crate::check::curves::OfFile;
 use crate::clip::{ClipData, Key};
 use crate::options::Face;
-use lipz_bank::Emotion;
+use lipz_bank::face::Emotion;
 use lipz_diagnostics::Diagnostic;
 use std::collections::BTreeMap;
 

@@ -169,7 +169,7 @@ impl Unknown<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lipz_bank::Emotion;
+    use lipz_bank::face::Emotion;
     use lipz_file::{emotion, event};
 
     #[test]

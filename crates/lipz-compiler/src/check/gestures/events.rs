@@ -4,7 +4,7 @@ use super::shapes::Kind;
 use super::{Gesture, MOST};
 use crate::clip::ClipData;
 use crate::options::Gestures;
-use lipz_bank::CurveValue;
+use lipz_bank::curve::CurveValue;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::event::{self, Command, Event};
 use lipz_file::{JsonString, text};
@@ -25,7 +25,7 @@ pub(super) fn of_events<'e>(
     for (segment, range) in text::segments(&events.text).enumerate() {
         for event in event::parse(&events.text[range.clone()]).into_iter().flatten() {
             let Some((kind, usual)) = kind_of(&event, own) else { continue };
-            let end = event.command.object().map_or(event.verb.end, |number| number.range().end);
+            let end = event.command.amount().map_or(event.verb.end, |number| number.range().end);
             let span = events.span_of(range.start + event.verb.start..range.start + end);
             let strength = event.number().unwrap_or(usual);
             if event.number().is_some_and(|number| number > MOST) {

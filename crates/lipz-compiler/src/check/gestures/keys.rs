@@ -3,7 +3,9 @@
 use super::Gesture;
 use super::shapes::{Path, neutral};
 use crate::clip::{ClipData, Key};
-use lipz_bank::{CurveValue, FaceCurve, Fps, Micros};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::FaceCurve;
+use lipz_bank::{Fps, Micros};
 use std::collections::BTreeMap;
 use std::ops::Range;
 

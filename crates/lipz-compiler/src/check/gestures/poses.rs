@@ -3,7 +3,8 @@
 use super::clock::{Clock, REST};
 use super::words::Words;
 use crate::clip::{ClipData, Key};
-use lipz_bank::{CurveValue, Fps, Micros};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::{Fps, Micros};
 use std::collections::BTreeMap;
 
 /// Milliseconds that a mouth rests in a pause, and not between two sounds.

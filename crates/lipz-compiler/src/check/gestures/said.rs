@@ -7,7 +7,8 @@ use super::words::{Word, Words};
 use super::{Gesture, MOST};
 use crate::clip::{ClipData, Key};
 use crate::options::Gestures;
-use lipz_bank::{CurveValue, Emotion};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::Emotion;
 
 /// Words of the longest phrase in the lists.
 const LONGEST_PHRASE: usize = 5;

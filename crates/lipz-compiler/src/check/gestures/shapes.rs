@@ -1,6 +1,6 @@
 //! What a gesture does to which curve, and when. docs/FACE.md has these numbers with their sources.
 
-use lipz_bank::FaceCurve;
+use lipz_bank::face::FaceCurve;
 
 /// A gesture.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

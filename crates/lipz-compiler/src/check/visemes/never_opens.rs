@@ -1,7 +1,8 @@
 //! A mouth that never opens, though something is said.
 
 use crate::clip::ClipData;
-use lipz_bank::{Viseme, VisemeType, Weight};
+use lipz_bank::babble::Weight;
+use lipz_bank::{Viseme, VisemeType};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::JsonString;
 

@@ -1,7 +1,7 @@
 //! The bands: time ruler, heights of the mouth, mouth shapes, segments, texts and events of as many frames as fit
 //! into a line.
 
-use super::events::Events;
+use super::events::events;
 use super::palette::{Palette, Row};
 use super::ruler::ruler;
 use super::texts::Texts;
@@ -18,11 +18,11 @@ const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '�
 const STEP_TEN_THOUSANDTHS: u16 = 10_000 / HEIGHTS.len() as u16;
 
 /// All frames of the clip, with its texts in this locale.
-pub(super) fn bands(out: &mut String, clip: &Clip<'_, '_>, locale: Option<Locale<'_>>, width: usize, palette: Palette) {
+pub(super) fn bands(out: &mut String, clip: &Clip<'_>, locale: Option<Locale>, width: usize, palette: Palette) {
     let columns = width.saturating_sub(MARGIN).max(1);
     let frame_count = clip.frame_count() as usize;
     let mut texts = Texts::new(locale, palette);
-    let mut events = Events::new(clip, columns, palette);
+    let mut events = events(clip, columns, palette);
     for first in (0..frame_count).step_by(columns) {
         let frames = first..(first + columns).min(frame_count);
         let mut rows = vec![Row::default(), heights(clip, &frames, palette), Row::default()];
@@ -45,7 +45,7 @@ pub(super) fn bands(out: &mut String, clip: &Clip<'_, '_>, locale: Option<Locale
 }
 
 /// How far the mouth is open in each frame: blank at rest, where nobody speaks. Nothing if the clip does not say.
-fn heights(clip: &Clip<'_, '_>, frames: &Range<usize>, palette: Palette) -> Row {
+fn heights(clip: &Clip<'_>, frames: &Range<usize>, palette: Palette) -> Row {
     let mut row = Row::default();
     let Some(viseme_type) = clip.viseme_type() else { return row };
     let codes = clip.frames().get(frames.clone()).unwrap_or_default();
@@ -62,7 +62,7 @@ fn heights(clip: &Clip<'_, '_>, frames: &Range<usize>, palette: Palette) -> Row 
 }
 
 /// The segments that have some of these frames.
-fn segments<'d, 'b>(clip: &Clip<'d, 'b>, frames: &Range<usize>) -> impl Iterator<Item = Segment<'d, 'b>> {
+fn segments<'b>(clip: &Clip<'b>, frames: &Range<usize>) -> impl Iterator<Item = Segment<'b>> {
     let first = u32::try_from(frames.start).ok().and_then(|frame| clip.segment_of_frame(frame));
     let (clip, end) = (*clip, frames.end);
     let from_first = (first.map_or(0, |segment| segment.index())..).map_while(move |index| clip.segment(index));
@@ -72,13 +72,13 @@ fn segments<'d, 'b>(clip: &Clip<'d, 'b>, frames: &Range<usize>) -> impl Iterator
 }
 
 /// Which of these frames the segment has.
-fn overlap(segment: &Segment<'_, '_>, frames: &Range<usize>) -> Range<usize> {
+fn overlap(segment: &Segment<'_>, frames: &Range<usize>) -> Range<usize> {
     let (start, end) = (segment.start_frame() as usize, segment.end_frame() as usize);
     start.max(frames.start)..end.min(frames.end)
 }
 
 /// What the bar of a segment has at a frame: `|1--`.
-fn bar_at(segment: &Segment<'_, '_>, frame: usize) -> char {
+fn bar_at(segment: &Segment<'_>, frame: usize) -> char {
     let at = frame - segment.start_frame() as usize;
     // A `|`, and at most five digits.
     if at > 5 { '-' } else { format!("|{}", segment.index()).chars().nth(at).unwrap_or('-') }

@@ -2,7 +2,7 @@
 
 use super::palette::{Palette, Row};
 use super::texts::fitting;
-use lipz_bank::{Clip, Segment, Segments};
+use lipz_bank::{Clip, Segment};
 use lipz_diagnostics::escape;
 use std::iter::Peekable;
 use std::ops::Range;
@@ -16,19 +16,24 @@ const UP_TO_HERE: char = '◂';
 const MOST_ROWS: usize = 4;
 
 /// The events of a clip, in the order of their segments.
-pub(super) struct Events<'d, 'b> {
-    left: Peekable<Segments<'d, 'b>>,
+pub(super) struct Events<S: Iterator> {
+    /// The segments that are left.
+    left: Peekable<S>,
     frame_count: usize,
     columns: usize,
     palette: Palette,
 }
 
-impl<'d, 'b> Events<'d, 'b> {
-    /// The events of this clip, for bands of so many columns.
-    pub(super) fn new(clip: &Clip<'d, 'b>, columns: usize, palette: Palette) -> Events<'d, 'b> {
-        Events { left: clip.segments().peekable(), frame_count: clip.frame_count() as usize, columns, palette }
-    }
+/// The events of this clip, for bands of so many columns.
+pub(super) fn events<'a>(
+    clip: &Clip<'a>,
+    columns: usize,
+    palette: Palette,
+) -> Events<impl Iterator<Item = Segment<'a>> + use<'a>> {
+    Events { left: clip.segments().peekable(), frame_count: clip.frame_count() as usize, columns, palette }
+}
 
+impl<'a, S: Iterator<Item = Segment<'a>>> Events<S> {
     /// Those that happen in these frames; in the last band also what happens at the end.
     pub(super) fn rows(&mut self, frames: &Range<usize>) -> Vec<Row> {
         let end = if frames.end == self.frame_count { usize::MAX } else { frames.end };
@@ -58,7 +63,7 @@ impl<'d, 'b> Events<'d, 'b> {
 }
 
 /// The event of a segment in a line; `None` if it has none.
-fn label(segment: &Segment<'_, '_>) -> Option<String> {
+fn label(segment: &Segment<'_>) -> Option<String> {
     let written = segment.event().filter(|text| !text.is_empty())?;
     let typed: Vec<String> = segment.events().map(|event| event.to_string()).collect();
     let label = if typed.is_empty() { written.to_owned() } else { typed.join(", ") };

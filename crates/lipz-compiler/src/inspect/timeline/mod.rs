@@ -6,9 +6,11 @@ mod palette;
 mod ruler;
 mod texts;
 
-use lipz_bank::{Clip, Curve, Fps, Locale, Recording, Segment};
+use lipz_bank::curve::Curve;
+use lipz_bank::{Clip, Dialogue, Fps, Locale, Recording, Segment};
 use lipz_diagnostics::escape;
 use palette::{Palette, painted};
+use std::borrow::Cow;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
@@ -22,13 +24,16 @@ const DEFAULT_WIDTH: usize = 100;
 /// than a line make it longer.
 ///
 /// ```
-/// use lipz_bank::{Bank, Locale};
+/// use lipz_bank::files::DialogueFile;
+/// use lipz_bank::{Dialogue, Locale};
 /// use lipz_compiler::{Compiler, Input, inspect::Timeline};
 /// let file = r#"{ "fps": 10, "viseme_type": "blair", "visemes": "AAAA|MM-", "text_en-us": "Aye.|Aye!" }"#;
 /// let bytes = Compiler::default().compile(&[Input::from_bytes("aye", file)]).into_bank()?;
-/// let bank = Bank::open(&bytes)?.verify()?;
-/// let locales: Vec<Locale<'_>> = bank.locales().collect();
-/// let shown = Timeline::default().width(80).render(&bank.clip_by_key("aye").ok_or("no clip")?, &locales);
+/// let mut files = [DialogueFile::ABSENT];
+/// let dialogue = Dialogue::open(&mut files, [bytes.as_slice()])?;
+/// let locales: Vec<Locale> = dialogue.locales().collect();
+/// let clip = dialogue.clip_by_key("aye").ok_or("no clip")?;
+/// let shown = Timeline::default().width(80).render(&dialogue, &clip, &locales);
 /// assert!(shown.contains("  ████▁▁\n  AAAAMM-\n  |0--|1-\n  Ay… Ay…\n"));
 /// assert!(shown.ends_with("segment 1  0.400 s to 0.700 s  frames 4 to 6\n  en-us  Aye!\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -61,21 +66,23 @@ impl Timeline {
         self
     }
 
-    /// The clip as text. The bands have its texts in the first of these locales, the list below in all of them.
-    pub fn render(&self, clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> String {
-        let mut out = heading(clip, self.palette);
+    /// The clip of a dialogue as text. The bands have its texts in the first of these locales, the list below in all of them.
+    pub fn render(&self, dialogue: &Dialogue<'_>, clip: &Clip<'_>, locales: &[Locale]) -> String {
+        let mut out = heading(dialogue, clip, self.palette);
         bands::bands(&mut out, clip, locales.first().copied(), self.width, self.palette);
-        let tag_width = locales.iter().map(|locale| escape::text(locale.tag()).width()).max().unwrap_or(0);
+        let tagged = locales.iter().map(|locale| (escape::text(dialogue.locale_tag(*locale)), *locale));
+        let locales: Vec<(Cow<'_, str>, Locale)> = tagged.collect();
+        let tag_width = locales.iter().map(|(tag, _)| tag.width()).max().unwrap_or(0);
         let columns = Columns { tag: tag_width.max("event".len()), whole: self.width, palette: self.palette };
         for segment in clip.segments() {
-            details(&mut out, &segment, locales, columns);
+            details(&mut out, &segment, &locales, columns);
         }
         curves(&mut out, clip, columns);
         out
     }
 }
 
-fn heading(clip: &Clip<'_, '_>, palette: Palette) -> String {
+fn heading(dialogue: &Dialogue<'_>, clip: &Clip<'_>, palette: Palette) -> String {
     let fps = clip.fps().map_or("unspecified frame rate".into(), |fps| format!("{} fps", short_fps(fps)));
     let viseme_type = clip.viseme_type().map_or("unspecified viseme type", lipz_bank::VisemeType::name);
     let frames = match clip.duration_us() {
@@ -84,7 +91,7 @@ fn heading(clip: &Clip<'_, '_>, palette: Palette) -> String {
         None => format!("{} frames", clip.frame_count()),
     };
     let dub = clip.original().map_or(String::new(), |original| {
-        let voice = clip.voice().map_or("", |voice| voice.tag());
+        let voice = clip.voice().map_or("", |voice| dialogue.voice_tag(voice));
         format!("  dub of {} in {}\n", escape::text(original.key()), escape::text(voice))
     });
     let recording = clip.recording().map_or(String::new(), |found| format!("  recording {}\n", short_recording(found)));
@@ -121,7 +128,7 @@ struct Columns {
 }
 
 /// The segment with its times, event and texts.
-fn details(out: &mut String, segment: &Segment<'_, '_>, locales: &[Locale<'_>], columns: Columns) {
+fn details(out: &mut String, segment: &Segment<'_>, locales: &[(Cow<'_, str>, Locale)], columns: Columns) {
     out.push_str(&painted(&format!("segment {}", segment.index()), columns.palette.title));
     let frames = (segment.start_frame(), segment.end_frame());
     match (segment.start_us(), segment.end_us()) {
@@ -136,16 +143,16 @@ fn details(out: &mut String, segment: &Segment<'_, '_>, locales: &[Locale<'_>], 
         _ => out.push_str("  no frames\n"),
     }
     events(out, segment, columns);
-    for locale in locales {
+    for (tag, locale) in locales {
         if let Some(text) = segment.text(*locale).filter(|text| !text.is_empty()) {
             let fallback = if text.is_fallback() { "  (fallback)" } else { "" };
-            line(out, &escape::text(locale.tag()), &format!("{}{fallback}", text.as_str()), columns);
+            line(out, tag, &format!("{}{fallback}", text.as_str()), columns);
         }
     }
 }
 
 /// The curves with their keys.
-fn curves(out: &mut String, clip: &Clip<'_, '_>, columns: Columns) {
+fn curves(out: &mut String, clip: &Clip<'_>, columns: Columns) {
     let name = |curve: &Curve<'_>| escape::text(curve.name().as_str()).into_owned();
     let tag = clip.curves().map(|curve| name(&curve).width()).max();
     let Some(tag) = tag else { return };
@@ -157,7 +164,7 @@ fn curves(out: &mut String, clip: &Clip<'_, '_>, columns: Columns) {
 }
 
 /// A line for each event of Character Event Syntax, or one for what is some other syntax.
-fn events(out: &mut String, segment: &Segment<'_, '_>, columns: Columns) {
+fn events(out: &mut String, segment: &Segment<'_>, columns: Columns) {
     let mut events = segment.events().peekable();
     match segment.event() {
         Some(text) if !text.is_empty() && events.peek().is_none() => {
@@ -191,17 +198,18 @@ fn line(out: &mut String, name: &str, text: &str, columns: Columns) {
 mod tests {
     use super::*;
     use crate::{Compiler, Input, Options};
-    use lipz_bank::Bank;
+    use lipz_testkit::dialogues::with;
 
     fn bank(json: &str) -> Vec<u8> {
-        let options = Options::new().default_locale("en-us");
+        let options = Options::new().default_locale("en-us").unwrap();
         Compiler::new(options.clone()).compile(&[Input::from_bytes("a/clip", json)]).bank.unwrap()
     }
 
     fn shown(bytes: &[u8], width: usize) -> String {
-        let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
-        let locales: Vec<_> = bank.locales().collect();
-        Timeline::default().width(width).render(&bank.clip_by_key("a/clip").unwrap(), &locales)
+        with(&[bytes], |dialogue| {
+            let locales: Vec<_> = dialogue.locales().collect();
+            Timeline::default().width(width).render(dialogue, &dialogue.clip_by_key("a/clip").unwrap(), &locales)
+        })
     }
 
     #[test]

@@ -12,22 +12,22 @@ use unicode_width::UnicodeWidthStr;
 const MORE: &str = "…";
 
 /// The texts of a clip. A text begins under its segment and flows on from band to band.
-pub(super) struct Texts<'t> {
-    locale: Option<Locale<'t>>,
+pub(super) struct Texts {
+    locale: Option<Locale>,
     palette: Palette,
     /// What is left of the text of the last segment.
     rest: Rest,
 }
 
-impl<'t> Texts<'t> {
+impl Texts {
     /// The texts of this locale, if any.
-    pub(super) fn new(locale: Option<Locale<'t>>, palette: Palette) -> Texts<'t> {
+    pub(super) fn new(locale: Option<Locale>, palette: Palette) -> Texts {
         Texts { locale, palette, rest: Rest::default() }
     }
 
     /// Writes what of the text of `segment` belongs under its frames `part`, into the row of the band that begins at
     /// frame `first`.
-    pub(super) fn put(&mut self, row: &mut Row, segment: &Segment<'_, '_>, part: &Range<usize>, first: usize) {
+    pub(super) fn put(&mut self, row: &mut Row, segment: &Segment<'_>, part: &Range<usize>, first: usize) {
         let is_start = part.start == segment.start_frame() as usize;
         let is_end = part.end == segment.end_frame() as usize;
         if is_start {

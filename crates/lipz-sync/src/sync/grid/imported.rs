@@ -21,7 +21,7 @@ pub struct CodesOfPhones {
 }
 
 /// The mouth that the phones of a TextGrid make, by the rules of `[sync]`; `None` if it does not have both phones and shapes, as
-/// [`sync`](crate::sync()) writes them. Reports labels that are no phones.
+/// a [`SyncRun`](crate::SyncRun) writes them. Reports labels that are no phones.
 ///
 /// `mouth` is what the shapes of the TextGrid say, in its rate and its type, and `before` the clip that exists, if it is of the
 /// same rate and type. Where shapes and phones differ, somebody has corrected one of them. It is the shapes, where the phones
@@ -51,7 +51,7 @@ fn phones(bytes: &[u8], sync: &Sync, mouth: &Mouth, diagnostics: &mut Vec<Diagno
     let (words, breaks_us, mismatches) = Default::default();
     let phones = up_to(duration_us, phones);
     let alignment = Alignment { duration_us, phones, words, breaks_us, mismatches };
-    Some(render(&alignment, mouth.viseme_type, fps, &rules(sync).0).frames)
+    Some(render(&alignment, fps, mouth.viseme_type, &rules(sync).0).frames)
 }
 
 /// The codes of the phones, but where the shapes are what somebody has corrected.

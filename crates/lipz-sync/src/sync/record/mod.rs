@@ -43,6 +43,7 @@ pub struct SyncRecord {
     lines: BTreeMap<String, Vec<Line>>,
     /// By the same paths, what recordings say beside what these lines say.
     spoken: BTreeMap<String, Vec<Spoken>>,
+    warnings: Option<Report>,
 }
 
 impl SyncRecord {
@@ -53,11 +54,12 @@ impl SyncRecord {
         existing.unwrap_or_else(|| folder.join(RECORD_NAME))
     }
 
-    /// Reads the record at `path`; an empty one if there is none. Reports lines that say nothing.
+    /// Reads the record at `path`; an empty one if the file does not exist. It keeps the [warnings](SyncRecord::warnings)
+    /// about its lines.
     ///
     /// # Errors
-    /// If it cannot be read, or is another file.
-    pub fn read(path: &Path) -> Result<(SyncRecord, Option<Report>), Report> {
+    /// If the file cannot be read, or is not a record.
+    pub fn read(path: &Path) -> Result<SyncRecord, Report> {
         match fs::read(path) {
             Ok(bytes) => SyncRecord::parse(path, &bytes),
             Err(error) if error.kind() == io::ErrorKind::NotFound => SyncRecord::parse(path, b""),
@@ -65,11 +67,11 @@ impl SyncRecord {
         }
     }
 
-    /// Reads the record in `bytes`, those of the file at `path`. Reports lines that say nothing.
+    /// Reads the record in `bytes`, those of the file at `path`, as [`read`](SyncRecord::read) does.
     ///
     /// # Errors
-    /// If it is another file.
-    pub fn parse(path: &Path, bytes: &[u8]) -> Result<(SyncRecord, Option<Report>), Report> {
+    /// If it is not a record.
+    pub fn parse(path: &Path, bytes: &[u8]) -> Result<SyncRecord, Report> {
         let empty = SyncRecord { path: path.to_owned(), ..SyncRecord::default() };
         let text = String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes));
         if !text.is_empty() && !text.starts_with("# lipz sync") && !text.starts_with("<<<<<<<") {
@@ -95,8 +97,14 @@ impl SyncRecord {
             start += line.len();
         }
         let source = || Source::new(shown(path), text);
-        let report = (!diagnostics.is_empty()).then(|| Report::new(source(), diagnostics));
-        Ok((record, report))
+        record.warnings = (!diagnostics.is_empty()).then(|| Report::new(source(), diagnostics));
+        Ok(record)
+    }
+
+    /// The warnings about lines of the file that were passed over. They have the levels of their rules, not those of a
+    /// project.
+    pub fn warnings(&self) -> &[Report] {
+        self.warnings.as_slice()
     }
 
     /// All that is known of how the mouth of a Lipz file was made.
@@ -238,16 +246,17 @@ mod tests {
     fn a_record_is_written_sorted_and_read_back() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(RECORD_NAME);
-        let (mut record, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!(report, None);
+        let mut record = SyncRecord::read(&path).unwrap();
+        assert_eq!(record.warnings(), []);
         record.write().unwrap();
         assert!(!path.exists(), "nothing to say");
         let files = ["b c.lipz", "a/x.lipz"].map(|name| folder.path().join(name));
         record.append(&files[0], &A, &[]).unwrap();
         record.append(&files[1], &A, &[]).unwrap();
         record.append(&files[1], &b(), &[]).unwrap();
-        let (again, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!((report, again.lines_for(&files[0]), again.lines_for(&files[1])), (None, &[A][..], &[A, b()][..]));
+        let again = SyncRecord::read(&path).unwrap();
+        assert_eq!((again.lines_for(&files[0]), again.lines_for(&files[1])), (&[A][..], &[A, b()][..]));
+        assert_eq!(again.warnings(), []);
         record.set(&files[0], A, Vec::new());
         record.set(&files[1], b(), Vec::new());
         record.write().unwrap();
@@ -264,18 +273,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(RECORD_NAME);
         let file = folder.path().join("x.lipz");
-        let (mut record, _) = SyncRecord::read(&path).unwrap();
+        let mut record = SyncRecord::read(&path).unwrap();
         let (made, of_dub) = (Spoken::from(&A), Spoken { sound: 1, text: 9, original: b().original });
         assert_eq!(record.spoken_for(&file, 1), []);
         record.append(&file, &A, &[of_dub]).unwrap();
-        record = SyncRecord::read(&path).unwrap().0;
+        record = SyncRecord::read(&path).unwrap();
         assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 2)), (vec![of_dub], vec![]));
         record.accept(&file, Spoken { sound: 5, ..of_dub });
         let other = Spoken { sound: 5, ..of_dub };
         assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 5)), (vec![of_dub], vec![other]));
         record.write().unwrap();
-        let (again, report) = SyncRecord::read(&path).unwrap();
-        assert_eq!((&again, report), (&record, None));
+        assert_eq!(SyncRecord::read(&path).unwrap(), record);
         record.set(&file, A, Vec::new());
         assert_eq!(record.spoken_for(&file, 1), [made]);
         assert_eq!(record.spoken_for(&file, 5), [other], "a take that was replaced may come back");
@@ -297,15 +305,15 @@ mod tests {
             b().written("x.lipz")
         );
         fs::write(&path, &conflict).unwrap();
-        let (record, report) = SyncRecord::read(&path).unwrap();
+        let record = SyncRecord::read(&path).unwrap();
         assert_eq!(record.lines_for(&folder.path().join("x.lipz")), [A, b()]);
-        assert_eq!(report.unwrap().diagnostics.len(), 3);
+        assert_eq!(record.warnings()[0].diagnostics.len(), 3);
         fs::write(&path, "my notes").unwrap();
         assert!(SyncRecord::read(&path).is_err());
         let odd = [b"\xef\xbb\xbf# lipz sync\n\xff\xff nothing\n".as_slice(), A.written("x.lipz").as_bytes()].concat();
-        let (record, report) = SyncRecord::parse(&path, &odd).unwrap();
+        let record = SyncRecord::parse(&path, &odd).unwrap();
         assert_eq!(record.lines_for(&folder.path().join("x.lipz")), [A]);
-        let report = report.unwrap();
+        let report = &record.warnings()[0];
         let span = report.diagnostics[0].primary.as_ref().unwrap().span;
         assert_eq!(&report.source.text[span.range()], "\u{fffd}\u{fffd} nothing", "the place in what is shown");
         for at in 0..conflict.len() {

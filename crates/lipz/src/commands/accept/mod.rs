@@ -186,7 +186,7 @@ impl Accept {
             let Some(document) = parsed.document else {
                 return Err(lipz_diagnostics::Report::from_bytes(input.name(), bytes, parsed.diagnostics));
             };
-            let texts = texts_of(&document, options.default_locale.as_deref());
+            let texts = texts_of(&document, options.get_default_locale());
             Ok(self.clip(input, file, source_locale, texts))
         });
         bar.finish_and_clear();

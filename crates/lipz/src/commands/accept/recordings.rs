@@ -5,7 +5,7 @@ use crate::shared::settings_file::Project;
 use crate::{console, interrupt};
 use lipz_compiler::Input;
 use lipz_diagnostics::{Report, escape};
-use lipz_sync::{SyncRecord, Unaccepted, record_place, unaccepted};
+use lipz_sync::{SyncRecord, Unaccepted, record_place, unaccepted_with_reports};
 use std::fmt::Write;
 
 /// The recordings of which nobody has said yet that they say the texts of today, and the record that will know it.
@@ -24,16 +24,16 @@ pub(super) fn find(accept: &Accept, project: &Project, inputs: &[Input]) -> Resu
     if project.settings.audio.folder.is_none() {
         return Ok(Found::default());
     }
-    let (record, odd_lines) = SyncRecord::read(&record_place(&project.settings))?;
+    let record = SyncRecord::read(&record_place(&project.settings))?;
     let bar = console::progress_bar(inputs.len(), accept.sources.is_quiet());
     let is_meant = |key: &str, locale: Option<&str>| {
         let of_locale = |wanted: &String| locale == Some(wanted);
         accept.is_meant(key) && (accept.locale.is_empty() || accept.locale.iter().any(of_locale))
     };
     let progress = || bar.inc(1);
-    let (unaccepted, mut reports) = unaccepted(&project.settings, inputs, &record, &is_meant, &progress);
+    let (unaccepted, mut reports) = unaccepted_with_reports(&project.settings, inputs, &record, &is_meant, &progress);
     bar.finish_and_clear();
-    reports.extend(odd_lines);
+    reports.extend_from_slice(record.warnings());
     Ok(Found { record, unaccepted, reports })
 }
 

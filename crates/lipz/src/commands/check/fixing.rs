@@ -23,7 +23,7 @@ pub(super) struct Fixing {
 /// Fixes all files, or shows what would be fixed.
 pub(super) fn fix_all(settings: &Settings, quiet: bool, rewriting: Rewriting) -> Fixing {
     // What cannot be found or read is reported by the check that follows.
-    let (inputs, _) = settings.discover();
+    let (inputs, _) = settings.discover_with_reports();
     let bar = console::progress_bar(inputs.len(), quiet);
     let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
     let files = Files::new();

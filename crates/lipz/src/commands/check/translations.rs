@@ -32,7 +32,7 @@ impl<'p> Translations<'p> {
     pub(super) fn open(project: &'p Project, inputs: &[Input]) -> Result<Translations<'p>, Report> {
         let options = &project.settings.options;
         let (file, odd_lines) = RecordFile::open(project, inputs)?;
-        let default = options.default_locale.as_deref().and_then(|locale| canonical_tag(locale, true));
+        let default = options.get_default_locale().and_then(|locale| canonical_tag(locale, true));
         let recorded = || file.record.source_locales().first().map(|locale| (*locale).to_owned());
         let source_locale = default.or_else(recorded);
         Ok(Translations { options, file, odd_lines, source_locale })
@@ -47,7 +47,7 @@ impl<'p> Translations<'p> {
         let is_recorded = self.file.exists();
         let texts = || document.elements.iter().filter(|one| text_name(&one.name.text).is_some());
         let lints = TextLints::new(source_locale.as_str())
-            .default_locale(self.options.default_locale.clone())
+            .default_locale(self.options.get_default_locale().map(str::to_owned))
             .record(is_recorded.then_some(&self.file.record));
         let mut diagnostics = Vec::new();
         let name = if is_recorded { self.file.name(input) } else { String::new() };
@@ -79,7 +79,7 @@ impl<'p> Translations<'p> {
         of_record.retain(|report| !report.diagnostics.is_empty());
         of_record.extend(reports);
         // Who does not want to know which translations are stale need not know why none is.
-        let is_asked = self.options.levels.severity(Code::StaleTranslation).is_some();
+        let is_asked = self.options.get_levels().severity(Code::StaleTranslation).is_some();
         Checked { reports: of_record, is_unrecorded: is_asked && marked > 0 }
     }
 }

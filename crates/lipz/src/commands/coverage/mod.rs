@@ -10,13 +10,11 @@ use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::{Abort, Reporter};
-use crate::shared::bank_or_sources::Dialogue;
+use crate::shared::bank_or_sources::DialogueArguments;
 use crate::shared::locales::choose;
 use crate::shared::project_flags::{parse_locale, refuse_locales};
 use clap::Args;
-use lipz_compiler::{
-    BankWithTexts, Coverage, MinCoverage, VoiceCoverage, Voices, coverage, shortfalls, voice_coverage_of,
-};
+use lipz_compiler::{Coverage, MinCoverage, VoiceCoverage, Voices, coverage, shortfalls, voice_coverage_of};
 use lipz_diagnostics::{Report, escape};
 use lipz_texts::{LocaleWork, Progress, Work, page};
 use std::collections::BTreeSet;
@@ -45,7 +43,7 @@ Exit codes: 0 enough is translated, 1 less than the project requires, 2 the tool
 interrupted.")]
 pub(crate) struct CoverageArguments {
     #[command(flatten)]
-    dialogue: Dialogue,
+    dialogue: DialogueArguments,
 
     /// List the keys of clips without a text in LOCALE, of Lipz files also those of which a segment is blank; also for a locale that
     /// nobody has begun
@@ -85,15 +83,21 @@ impl Run for CoverageArguments {
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let mut project = self.dialogue.project(reporter)?;
         if !self.dialogue.is_bank() {
-            refuse_locales(self.missing.iter().chain(&self.stale), &project.settings.options, reporter)?;
+            refuse_locales(
+                self.missing.iter().chain(&self.stale).map(String::as_str),
+                &project.settings.options,
+                reporter,
+            )?;
         }
         // Here it is the question, not a condition for packing.
-        let wanted: MinCoverage = std::mem::take(&mut project.settings.options.min_coverage);
-        let file = self.dialogue.bank_of(&project, reporter)?;
-        let bank = file.bank(reporter)?;
+        let wanted = project.settings.options.get_min_coverage().clone();
+        project.settings.options = std::mem::take(&mut project.settings.options).min_coverage(MinCoverage::new());
+        let file = self.dialogue.files_of(&project, reporter)?;
+        let files = file.verified(reporter)?;
+        let dialogue = file.dialogue(&files, reporter)?;
         // A bank without dubs does not know the voices that the project plans.
         let planned = if self.dialogue.is_bank() { Voices::default() } else { project.settings.voices() };
-        let dubs = voice_coverage_of(&bank, &planned);
+        let dubs = voice_coverage_of(&dialogue, &planned);
         if self.voices {
             let look = match reporter.wants_json(self.json) {
                 true => Look::Json,
@@ -103,12 +107,11 @@ impl Run for CoverageArguments {
             };
             return voices::run(&dubs, &file.name, self.missing.as_deref(), look, reporter);
         }
-        let text_files = self.dialogue.text_files(reporter)?;
-        let found = coverage(BankWithTexts::new(&bank, &text_files.verified(&bank, reporter)?));
+        let found = coverage(&dialogue);
         let work = match self.dialogue.is_bank() {
             true => None,
             false => {
-                let named = self.missing.iter().chain(&self.stale).chain(wanted.locales.keys());
+                let named = self.missing.iter().chain(&self.stale).chain(wanted.get_locales().keys());
                 let named: Vec<String> = named.cloned().collect();
                 work::of_project(&project, &named, self.dialogue.is_quiet(), reporter)?
             }

@@ -19,7 +19,7 @@ pub(super) fn of_project(
     reporter: &mut Reporter,
 ) -> Result<Option<Work>, Abort> {
     let options = &project.settings.options;
-    let Some(source_locale) = options.default_locale.as_deref().and_then(|locale| canonical_tag(locale, true)) else {
+    let Some(source_locale) = options.get_default_locale().and_then(|locale| canonical_tag(locale, true)) else {
         return Ok(None);
     };
     // What is wrong with the files is reported when they are packed.
@@ -30,7 +30,7 @@ pub(super) fn of_project(
     let compiler = Compiler::new(options.clone()).progress(|files| bar.inc(files));
     let texts = compiler.each_file(&inputs, |_, bytes| {
         let document = lipz_file::parse(bytes).document.unwrap_or_default();
-        texts_of(&document, options.default_locale.as_deref())
+        texts_of(&document, options.get_default_locale())
     });
     bar.finish_and_clear();
     let mut clips: Vec<(&str, String, Texts)> = inputs
@@ -39,7 +39,7 @@ pub(super) fn of_project(
         .filter_map(|(input, texts)| Some((input.key.as_str(), file.name(input), texts.ok()?)))
         .collect();
     clips.sort_by(|a, b| a.0.cmp(b.0));
-    let packed = |locale: &&String| options.locales.as_ref().is_none_or(|packed| packed.contains(*locale));
+    let packed = |locale: &&String| options.get_locales().is_none_or(|packed| packed.contains(*locale));
     let locales: BTreeSet<&String> = clips.iter().flat_map(|(_, _, texts)| texts.keys()).filter(packed).collect();
     let locales: BTreeSet<String> = locales.into_iter().chain(wanted).cloned().collect();
     let mut work = Work::new(source_locale.as_str(), locales.into_iter().filter(|locale| *locale != source_locale));

@@ -10,12 +10,11 @@ use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_or_sources::bank_or_sources;
 use crate::shared::sources::ProjectArguments;
-use crate::shared::text_banks::TextFiles;
 use clap::Args;
-use lipz_compiler::{BankWithTexts, diff};
+use lipz_compiler::diff;
 use std::path::PathBuf;
 
-/// Compare banks, or the folders that banks are made of.
+/// Compare banks or sets, or the folders that they are made of.
 ///
 /// Compares what a program sees: clips, frame rates, frames, segments, display texts, events, locales,
 /// babble and face profiles. The layout of the files makes no difference. Folders are compiled in memory, with the
@@ -26,11 +25,12 @@ use std::path::PathBuf;
   lipz diff old.lipzbank new.lipzbank
   lipz diff dialogue.lipzbank voices --default-locale en-us
   lipz diff dialogue.lipzbank voices --json
+  lipz diff dialogue.lipzset dialogue.lipzset+patch.lipzbank
   lipz diff old/b.lipzbank b.lipzbank --old-texts old/b.*.lipztexts --new-texts b.*.lipztexts
 
 Exit codes: 0 no difference, 1 differences, 2 the tool could not run, 130 interrupted.")]
 pub(crate) struct Diff {
-    /// The old side: a bank, or a folder, file or pattern of Lipz files; `-` is a bank on standard input
+    /// The old side: a bank or a set, or a folder, file or pattern of Lipz files; `-` is a bank on standard input
     #[arg(value_name = "OLD")]
     old: PathBuf,
 
@@ -72,11 +72,11 @@ impl Run for Diff {
 fn compare(arguments: &Diff, reporter: &mut Reporter) -> Ended {
     let old = bank_or_sources(Some(&arguments.old), &arguments.project, reporter)?;
     let new = bank_or_sources(Some(&arguments.new), &arguments.project, reporter)?;
-    let (old_bank, new_bank) = (old.bank(reporter)?, new.bank(reporter)?);
-    let old_files = TextFiles::open(&arguments.old_texts, reporter)?;
-    let new_files = TextFiles::open(&arguments.new_texts, reporter)?;
-    let (old_texts, new_texts) = (old_files.verified(&old_bank, reporter)?, new_files.verified(&new_bank, reporter)?);
-    let difference = diff::diff(BankWithTexts::new(&old_bank, &old_texts), BankWithTexts::new(&new_bank, &new_texts));
+    let old = old.with_texts(&arguments.old_texts, reporter)?;
+    let new = new.with_texts(&arguments.new_texts, reporter)?;
+    let (old_files, new_files) = (old.verified(reporter)?, new.verified(reporter)?);
+    let (old_dialogue, new_dialogue) = (old.dialogue(&old_files, reporter)?, new.dialogue(&new_files, reporter)?);
+    let difference = diff::diff(&old_dialogue, &new_dialogue);
     if reporter.wants_json(arguments.json) {
         reporter.print_json(&difference)?;
     } else if !(arguments.project.quiet && difference.is_empty()) {

@@ -11,7 +11,9 @@ use crate::shared::rewriting::{Rewriting, files, is_standard_input, reads_standa
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
-use lipz_bank::{Bank, Clip, CurveValue, FaceProfile};
+use lipz_bank::curve::CurveValue;
+use lipz_bank::face::FaceProfile;
+use lipz_bank::{Bank, Clip};
 use lipz_compiler::{Compiler, Content, GestureKeys, Input};
 use lipz_diagnostics::escape;
 use lipz_file::format::{LineEnding, Style, rewrite};
@@ -94,9 +96,9 @@ impl Run for Face {
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
         let is_standard = reads_standard_input(&settings.sources, reporter)?;
-        settings.options.strip = true;
-        let own = &mut settings.options.gestures.keys;
-        *own = self.keys.map_or(*own, GestureKeys::from);
+        let mut gestures = settings.options.get_gestures();
+        gestures.keys = self.keys.map_or(gestures.keys, GestureKeys::from);
+        settings.options = std::mem::take(&mut settings.options).strip(true).gestures(gestures);
         #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is one for a single lifetime")]
         let mut worked = with_inputs(&settings, None, self.quiet, |compiler, inputs| compiler.compile(inputs));
         let outcome = worked.outcome();
@@ -114,7 +116,7 @@ impl Run for Face {
         let files_to_write = Files::new();
         let compiler = Compiler::new(settings.options.clone());
         let results = compiler.each_file(&worked.inputs, |input, bytes| {
-            let style = settings.options.default_locale.as_deref();
+            let style = settings.options.get_default_locale();
             let Some(made) = self.with_curves(input, bytes, &bank, style) else { return Ok(None) };
             let shown = match (&input.content, self.rewriting()) {
                 (Content::Bytes { .. }, Rewriting::InPlace) => Ok(made.after.clone()),
@@ -147,7 +149,7 @@ impl Run for Face {
         reports.extend(unwritten);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
-        let keys = settings.options.gestures.keys;
+        let keys = settings.options.get_gestures().keys;
         match self.rewriting() {
             _ if self.quiet || worked.inputs.is_empty() => {}
             Rewriting::InPlace if is_standard => {}
@@ -224,12 +226,7 @@ impl Face {
     }
 
     /// The new curves of a clip: those that it has in the bank, and, of those that the reader generates, what is asked for.
-    fn made(
-        &self,
-        clip: &Clip<'_, '_>,
-        profile: &FaceProfile<'_>,
-        is_new: &impl Fn(&str) -> bool,
-    ) -> Vec<(String, Keys)> {
+    fn made(&self, clip: &Clip<'_>, profile: &FaceProfile<'_>, is_new: &impl Fn(&str) -> bool) -> Vec<(String, Keys)> {
         let in_bank = clip.curves().filter(|curve| is_new(curve.name().as_str())).map(|curve| {
             let keys = curve.keys().map(|key| (key.frame, key.value)).collect();
             (curve.name().as_str().to_owned(), keys)

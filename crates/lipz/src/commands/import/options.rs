@@ -121,9 +121,11 @@ impl Settings<'_> {
         let flags = self.flags;
         ImportOptions::new()
             .map(self.map.as_ref().map(MapChoice::map))
-            .viseme_type(flags.viseme_type.or(self.project.viseme_type).or(self.project.default_viseme_type))
+            .viseme_type(
+                flags.viseme_type.or(self.project.get_viseme_type()).or(self.project.get_default_viseme_type()),
+            )
             .rate(flags.fps.map(formats::rate))
-            .default_rate(self.project.default_fps.map_or(DEFAULT_RATE, formats::rate))
+            .default_rate(self.project.get_default_fps().map_or(DEFAULT_RATE, formats::rate))
             .file_rate(flags.file_fps.map(formats::rate))
             .dat_base(flags.dat_base)
             .min_hold(usize::from(flags.min_hold))
@@ -141,7 +143,7 @@ impl Settings<'_> {
     ) -> Option<ImportOptions<'o>> {
         let mut of_clips = clips.filter_map(|clip| clip.rate_and_type().ok());
         let (rate, viseme_type) = of_clips.next().filter(|first| of_clips.all(|other| other == *first))?;
-        let is_named = self.flags.viseme_type.or(self.project.viseme_type).is_some();
+        let is_named = self.flags.viseme_type.or(self.project.get_viseme_type()).is_some();
         let viseme_type = viseme_type.filter(|_| !is_named).or(options.viseme_type);
         let rate = rate.unwrap_or(options.default_rate);
         let is_other = (rate, viseme_type) != (options.default_rate, options.viseme_type);
@@ -153,18 +155,18 @@ impl Settings<'_> {
         MergeOptions::new()
             .locale(self.default_locale())
             .min_pause(self.flags.min_pause)
-            .default_rate(self.project.default_fps.map(formats::rate))
-            .default_viseme_type(self.project.default_viseme_type)
+            .default_rate(self.project.get_default_fps().map(formats::rate))
+            .default_viseme_type(self.project.get_default_viseme_type())
     }
 
     /// The locale of texts that do not name it.
     pub(super) fn default_locale(&self) -> Option<&str> {
-        self.flags.locale.as_deref().or(self.project.default_locale.as_deref())
+        self.flags.locale.as_deref().or(self.project.get_default_locale())
     }
 
     /// Gives diagnostics the levels of the project.
     pub(super) fn apply_levels(&self, diagnostics: &mut Vec<Diagnostic>) {
-        self.project.levels.apply(diagnostics);
+        self.project.get_levels().apply(diagnostics);
     }
 }
 

@@ -7,16 +7,16 @@ use crate::Abort;
 use crate::Ended;
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::bank_file::BankFile;
-use crate::shared::bank_or_sources::Dialogue;
+use crate::shared::bank_or_sources::DialogueArguments;
+use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::locales::choose;
 use crate::shared::set_file::SetFile;
 use crate::shared::settings_file::Project;
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_bank::{Bank, ClipId, Locale};
+use lipz_bank::{ClipId, Dialogue, Locale};
 use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, Timeline};
-use lipz_compiler::{BankWithTexts, MinCoverage, face};
+use lipz_compiler::{MinCoverage, face};
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use lipz_sync::RecordedClip;
 use std::fmt::Write;
@@ -40,7 +40,7 @@ use unicode_width::UnicodeWidthStr;
   lipz inspect dialogue.lipzbank act1/mara-hello --texts dialogue.de-de.lipztexts")]
 pub(crate) struct Inspect {
     #[command(flatten)]
-    dialogue: Dialogue,
+    dialogue: DialogueArguments,
 
     /// The clip to show
     #[arg(value_name = "KEY")]
@@ -65,40 +65,44 @@ impl Run for Inspect {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let (file, project) = match self.set(reporter)? {
-            None => self.bank(reporter)?,
-            Some(set) => match &self.key {
-                Some(key) => (set.bank(set.index(reporter)?.bank_of(ClipId::from_key(key)), reporter)?, None),
-                None if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
-                None if self.dialogue.has_texts() => {
+        let (named, project) = match self.set(reporter)? {
+            None => self.files(reporter)?,
+            Some(set) => match (&self.key, &self.list) {
+                // One bank is enough.
+                (Some(key), _) => {
+                    let number = set.index(reporter)?.bank_of(ClipId::from_key(key));
+                    let file = set.bank(number, reporter)?;
+                    (DialogueFiles::one(file), None)
+                }
+                (None, Some(_)) => self.files(reporter)?,
+                (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
+                (None, None) if self.dialogue.has_texts() => {
                     let tip = "name a clip, or one bank of the set";
                     return Err(reporter.usage("`--texts` is about the texts of one bank, and this is a set", tip));
                 }
-                None => return set::inspect(&set, self.list.as_deref(), self.json, reporter),
+                (None, None) => return set::inspect(&set, self.json, reporter),
             },
         };
-        let bank = file.bank(reporter)?;
-        let text_files = self.dialogue.text_files(reporter)?;
-        let texts = text_files.verified(&bank, reporter)?;
-        let whole = BankWithTexts::new(&bank, &texts);
+        let files = named.verified(reporter)?;
+        let dialogue = named.dialogue(&files, reporter)?;
         let json = reporter.wants_json(self.json);
-        let only =
-            bank.clips().next().filter(|_| self.dialogue.names_file() && bank.clip_count() == 1).map(|clip| clip.key());
+        let is_one = self.dialogue.names_file() && dialogue.clip_count() == 1;
+        let only = dialogue.clips().next().filter(|_| is_one).map(|clip| clip.key());
         match (self.key.as_deref().or(only), &self.list) {
-            (_, Some(prefix)) => list(&bank, prefix, json, reporter)?,
+            (_, Some(prefix)) => list(&dialogue, prefix, json, reporter)?,
             (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
             (Some(key), None) => {
                 let recorded = project.map(|project| recorded::find(&project, key, reporter)).transpose()?.flatten();
-                clip(&bank, key, &whole.locales(), (&file.name, recorded), self, reporter)?;
+                clip(&dialogue, key, (&named.name, recorded), self, reporter)?;
             }
-            (None, None) => summary(&BankSummary::from_bank(whole), &file.name, json, reporter)?,
+            (None, None) => summary(&BankSummary::from_dialogue(&dialogue), &named.name, json, reporter)?,
         }
         Ok(Outcome::Clean)
     }
 }
 
 impl Inspect {
-    /// The set that is named, if it is one.
+    /// The set that is named, if it is one without patches.
     fn set(&self, reporter: &mut Reporter) -> Result<Option<SetFile>, Abort> {
         match self.dialogue.bank_path() {
             Some(path) => SetFile::open(path, reporter),
@@ -111,28 +115,27 @@ impl Inspect {
         reporter.usage("`--locale` is about the texts of one clip, and none is named", tip)
     }
 
-    /// The bank, and the project if it is made of that. Who looks at clips has not translated all of them yet.
-    fn bank(&self, reporter: &mut Reporter) -> Result<(BankFile, Option<Project>), Abort> {
+    /// The files, and the project if they are made of that. Who looks at clips has not translated all of them yet.
+    fn files(&self, reporter: &mut Reporter) -> Result<(DialogueFiles, Option<Project>), Abort> {
         if self.dialogue.is_bank() {
-            return Ok((self.dialogue.bank(reporter)?, None));
+            return Ok((self.dialogue.files(reporter)?, None));
         }
         let mut project = self.dialogue.project(reporter)?;
-        project.settings.options.min_coverage = MinCoverage::default();
-        let bank = self.dialogue.bank_with_clip(&project, self.key.as_deref(), reporter)?;
-        Ok((bank, Some(project)))
+        project.settings.options = std::mem::take(&mut project.settings.options).min_coverage(MinCoverage::new());
+        let files = self.dialogue.files_with_clip(&project, self.key.as_deref(), reporter)?;
+        Ok((files, Some(project)))
     }
 }
 
 fn clip(
-    bank: &Bank<'_>,
+    dialogue: &Dialogue<'_>,
     key: &str,
-    all: &[Locale<'_>],
     (path, recorded): (&str, Option<RecordedClip>),
     arguments: &Inspect,
     reporter: &mut Reporter,
 ) -> Result<(), Abort> {
-    let clip = bank.clip_by_key(key).ok_or_else(|| {
-        let near = near_keys(bank, key);
+    let clip = dialogue.clip_by_key(key).ok_or_else(|| {
+        let near = near_keys(dialogue, key);
         let help = match near.is_empty() {
             true => "`--list` lists the clips of the bank".to_owned(),
             false => format!("did you mean {}?", near.join(", ")),
@@ -140,40 +143,45 @@ fn clip(
         let message = format!("the bank has no clip {}", escape::quoted(key));
         reporter.fail(Report::failure(path, Code::NoSuchClip, message, &help))
     })?;
-    let asked = arguments.locale.iter().map(|asked| choose(asked, path, all.iter().copied(), |locale| locale.tag()));
-    let mut locales: Vec<Locale<'_>> = asked.collect::<Result<_, _>>().map_err(|report| reporter.fail(report))?;
+    let mut all: Vec<Locale> = dialogue.locales().collect();
+    all.sort_unstable_by_key(|locale| dialogue.locale_tag(*locale));
+    let tagged = || all.iter().map(|locale| (dialogue.locale_tag(*locale), *locale));
+    let asked = arguments.locale.iter().map(|asked| choose(asked, path, tagged(), |(tag, _)| tag));
+    let asked = asked.map(|chosen| chosen.map(|(_, locale)| locale));
+    let mut locales: Vec<Locale> = asked.collect::<Result<_, _>>().map_err(|report| reporter.fail(report))?;
     if locales.is_empty() {
-        locales.extend(all);
+        locales = all;
     }
-    if !ClipDetails::is_bounded(bank, &clip, &locales) {
+    if !ClipDetails::is_bounded(dialogue, &clip, &locales) {
         let message = format!("{} repeats more texts and events than can be shown", escape::quoted(clip.key()));
         let help = "this bank was not made by lipz: pack it again from its sources";
         return Err(reporter.fail(Report::failure(path, Code::BankDamaged, message, help)));
     }
     if reporter.wants_json(arguments.json) {
-        let clip = ClipDetails::new(&clip, &locales);
+        let clip = ClipDetails::new(dialogue, &clip, &locales);
         return reporter
             .print_json(&recorded::WithRecording { clip: &clip, recorded: recorded.as_ref().map(Into::into) });
     }
     if arguments.locale.is_empty() {
         // The first is the one that the bands show.
-        locales.sort_by_key(|locale| !locale.is_default());
+        locales.sort_by_key(|locale| dialogue.default_locale() != Some(*locale));
     }
-    let timeline = Timeline::default().width(console::width()).styled(true).render(&clip, &locales);
+    let timeline = Timeline::default().width(console::width()).styled(true).render(dialogue, &clip, &locales);
     reporter.print(&(timeline + &recorded.map_or(String::new(), |recorded| recorded::text(&recorded))))
 }
 
 /// Keys that contain the last part of the one asked for, or else are spelled almost like it.
-fn near_keys<'d>(bank: &Bank<'d>, key: &str) -> Vec<String> {
+fn near_keys(dialogue: &Dialogue<'_>, key: &str) -> Vec<String> {
+    let mut keys: Vec<&str> = dialogue.clips().map(|clip| clip.key()).collect();
+    keys.sort_unstable();
     let wanted = last_part(key).trim_end_matches(".lipz");
     let mut near: Vec<&str> =
-        bank.clips().map(|clip| clip.key()).filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
+        keys.iter().copied().filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
     if near.is_empty() {
         // Who names no folder means the last part.
-        let compared = |known: &'d str| if key.contains('/') { known } else { last_part(known) };
-        let distance = |known: &'d str| suggest::distance(key, compared(known));
-        let mut ranked: Vec<(usize, &str)> =
-            bank.clips().map(|clip| clip.key()).filter_map(|known| Some((distance(known)?, known))).collect();
+        let compared = |known| if key.contains('/') { known } else { last_part(known) };
+        let distance = |known| suggest::distance(key, compared(known));
+        let mut ranked: Vec<(usize, &str)> = keys.iter().filter_map(|known| Some((distance(known)?, *known))).collect();
         ranked.sort_unstable();
         near = ranked.into_iter().map(|(_, known)| known).collect();
     }
@@ -185,8 +193,9 @@ fn last_part(key: &str) -> &str {
     key.rsplit('/').next().unwrap_or(key)
 }
 
-fn list(bank: &Bank<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {
-    let clips: Vec<ClipSummary<'_>> = bank.clips_under(prefix).map(|clip| ClipSummary::from(&clip)).collect();
+fn list(dialogue: &Dialogue<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {
+    let mut clips: Vec<ClipSummary<'_>> = dialogue.clips_under(prefix).map(|clip| ClipSummary::from(&clip)).collect();
+    clips.sort_unstable_by_key(|clip| clip.key);
     if json {
         return reporter.print_json(&clips);
     }

@@ -1,11 +1,9 @@
 //! `lipz inspect` of a set of banks.
 
-use super::list;
 use crate::reporter::{Ended, Reporter};
 use crate::shared::set_file::SetFile;
 use crate::{Outcome, console};
-use lipz_bank::SetIndex;
-use lipz_compiler::inspect::ClipSummary;
+use lipz_bank::files::SetIndex;
 use lipz_diagnostics::escape;
 use serde::Serialize;
 use std::fmt::Write;
@@ -32,37 +30,10 @@ struct BankOfSet<'d> {
     fingerprint: String,
 }
 
-/// Shows what is in a set: a summary of the index, or the clips of all banks, bank by bank.
-pub(super) fn inspect(set: &SetFile, prefix: Option<&str>, json: bool, reporter: &mut Reporter) -> Ended {
+/// Shows what the index of a set says.
+pub(super) fn inspect(set: &SetFile, json: bool, reporter: &mut Reporter) -> Ended {
     let index = set.index(reporter)?;
-    let json = reporter.wants_json(json);
-    match prefix {
-        None => summary(&SetSummary::new(&index), set.name(), json, reporter),
-        Some(prefix) => clips(set, &index, prefix, json, reporter),
-    }
-}
-
-/// Lists the clips of all banks, one of which is in memory at a time.
-fn clips(set: &SetFile, index: &SetIndex<'_>, prefix: &str, json: bool, reporter: &mut Reporter) -> Ended {
-    let (mut all, mut is_any) = (Vec::new(), false);
-    for number in 0..index.bank_count() {
-        let file = set.bank(number, reporter)?;
-        let bank = file.bank(reporter)?;
-        let mut clips = bank.clips_under(prefix).peekable();
-        if json {
-            let summaries = clips.map(|clip| serde_json::to_value(ClipSummary::from(&clip)).unwrap_or_default());
-            all.extend(summaries);
-        } else if clips.peek().is_some() {
-            is_any = true;
-            list(&bank, prefix, false, reporter)?;
-        }
-    }
-    if json {
-        reporter.print_json(&all)?;
-    } else if !is_any {
-        reporter.remark(&format!("no key starts with `{}`\n", escape::text(prefix)));
-    }
-    Ok(Outcome::Clean)
+    summary(&SetSummary::new(&index), set.name(), reporter.wants_json(json), reporter)
 }
 
 impl<'d> SetSummary<'d> {

@@ -5,9 +5,10 @@ use super::destination::{Destination, Split};
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
+use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::{output_file, stack, stdio};
 use lipz_bank::Bank;
-use lipz_compiler::Over;
+use lipz_compiler::{Over, Stack};
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
@@ -38,7 +39,11 @@ pub(super) fn destination(
     for bank in below.filter(|_| !is_printed) {
         output_file::refuse_same(&[("the bank below", &bank), ("the layer", output)], reporter)?;
     }
-    let over = Over::new(stack::open(&arguments.over, reporter)?).keep_others(arguments.keep_others);
+    let named = DialogueFiles::open_all(&arguments.over, reporter)?;
+    let files = named.verified(reporter)?;
+    let dialogue = named.dialogue(&files, reporter)?;
+    let stack = Stack::of(&dialogue).map_err(|report| reporter.refuse(vec![report]))?;
+    let over = Over::new(stack).keep_others(arguments.keep_others);
     Ok(Destination::Layer((!is_printed).then(|| output.to_owned()), Box::new(over)))
 }
 

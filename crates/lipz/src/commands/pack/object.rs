@@ -8,7 +8,7 @@ use lipz_bank::Bank;
 use lipz_compiler::shard::{OBJECT_EXTENSION, Shard, ShardPlan, Step};
 use lipz_compiler::{Compiler, Replace};
 use lipz_sync::shard::record_hash;
-use lipz_sync::{SyncRecord, word_times_of};
+use lipz_sync::{KnownRecordings, SyncRecord, word_times_of};
 use std::fs;
 use std::path::Path;
 
@@ -45,16 +45,16 @@ fn of_store(path: &Path) -> Option<Vec<u8>> {
 
 fn make(arguments: &Pack, plan: &ShardPlan, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
     let (settings, shown) = shard_step::settings(plan, reporter)?;
-    let (record, _) = SyncRecord::read(Path::new(&plan.record)).map_err(|report| reporter.fail(report))?;
+    let record = SyncRecord::read(Path::new(&plan.record)).map_err(|report| reporter.fail(report))?;
     let changed = plan.changed(|input| record_hash(&record, input));
     if !changed.is_empty() {
         return Err(reporter.refuse(changed));
     }
     let inputs = plan.inputs();
-    let (recordings, reports) = lipz_sync::in_bank(&settings, &inputs);
+    let (recordings, reports) = KnownRecordings::default().in_bank_with_reports(&settings, &inputs);
     let word_times = word_times_of(&record, &inputs);
-    let mut options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
-    options.threads = arguments.sources.threads();
+    let options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
+    let options = options.threads(arguments.sources.threads());
     let mut shard = Shard::new(plan.shard, plan.shards);
     (shard.settings, shard.reports) = (shown, reports);
     let bar = console::progress_bar(inputs.len(), arguments.sources.is_quiet());

@@ -55,7 +55,8 @@ impl Plan {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         arguments.audio.apply(&mut settings.audio);
-        settings.options.strip = arguments.strip.unwrap_or(settings.options.strip);
+        let strip = arguments.strip.unwrap_or(settings.options.get_strip());
+        settings.options = mem::take(&mut settings.options).strip(strip);
         let output = match (&arguments.output, &settings.output) {
             (Some(output), _) => output.clone(),
             (None, Some(output)) if stdio::is_meant(output) => {

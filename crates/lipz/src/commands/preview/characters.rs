@@ -2,7 +2,7 @@
 
 use super::version::Version;
 use crate::shared::characters::in_events;
-use lipz_bank::Bank;
+use lipz_bank::Dialogue;
 use lipz_compiler::Documents;
 use lipz_file::{Value, locale::text_name, text};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -11,10 +11,10 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 pub(super) type Characters = BTreeMap<String, BTreeSet<String>>;
 
 /// The characters of each clip that has some, by its key.
-pub(super) fn of_clips(version: &Version, bank: &Bank<'_>) -> Characters {
+pub(super) fn of_clips(version: &Version, bank: &Dialogue<'_>) -> Characters {
     let mut found = Characters::new();
     let mut spellings = Spellings::default();
-    for name in version.options.known_names.characters.iter().flatten() {
+    for name in version.options.get_known_names().get_characters().into_iter().flatten() {
         spellings.of(name);
     }
     for clip in bank.clips() {
@@ -76,12 +76,12 @@ fn in_key(key: &str, names: &ByWords<'_>) -> BTreeSet<String> {
 }
 
 /// The key of a clip and a name, for each `{speaker: …}` in its texts. A bank without files has none.
-fn speakers(bytes: &[u8], bank: &Bank<'_>) -> Vec<(String, String)> {
+fn speakers(bytes: &[u8], bank: &Dialogue<'_>) -> Vec<(String, String)> {
     // Most projects name nobody in this way, and then no file is made of the bank.
     if !text::may_name_speakers(bytes) {
         return Vec::new();
     }
-    let Ok(documents) = Documents::from_bank(bank) else { return Vec::new() };
+    let Ok(documents) = Documents::from_dialogue(bank) else { return Vec::new() };
     let of_document = |(key, document): (&str, lipz_file::Document<'_>)| {
         let texts = document.elements.iter().filter(|element| text_name(&element.name.text).is_some());
         let strings = texts.filter_map(|element| match &element.value {

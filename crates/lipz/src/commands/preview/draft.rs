@@ -92,7 +92,7 @@ impl Change {
             }
             set(&mut after, name, text);
         }
-        let default_locale = version.options.default_locale.as_deref();
+        let default_locale = version.options.get_default_locale();
         let style = Style { default_locale, line_ending: LineEnding::detect(&self.source) };
         Ok(rewrite(&self.source, &before, &after, style))
     }
@@ -118,8 +118,7 @@ impl Change {
     /// The bank of the clip and its original, and what is wrong with the clip.
     fn compiled(&self, version: &Version, source: &str, original: Option<Input>) -> (Option<Vec<u8>>, Vec<Report>) {
         // How much of the project is translated, one clip does not tell.
-        let mut options = version.options.clone();
-        options.min_coverage = MinCoverage::default();
+        let options = version.options.clone().min_coverage(MinCoverage::new());
         let own = self.input(version, source.to_owned());
         let name = own.name();
         let inputs: Vec<Input> = original.into_iter().chain([own]).collect();
@@ -130,7 +129,7 @@ impl Change {
 
     /// The original of the clip, as it is, if the clip is a dub.
     fn original(&self, version: &Version) -> Option<Change> {
-        let key = version.options.voices.original_of(&self.key, |key| version.files.contains_key(key))?;
+        let key = version.options.get_voices().original_of(&self.key, |key| version.files.contains_key(key))?;
         let source = String::from_utf8(fs::read(version.files.get(&key)?).ok()?).ok()?;
         Some(Change { key, source, elements: BTreeMap::new() })
     }

@@ -58,8 +58,8 @@ impl Hearing {
 
     fn opened(&self) -> Result<&(SyncOptions, SyncRecord), Report> {
         let open = || {
-            let (options, _) = SyncOptions::new(&self.settings)?;
-            let (record, _) = SyncRecord::read(&record_place(&self.settings))?;
+            let (options, _) = SyncOptions::new_with_report(&self.settings)?;
+            let record = SyncRecord::read(&record_place(&self.settings))?;
             Ok((options, record))
         };
         self.opened.get_or_init(open).as_ref().map_err(Clone::clone)

@@ -63,7 +63,8 @@ impl Listing {
     /// The list of a version.
     pub(super) fn new(version: &Version, is_read_only: bool) -> Listing {
         let bank = Bank::open(&version.bank).ok();
-        let locales: Vec<Locale<'_>> = bank.iter().flat_map(Bank::locales).collect();
+        let locales: Vec<Locale> = bank.iter().flat_map(Bank::locales).collect();
+        let tag = |locale: &Locale| bank.as_ref().map_or("", |bank| bank.locale_tag(*locale)).to_owned();
         let mut rows: BTreeMap<String, Row> = BTreeMap::new();
         for clip in bank.iter().flat_map(Bank::clips) {
             rows.insert(clip.key().to_owned(), Row::of_clip(&clip, &locales));
@@ -87,7 +88,7 @@ impl Listing {
             bank: version.bank_tag(),
             name: version.name.clone(),
             is_read_only,
-            locales: locales.iter().map(|locale| locale.tag().to_owned()).collect(),
+            locales: locales.iter().map(tag).collect(),
             clips: rows.into_values().collect(),
             diagnostics: others(version),
         }
@@ -114,8 +115,8 @@ fn others(version: &Version) -> Vec<String> {
 }
 
 impl Row {
-    fn of_clip(clip: &Clip<'_, '_>, locales: &[Locale<'_>]) -> Row {
-        let has_own = |locale: &Locale<'_>| {
+    fn of_clip(clip: &Clip<'_>, locales: &[Locale]) -> Row {
+        let has_own = |locale: &Locale| {
             clip.segments().any(|segment| segment.text(*locale).is_some_and(|text| !text.is_fallback()))
         };
         let own = locales.iter().enumerate().filter(|(_, locale)| has_own(locale)).map(|(place, _)| place);

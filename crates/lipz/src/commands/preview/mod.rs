@@ -19,17 +19,16 @@ use crate::commands::Run;
 use crate::commands::watch::{Alarm, Scope};
 use crate::reporter::{Abort, Reporter};
 use crate::shared::audio_flags::AudioFlags;
-use crate::shared::bank_file::BankFile;
 use crate::shared::bank_or_sources::names_lipz_files;
+use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
-use crate::shared::text_banks::{TextBanks, TextFiles};
+use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::Args;
-use lipz_compiler::BankWithTexts;
+use lipz_compiler::Stack;
 use lipz_compiler::settings::Settings;
-use lipz_diagnostics::Report;
 use lipz_diagnostics::reports::have_errors;
 use lipz_sync::Recordings;
 use server::Preview;
@@ -49,6 +48,7 @@ use version::{Remembered, Version};
   lipz preview voices --open
   lipz preview voices --read-only --port 8080
   lipz preview dialogue.lipzbank
+  lipz preview dialogue.lipzset
   lipz preview dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz preview voices --export site")]
 pub(crate) struct PreviewArguments {
@@ -100,15 +100,15 @@ impl Run for PreviewArguments {
 impl PreviewArguments {
     /// Serves a bank, until the process is interrupted.
     fn of_bank(&self, path: &Path, reporter: &mut Reporter) -> Ended {
-        let file = BankFile::open(path, reporter)?;
-        let bytes = self.with_texts(&file, reporter)?;
+        let named = DialogueFiles::open(path, reporter)?.with_texts(&self.texts.texts, reporter)?;
+        let bytes = whole(&named, reporter)?;
         let mut settings = Settings::default();
         self.audio.apply(&mut settings.audio);
-        let (recordings, unread) = Recordings::discover(&settings);
+        let (recordings, unread) = Recordings::discover_with_reports(&settings);
         if have_errors(&unread) {
             return Err(reporter.abort(unread, Outcome::Failed));
         }
-        let version = Version::of_bank(&file.name, bytes, recordings);
+        let version = Version::of_bank(&named.name, bytes, recordings);
         if let Some(folder) = &self.export {
             return export_to(folder, &version, self.sources.is_quiet(), reporter);
         }
@@ -117,17 +117,6 @@ impl PreviewArguments {
         // The threads of the server end with the process.
         let _ = serving.join();
         Ok(Outcome::Clean)
-    }
-
-    /// The bank in a file with the texts that are named besides, verified.
-    fn with_texts(&self, file: &BankFile, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
-        let bank = file.bank(reporter)?;
-        let text_files = TextFiles::open(&self.texts.texts, reporter)?;
-        let texts = text_files.verified(&bank, reporter)?;
-        if texts.is_empty() {
-            return Ok(file.bytes().to_vec());
-        }
-        BankWithTexts::new(&bank, &texts).joined().map_err(|report| reporter.fail(report))
     }
 
     /// The project that the arguments name.
@@ -174,7 +163,7 @@ impl PreviewArguments {
                 // The settings have errors, which are told, in the page as well: what was shown stays.
                 Err(_) => {
                     let file = self.sources.settings_file().filter(|file| file.is_file());
-                    let report = file.map(|file| Settings::read(&file).1).filter(Report::has_errors);
+                    let report = file.and_then(|file| Settings::read(file).err());
                     shared.iter().zip(&report).for_each(|(shared, report)| shared.tell(report));
                 }
             }
@@ -209,6 +198,16 @@ impl PreviewArguments {
         std::thread::Builder::new().spawn(move || server.run()).map_err(|error| {
             reporter.usage(format!("no page can be served: {error}"), "raise the limits of the system")
         })
+    }
+}
+
+/// The one bank that a page shows of these files, verified.
+fn whole(named: &DialogueFiles, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
+    let files = named.verified(reporter)?;
+    let dialogue = named.dialogue(&files, reporter)?;
+    match named.bytes() {
+        Some(bytes) => Ok(bytes.to_vec()),
+        None => Stack::of(&dialogue).map(Stack::into_bank).map_err(|report| reporter.fail(report)),
     }
 }
 

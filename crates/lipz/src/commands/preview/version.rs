@@ -4,7 +4,8 @@ use super::characters::{self, Characters};
 use super::hearing::Hearing;
 use crate::console;
 use crate::shared::inputs::with_inputs;
-use lipz_bank::Bank;
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Bank, Dialogue};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Compiler, Content, Input, Memory, Options, WordTimes};
 use lipz_diagnostics::Report;
@@ -53,7 +54,11 @@ impl Version {
 
     /// Who is in the clips.
     pub(super) fn characters(&self) -> &Characters {
-        let find = || Bank::open(&self.bank).map(|bank| characters::of_clips(self, &bank)).unwrap_or_default();
+        let find = || {
+            let mut files = [DialogueFile::ABSENT];
+            let dialogue = Dialogue::open_unverified(&mut files, [self.bank.as_slice()]);
+            dialogue.map(|dialogue| characters::of_clips(self, &dialogue)).unwrap_or_default()
+        };
         self.characters.get_or_init(find)
     }
 
@@ -130,7 +135,7 @@ pub(super) fn load(settings: &Settings, remembered: &mut Remembered) -> (Version
         name: settings.sources.iter().map(|source| console::path(source)).collect::<Vec<_>>().join(", "),
         bank: Arc::new(worked.compiled.bank.unwrap_or_default()),
         words: lipz_sync::word_times(settings, &worked.inputs).unwrap_or_default(),
-        recordings: Arc::new(Recordings::discover(settings).0),
+        recordings: Arc::new(Recordings::discover_with_reports(settings).0),
         hearing: Arc::new(Hearing::new(settings.clone(), Arc::clone(phones))),
         options,
         ..Version::default()

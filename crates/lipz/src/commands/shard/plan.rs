@@ -130,10 +130,10 @@ struct Needs {
 
 impl PlanArguments {
     fn needs(&self, settings: &Settings, found: &[Input], reporter: &mut Reporter) -> Result<Needs, Abort> {
-        let (recordings, unread) = Recordings::discover(settings);
+        let (recordings, unread) = Recordings::discover_with_reports(settings);
         reporter.add(unread);
         let place = record_place(settings);
-        let (record, _) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
+        let record = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
         let place = Some(place).filter(|place| place.is_file());
         if !self.sync {
             let of_clip = |input: &Input| {
@@ -148,7 +148,7 @@ impl PlanArguments {
             let tip = "name their folder in [audio] of lipz.toml; keys are paths of Lipz files and of recordings";
             return Err(reporter.usage("no clip has a recording", tip));
         }
-        let (options, _) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
+        let (options, _) = SyncOptions::new_with_report(settings).map_err(|report| reporter.fail(report))?;
         if let Some(path) = &settings.sync.model {
             options.check_model(path, &jobs_of_clips(found, &recordings)).map_err(|report| reporter.fail(report))?;
         }

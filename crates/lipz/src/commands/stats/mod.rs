@@ -7,11 +7,10 @@ use crate::Ended;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::bank_or_sources::Dialogue;
+use crate::shared::bank_or_sources::DialogueArguments;
 use clap::Args;
-use lipz_compiler::BankWithTexts;
 
-/// Show the size of a bank: clips, duration, text, bytes, mouth shapes.
+/// Show the size of a bank or a set: clips, duration, text, bytes, mouth shapes.
 ///
 /// A folder is compiled in memory, with the flags of `lipz pack`. If its project has recordings (`[audio]`), they are
 /// counted, too: those that are missing, those that no clip uses, and the words that `lipz sync` did not hear clearly.
@@ -20,11 +19,12 @@ use lipz_compiler::BankWithTexts;
 #[command(after_help = "Examples:
   lipz stats
   lipz stats dialogue.lipzbank
+  lipz stats dialogue.lipzset
   lipz stats dialogue.lipzbank --texts dialogue.*.lipztexts
   lipz stats voices --json")]
 pub(crate) struct Stats {
     #[command(flatten)]
-    dialogue: Dialogue,
+    dialogue: DialogueArguments,
 
     /// Print JSON
     #[arg(long)]
@@ -37,15 +37,14 @@ impl Run for Stats {
     }
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
-        let (file, recorded) = self.dialogue.bank_and_recorded(reporter)?;
-        let bank = file.bank(reporter)?;
-        let text_files = self.dialogue.text_files(reporter)?;
-        let texts = text_files.verified(&bank, reporter)?;
-        let stats = lipz_compiler::stats::Stats::from_bank(BankWithTexts::new(&bank, &texts));
+        let (named, recorded) = self.dialogue.files_and_recorded(reporter)?;
+        let files = named.verified(reporter)?;
+        let dialogue = named.dialogue(&files, reporter)?;
+        let stats = lipz_compiler::stats::Stats::from_dialogue(&dialogue);
         if reporter.wants_json(self.json) {
             reporter.print_json(&recorded::WithRecorded { stats: &stats, recorded: recorded.map(Into::into) })?;
         } else {
-            reporter.print(&text::text(&file.name, &stats, recorded.as_ref()))?;
+            reporter.print(&text::text(&named.name, &stats, recorded.as_ref()))?;
         }
         Ok(Outcome::Clean)
     }

@@ -101,8 +101,10 @@ impl Export {
 fn one(arguments: &Export, input: &Input, bytes: &[u8], options: &Options) -> Made {
     let parsed = lipz_file::parse(bytes);
     let mut diagnostics = parsed.diagnostics;
-    let subtitle_options =
-        SubtitleOptions { default_rate: options.default_fps.map(formats::rate), speaker: arguments.speaker.as_deref() };
+    let subtitle_options = SubtitleOptions {
+        default_rate: options.get_default_fps().map(formats::rate),
+        speaker: arguments.speaker.as_deref(),
+    };
     let mut files = Vec::new();
     let document = parsed.document.unwrap_or_default();
     for element in &document.elements {
@@ -116,7 +118,7 @@ fn one(arguments: &Export, input: &Input, bytes: &[u8], options: &Options) -> Ma
             files.push((locale, file));
         }
     }
-    options.levels.apply(&mut diagnostics);
+    options.get_levels().apply(&mut diagnostics);
     if diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error) {
         files.clear();
     }

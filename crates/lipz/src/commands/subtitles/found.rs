@@ -79,14 +79,14 @@ fn file(place: &Path, path: &Path, format: SubtitleFormat, options: &Options) ->
     let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
     let stem = parts.join("/");
     let tagged =
-        stem.rsplit_once('.').and_then(|(key, tag)| Some((key, canonical_tag(tag, options.extended_locales)?)));
+        stem.rsplit_once('.').and_then(|(key, tag)| Some((key, canonical_tag(tag, options.get_extended_locales())?)));
     let suffix = stem.rsplit_once('.').filter(|(_, suffix)| is_language(suffix));
-    let (key, locale) = match (tagged, suffix, &options.default_locale) {
+    let (key, locale) = match (tagged, suffix, options.get_default_locale()) {
         (Some((key, locale)), ..) => (key.to_owned(), locale),
         (None, Some((key, suffix)), Some(locale)) if suffix.eq_ignore_ascii_case(language(locale)) => {
-            (key.to_owned(), locale.clone())
+            (key.to_owned(), locale.to_owned())
         }
-        (None, None, Some(locale)) => (stem, locale.clone()),
+        (None, None, Some(locale)) => (stem, locale.to_owned()),
         (None, suffix, _) => {
             let shown = console::path(path);
             let mut diagnostic = Diagnostic::new(Code::TextLeftOut, format!("the locale of `{shown}` is not known"));
@@ -118,9 +118,8 @@ mod tests {
     #[test]
     fn names_tell_clip_and_locale() {
         let options = |default: Option<&str>| {
-            let mut options = Options::new();
-            options.default_locale = default.map(Into::into);
-            options
+            let options = Options::new();
+            default.map_or(options.clone(), |locale| options.default_locale(locale).unwrap())
         };
         let of = |place: &str, path: &str, default| {
             let found = file(place.as_ref(), path.as_ref(), SubtitleFormat::Srt, &options(default)).ok()?;

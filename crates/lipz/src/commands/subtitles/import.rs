@@ -9,7 +9,7 @@ use crate::shared::existing::Existing;
 use crate::shared::formats;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::patterns;
-use crate::shared::project_flags::{parse_fps, parse_locale};
+use crate::shared::project_flags::{parse_fps, parse_locale, with_default_locale};
 use crate::shared::settings_file::SettingsFile;
 use clap::Args;
 use lipz_bank::Fps;
@@ -62,7 +62,9 @@ pub(super) struct Import {
 pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     let mut options = arguments.file.project(std::slice::from_ref(&arguments.output), reporter)?.settings.options;
     arguments.lints.apply(&mut options);
-    options.default_locale = arguments.locale.clone().or(options.default_locale);
+    if let Some(locale) = &arguments.locale {
+        options = with_default_locale(options, locale).map_err(|error| reporter.fail(error.to_report()))?;
+    }
     let mut reports = Vec::new();
     let mut found = found::find(&patterns::files(&arguments.files), &options, &mut reports, reporter)?;
     found.sort_by(|a, b| a.key.cmp(&b.key));
@@ -101,7 +103,7 @@ fn one(
     let existing = Existing::find(path)?;
     let before = existing.as_ref().map(Existing::document).transpose()?;
     let mut document = before.clone();
-    let fps = arguments.fps.or(options.default_fps);
+    let fps = arguments.fps.or(options.get_default_fps());
     let rate = fps.map_or(DEFAULT_RATE, formats::rate);
     let mut is_changed = false;
     for file in found {
@@ -117,13 +119,13 @@ fn one(
             });
             is_changed = true;
         }
-        options.levels.apply(&mut diagnostics);
+        options.get_levels().apply(&mut diagnostics);
         if !diagnostics.is_empty() {
             reports.push(Report::from_bytes(console::path(&file.path), &bytes, diagnostics));
         }
     }
     let Some(document) = document.filter(|_| is_changed) else { return Ok(false) };
-    let locale = options.default_locale.as_deref();
+    let locale = options.get_default_locale();
     match (&existing, &before) {
         (Some(existing), Some(before)) => existing.update(files, before, &document, locale)?,
         _ => {

@@ -17,16 +17,14 @@ pub(super) fn run(arguments: &SyncArguments, reporter: &mut Reporter) -> Ended {
     let mouths = read(&patterns::files(&arguments.from), reporter)?;
     let (settings, record) =
         mouths.first().map(|first| (first.settings.clone(), first.record.clone())).unwrap_or_default();
-    let (settings, report) = settings.map(|file| Settings::read(Path::new(&file))).unwrap_or_default();
-    if report.has_errors() {
-        return Err(reporter.refuse(vec![report]));
-    }
-    let (_, problems) = SyncOptions::new(&settings).map_err(|report| reporter.fail(report))?;
+    let settings = settings.map(Settings::read).transpose().map_err(|report| reporter.refuse(vec![report]))?;
+    let settings = settings.unwrap_or_default();
+    let (_, problems) = SyncOptions::new_with_report(&settings).map_err(|report| reporter.fail(report))?;
     let place = PathBuf::from(record);
-    let (mut record, odd_lines) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
+    let mut record = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
     let mut synced = merge(mouths, &mut record, &|write| interrupt::whole(write));
-    let mut reports = Vec::from_iter(odd_lines);
-    reports.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
+    let mut reports = record.warnings().to_vec();
+    reports.iter_mut().for_each(|report| settings.options.get_levels().apply(&mut report.diagnostics));
     reports.extend(problems.into_iter().chain(std::mem::take(&mut synced.reports)));
     lipz_diagnostics::reports::sort(&mut reports);
     let outcome = Outcome::from_reports(&reports);

@@ -22,7 +22,9 @@ use lipz_bank::Fps;
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Report};
 use lipz_interop::Encoding;
-use lipz_sync::{JOB_PARTS, Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips, jobs_of_recordings, sync};
+use lipz_sync::{
+    JOB_PARTS, Job, Recordings, SyncOptions, SyncRecord, SyncRun, jobs_of_clips, jobs_of_recordings_with_reports,
+};
 use std::path::{Path, PathBuf};
 
 /// Make mouth shapes from recordings.
@@ -194,7 +196,7 @@ impl Run for SyncArguments {
             None => of_clips(settings, reporter)?,
         };
         let to_train = if self.train { Some(train::place(settings, reporter)?) } else { None };
-        let (mut options, problems) = SyncOptions::new(settings).map_err(|report| reporter.fail(report))?;
+        let (mut options, problems) = SyncOptions::new_with_report(settings).map_err(|report| reporter.fail(report))?;
         (options.fps, options.force) = (self.fps, self.force);
         if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some() && job.locale.is_none()) {
             let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml: texts become `text_LOCALE` of the Lipz files";
@@ -209,10 +211,12 @@ impl Run for SyncArguments {
         }
         let beside = || SyncRecord::place(&work.place);
         let place = settings.audio.record.clone().unwrap_or_else(beside);
-        let (mut record, odd_lines) = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
+        let record = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
+        let mut of_record = record.warnings().to_vec();
+        of_record.iter_mut().for_each(|report| settings.options.get_levels().apply(&mut report.diagnostics));
         let bar = console::progress_bar_of_parts(work.jobs.len(), JOB_PARTS.into(), self.sources.is_quiet());
-        let progress = |parts: u32| bar.inc(parts.into());
-        let mut synced = sync(&work.jobs, &options, &mut record, &progress, &|write| interrupt::whole(write));
+        let run = SyncRun::of_jobs(work.jobs, options, record).progress(|parts| bar.inc(parts.into()));
+        let mut synced = run.around_writes(|write| interrupt::whole(write)).run();
         bar.finish_and_clear();
         let mut reports = work.reports;
         if let Some(path) = self.list.as_deref().filter(|path| !stdio::is_meant(path)) {
@@ -221,8 +225,6 @@ impl Run for SyncArguments {
             let written = interrupt::whole(|| lipz_compiler::replace_file(path, table.as_bytes()));
             reports.extend(written.err());
         }
-        let mut of_record = Vec::from_iter(odd_lines);
-        of_record.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
         reports.extend(problems.into_iter().chain(of_record).chain(std::mem::take(&mut synced.reports)));
         lipz_diagnostics::reports::sort(&mut reports);
         let outcome = Outcome::from_reports(&reports);
@@ -248,8 +250,8 @@ impl SyncArguments {
         };
         let mut recordings = settings.clone();
         recordings.sources = patterns::files(&settings.sources);
-        let (jobs, mut reports) = jobs_of_recordings(&recordings, output, script.as_ref());
-        reports.iter_mut().for_each(|report| settings.options.levels.apply(&mut report.diagnostics));
+        let (jobs, mut reports) = jobs_of_recordings_with_reports(&recordings, output, script.as_ref());
+        reports.iter_mut().for_each(|report| settings.options.get_levels().apply(&mut report.diagnostics));
         if jobs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
             return Err(reporter.abort(reports, Outcome::Failed));
         }
@@ -264,7 +266,7 @@ fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort>
             "name their folder with `--audio`, or set `folder` in [audio]; `--output` makes Lipz files of recordings";
         return Err(reporter.usage("no recordings are named", tip));
     };
-    let (recordings, mut reports) = Recordings::discover(settings);
+    let (recordings, mut reports) = Recordings::discover_with_reports(settings);
     if lipz_diagnostics::reports::have_errors(&reports) {
         return Err(reporter.abort(reports, Outcome::Failed));
     }

@@ -22,9 +22,9 @@ pub(super) fn run(arguments: &SyncArguments, number: u16, plan: &Path, reporter:
         None => {
             let (settings, _) = shard_step::settings(&shard, reporter)?;
             // What is wrong with the lexicon is told when all is merged.
-            let (mut options, _) = SyncOptions::new(&settings).map_err(|report| reporter.fail(report))?;
-            options.options.threads = arguments.sources.threads();
-            let (record, _) = SyncRecord::read(Path::new(&shard.record)).map_err(|report| reporter.fail(report))?;
+            let (mut options, _) = SyncOptions::new_with_report(&settings).map_err(|report| reporter.fail(report))?;
+            options.options = std::mem::take(&mut options.options).threads(arguments.sources.threads());
+            let record = SyncRecord::read(Path::new(&shard.record)).map_err(|report| reporter.fail(report))?;
             let quiet = arguments.sources.is_quiet();
             let bar = console::progress_bar_of_parts(shard.inputs().len(), JOB_PARTS.into(), quiet);
             let progress = |parts: u32| bar.inc(parts.into());

@@ -172,7 +172,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     arguments.refuse_idle_flags(reporter)?;
     let project = arguments.sources.project(reporter)?;
     let options = &project.settings.options;
-    refuse_locales(arguments.locale.iter().chain(&arguments.from), options, reporter)?;
+    refuse_locales(arguments.locale.iter().chain(&arguments.from).map(String::as_str), options, reporter)?;
     let (inputs, mut reports) = find_all(&project.settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
     let is_template = arguments.text_format == Format::Pot;
@@ -204,7 +204,7 @@ pub(super) fn run(arguments: &Export, reporter: &mut Reporter) -> Ended {
     let written = arguments.write(&exchange);
     let name = console::path(&arguments.output);
     let mut diagnostics = written.diagnostics.clone();
-    options.levels.apply(&mut diagnostics);
+    options.get_levels().apply(&mut diagnostics);
     if !diagnostics.is_empty() {
         reports.push(Report::all_about(name.clone(), diagnostics));
     }
@@ -228,7 +228,7 @@ pub(in crate::commands) fn source_locale(
     options: &Options,
     reporter: &mut Reporter,
 ) -> Result<String, Abort> {
-    let default = || lipz_file::locale::canonical_tag(options.default_locale.as_deref()?, true);
+    let default = || lipz_file::locale::canonical_tag(options.get_default_locale()?, true);
     from.cloned().or_else(default).ok_or_else(|| {
         let tip = "name it with `--from`, as in en-us, or set `default-locale` in lipz.toml";
         reporter.usage("the locale that is translated is not known", tip)
@@ -273,13 +273,14 @@ fn units(
     reports: &mut Vec<Report>,
 ) -> Vec<Unit> {
     let options = &settings.options;
-    let limits = options.text_limits;
-    let on_screen = limits.line_columns.zip(limits.lines).map(|(columns, lines)| columns as usize * lines as usize);
+    let limits = options.get_text_limits();
+    let on_screen =
+        limits.get_line_columns().zip(limits.get_lines()).map(|(columns, lines)| columns as usize * lines as usize);
     let collect = Collect::new(source_locale, locales.iter().cloned())
-        .default_locale(options.default_locale.clone())
-        .default_rate(options.default_fps.map(formats::rate))
-        .limits(on_screen, limits.characters_per_second);
-    let (recordings, unread) = Recordings::discover(settings);
+        .default_locale(options.get_default_locale().map(str::to_owned))
+        .default_rate(options.get_default_fps().map(formats::rate))
+        .limits(on_screen, limits.get_characters_per_second());
+    let (recordings, unread) = Recordings::discover_with_reports(settings);
     reports.extend(unread);
     let bar = console::progress_bar(inputs.len(), arguments.sources.is_quiet());
     let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
@@ -295,7 +296,7 @@ fn units(
             unit.file = Some(input.name());
             unit.recording = recordings.find(&input.key).map(|path| path.to_string_lossy().replace('\\', "/"));
         }
-        options.levels.apply(&mut diagnostics);
+        options.get_levels().apply(&mut diagnostics);
         let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
         Made { unit, report }
     });

@@ -105,21 +105,21 @@ pub(super) fn run(arguments: &Import, reporter: &mut Reporter) -> Ended {
     }
     let settings = &project.settings;
     let options = &settings.options;
-    refuse_locales(arguments.locale.iter().chain(&arguments.from), options, reporter)?;
+    refuse_locales(arguments.locale.iter().chain(&arguments.from).map(String::as_str), options, reporter)?;
     let (inputs, mut reports) = find_all(settings, reporter)?;
     let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
     let known = locales_of(&inputs, options, &source_locale);
     let read_options = ReadOptions::new(source_locale.as_str())
         .wanted(arguments.locale.iter().cloned())
         .known(known)
-        .extended_locales(options.extended_locales);
+        .extended_locales(options.get_extended_locales());
     let mut incoming =
         Incoming::read(&arguments.files, arguments.text_format.map(Into::into), &read_options, reporter, &mut reports)?;
     let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
     incoming.found.extend(unknown_keys(&incoming.entries, &keys));
     incoming.found.retain_mut(|(_, diagnostic)| {
         let mut one = vec![diagnostic.clone()];
-        options.levels.apply(&mut one);
+        options.get_levels().apply(&mut one);
         one.pop().map(|levelled| *diagnostic = levelled).is_some()
     });
     let (record, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
@@ -155,10 +155,10 @@ impl Import {
         }
         let inputs: Vec<Input> = inputs.iter().filter(|input| by_key.contains_key(&*input.key)).cloned().collect();
         let merge = Merge::new(source_locale)
-            .default_locale(options.default_locale.as_deref())
+            .default_locale(options.get_default_locale())
             .min_state(self.min_state.into())
             .forced(self.force)
-            .levels(&options.levels);
+            .levels(options.get_levels());
         let bar = console::progress_bar(inputs.len(), self.quiet);
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let files = Files::new();
@@ -196,7 +196,7 @@ impl Import {
         found.extend((counts.unmarked > 0).then(|| (0, unmarked(counts.unmarked, self.check))));
         for (file, diagnostic) in found {
             let mut one = vec![diagnostic];
-            options.levels.apply(&mut one);
+            options.get_levels().apply(&mut one);
             incoming.found.extend(one.into_iter().map(|diagnostic| (file, diagnostic)));
         }
         (counts, confirmed)

@@ -50,7 +50,7 @@ impl State {
     /// The state of all files, now.
     pub(super) fn of(settings: &Settings, settings_file: Option<&Path>) -> State {
         let start = Instant::now();
-        let (inputs, problems) = settings.discover();
+        let (inputs, problems) = settings.discover_with_reports();
         let mut folders = Folders::default();
         let looks = inputs.iter().map(|input| path(input).and_then(|path| folders.look(path))).collect();
         let paths = settings_file.map(Path::to_owned).into_iter().chain(lipz_sync::dependencies(settings));

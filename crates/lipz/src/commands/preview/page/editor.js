@@ -1,7 +1,7 @@
 // Changing a clip: shapes, segments, texts and events. Each change is packed by the compiler before it is drawn.
 
 import { VISEMES } from "../web/face.js";
-import { open } from "../web/lipz.js";
+import { openDialogue } from "../web/lipz.js";
 import { showDifference } from "./difference.js";
 import { Edits } from "./edits.js";
 import { Mouth } from "./mouth.js";
@@ -24,7 +24,7 @@ export class Editor {
   /** Done when the last draft is drawn. */
   settled = Promise.resolve();
 
-  /** `does` has what follows from a change: `draw` a clip, `diagnose`, `step`, `frame` and `seek`. */
+  /** `does` has what follows from a change: `draw` the clip of a dialogue, `diagnose`, `step`, `frame` and `seek`. */
   constructor(tracks, does) {
     this.#does = does;
     const change = (mouth, isDone) => isDone && this.#set("visemes", mouth.toString());
@@ -153,7 +153,7 @@ export class Editor {
     const { answer, bank } = await source.draft(this.#edits.change);
     if (asked !== this.#asked) return;
     if (answer.result !== "draft") throw new Error(answer.message);
-    if (bank) this.#does.draw((await open(bank)).clip(this.key));
+    if (bank) this.#does.draw(await openDialogue([bank]));
     this.#does.diagnose(answer.diagnostics);
   }
 

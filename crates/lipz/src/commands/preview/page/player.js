@@ -1,7 +1,7 @@
 // One clip: what is seen and heard of it, and what is changed in it.
 
 import { FaceDrawing, VISEMES } from "../web/face.js";
-import { open } from "../web/lipz.js";
+import { openDialogue } from "../web/lipz.js";
 import { Curves } from "../web/demo/curves.js";
 import { levelsOf } from "../web/demo/levels.js";
 import { posesOf, withType } from "../web/demo/pose.js";
@@ -29,16 +29,19 @@ export class Player {
   #timeline = new Timeline($("timeline"), this.#scrub, (view) => this.#look(view));
   #problems = new Problems($("problems"), (frame) => this.seek(this.#clip.startOfFrame(frame) ?? 0));
   #editor = new Editor(this.#tracks, {
-    draw: (clip) => this.#draw(clip),
+    draw: (dialogue) => this.#draw(dialogue),
     diagnose: (diagnostics) => this.#diagnose(diagnostics),
     step: () => this.#frames(1),
     frame: () => this.#clip?.frameAt(this.clock.time) ?? Infinity,
     seek: (segment) => this.seek(this.#clip?.startOfFrame(this.#clip.segment(segment)?.startFrame ?? 0) ?? 0),
   });
-  #bank;
+  /** The dialogue of the bank; undefined if nothing could be packed. */
+  #dialogue;
   /** The texts of clips of the bank, by their keys, as far as somebody has searched for them. */
   #said = new Map();
   #clip;
+  /** The dialogue of that clip: that of the bank, or of a draft. */
+  #home;
   /** The key of the clip that is drawn; undefined if none is. */
   #drawn;
   #cursor;
@@ -90,6 +93,11 @@ export class Player {
     return this.#clip;
   }
 
+  /** The dialogue of that clip. */
+  get dialogue() {
+    return this.#home;
+  }
+
   /** Done when the last change is drawn. */
   get settled() {
     return this.#editor.settled;
@@ -101,7 +109,8 @@ export class Player {
 
   /** Takes another bank. */
   async open(bytes, isReadOnly) {
-    this.#bank = bytes.byteLength > 0 ? (await open(bytes, { wasm: await source.wasm?.() })).verify() : undefined;
+    const wasm = await source.wasm?.();
+    this.#dialogue = bytes.byteLength > 0 ? await openDialogue([bytes], { wasm }) : undefined;
     this.#said.clear();
     this.#editor.isReadOnly = isReadOnly;
     this.#offer();
@@ -110,8 +119,9 @@ export class Player {
   /** All texts of a clip of the bank, to be searched; nothing if the bank does not have it. */
   said(key) {
     if (!this.#said.has(key)) {
-      const segments = this.#bank?.clip(key)?.segments ?? [];
-      const texts = this.#bank?.locales.map((tag) => segments.map((segment) => segment.text(tag)?.text ?? "").join(" "));
+      const segments = this.#dialogue?.clip(key)?.segments ?? [];
+      const textsIn = (locale) => segments.map((segment) => segment.text(locale)?.text ?? "").join(" ");
+      const texts = this.#dialogue?.locales.map(textsIn);
       this.#said.set(key, texts?.join("\n").toLowerCase() ?? "");
     }
     return this.#said.get(key);
@@ -139,10 +149,9 @@ export class Player {
   /** Shows a clip as the bank has it or, if it has errors, what is right of its file. */
   async #take(page) {
     this.#offer();
-    const clip = this.#bank?.clip(page.key);
-    this.#draw(clip);
+    this.#draw(this.#dialogue);
     this.#diagnose(page.diagnostics);
-    if (clip === undefined) await this.#editor.pack();
+    if (this.#clip === undefined) await this.#editor.pack();
     this.#hear(page);
     await this.#listen(page);
   }
@@ -166,9 +175,11 @@ export class Player {
     this.#wasRate = undefined;
   }
 
-  /** Draws a clip of a bank, or that there is none; what is in view stays if the same clip is drawn already. */
-  #draw(clip) {
+  /** Draws the clip as a dialogue has it, or that it is missing; what is in view stays if the same clip is drawn already. */
+  #draw(dialogue) {
     const before = this.#clip;
+    const clip = dialogue?.clip(this.key);
+    this.#home = dialogue;
     $("tracks").hidden = clip === undefined;
     this.#clip = this.#editor.clip = clip && withType(clip.orFps(FRAMES_PER_SECOND));
     const isSame = this.#drawn === this.key;
@@ -179,7 +190,7 @@ export class Player {
       this.#poseAt = posesOf(this.#clip);
       this.#tracks.clip = this.#clip;
       this.#curves.show(this.#clip);
-      this.#timeline[isSame ? "update" : "show"](this.#clip, levelsOf(this.#clip), $("locale").value);
+      this.#timeline[isSame ? "update" : "show"](this.#clip, levelsOf(this.#clip), this.#locale);
     } else this.#blank();
     this.#languages();
     // A frame that was typed behind the last one is behind the playhead.
@@ -233,14 +244,21 @@ export class Player {
     this.#editor.look();
   }
 
+  /** The locale of the clip that is chosen; undefined if its dialogue does not have it. */
+  get #locale() {
+    return this.#home?.locale($("locale").value);
+  }
+
   get #beside() {
-    return $("beside").value || undefined;
+    return this.#home?.locale($("beside").value);
   }
 
   /** Offers the locales of the bank, and those that only the file of the clip has. */
   #offer() {
-    const locales = Array.from(new Set([...(this.#bank?.locales ?? []), ...this.#editor.ownLocales]));
-    const main = locales.includes($("locale").value) ? $("locale").value : (this.#bank?.defaultLocale ?? locales[0]);
+    const tags = (this.#dialogue?.locales ?? []).map(({ tag }) => tag).sort();
+    const locales = Array.from(new Set([...tags, ...this.#editor.ownLocales]));
+    const usual = this.#dialogue?.defaultLocale?.tag ?? locales[0];
+    const main = locales.includes($("locale").value) ? $("locale").value : usual;
     const wasAsked = $("beside").options.length > 1;
     const beside = wasAsked ? $("beside").value : (locales.find((tag) => tag !== main) ?? "");
     choices($("locale"), locales, main);
@@ -249,9 +267,9 @@ export class Player {
   }
 
   #languages() {
-    this.#editor.languages($("locale").value, this.#beside);
+    this.#editor.languages($("locale").value, $("beside").value);
     if (!this.#clip) return;
-    this.#timeline.texts($("locale").value);
+    this.#timeline.texts(this.#locale);
     this.#tracks.texts(this.#beside);
     this.show();
   }
@@ -301,7 +319,7 @@ export class Player {
     const { viseme } = this.#cursor;
     // Of a clip without a mouth, the first text is what there is to see.
     const segment = this.#clip.frameCount > 0 ? this.#cursor.segment : this.#clip.segments[0];
-    const [main, beside] = [$("locale").value, this.#beside].map((tag) => spoken(this.#clip, segment, tag));
+    const [main, beside] = [this.#locale, this.#beside].map((locale) => segment?.text(locale));
     const feeling = felt(this.#clip.emotionsAt(time));
     this.#face.show(this.#poseAt(this.#cursor, time));
     this.#timeline.mark(time, segment, main?.text, feeling);
@@ -309,7 +327,7 @@ export class Player {
     this.#curves.mark(time);
     this.#editor.mark(segment);
     say($("subtitle"), main, $("locale").value);
-    say($("other"), beside, this.#beside);
+    say($("other"), beside, $("beside").value);
     $("feeling").textContent = feeling;
     $("state").textContent = Array.from(new Set([segment?.event, ...states(this.#cursor)])).filter(Boolean).join(" · ");
     $("viseme").textContent = viseme;
@@ -324,13 +342,10 @@ export class Player {
   }
 }
 
-/** The text of a segment, if the bank has the locale. */
-const spoken = (clip, segment, tag) => (tag ? segment?.text(tag) : undefined);
-
 function say(element, text, tag) {
   element.textContent = text?.text ?? "";
   // Whose text a fallback is, the bank does not say.
-  element.lang = text?.isFallback ? "" : (tag ?? "");
+  element.lang = text?.isFallback ? "" : tag;
   element.dir = "auto";
   element.classList.toggle("fallback", text?.isFallback ?? false);
 }

@@ -123,7 +123,7 @@ export class Tracks {
     blocks($("translation"), this.#locale && this.#clip.frameCount > 0 ? this.#clip.segments : [], (segment) => {
       const text = segment.text(this.#locale);
       const part = made("span", text?.isFallback ? "part fallback" : "part", text?.text ?? "");
-      [part.dir, part.lang, part.title] = ["auto", text?.isFallback ? "" : this.#locale, text?.text ?? ""];
+      [part.dir, part.lang, part.title] = ["auto", text?.isFallback ? "" : this.#locale.tag, text?.text ?? ""];
       return this.place(part, segment.startFrame, segment.endFrame) && part;
     });
     blocks($("marks"), this.#marks, ({ at, severity, message }) => {

@@ -1,0 +1,47 @@
+//! Profiles of babble and of faces in a dialogue: those of one of its banks.
+
+use super::Dialogue;
+use crate::Bank;
+use crate::babble::Babble;
+use crate::face::FaceProfile;
+use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
+
+impl<'a> Dialogue<'a> {
+    /// The babble profile with this name, of the topmost file that says something about profiles.
+    pub fn babble(&self, name: &str) -> Option<Babble<'a>> {
+        self.bank_of_babble()?.babble(name)
+    }
+
+    /// The babble profile of the project; [`Babble::DEFAULT`] if it has none.
+    pub fn default_babble(&self) -> Babble<'a> {
+        self.bank_of_babble().map_or(Babble::DEFAULT, Bank::default_babble)
+    }
+
+    /// All babble profiles, in the order of their names.
+    pub fn babbles(&self) -> impl Iterator<Item = Babble<'a>> + Clone + '_ {
+        self.bank_of_babble().into_iter().flat_map(Bank::babbles)
+    }
+
+    /// The face profile with this name, of the topmost file that says something about profiles.
+    pub fn face_profile(&self, name: &str) -> Option<FaceProfile<'a>> {
+        self.bank_of_faces()?.face_profile(name)
+    }
+
+    /// The face profile of the project; [`FaceProfile::DEFAULT`] if it has none.
+    pub fn default_face_profile(&self) -> FaceProfile<'a> {
+        self.bank_of_faces().map_or(FaceProfile::DEFAULT, Bank::default_face_profile)
+    }
+
+    /// All face profiles, in the order of their names.
+    pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'a>> + Clone + '_ {
+        self.bank_of_faces().into_iter().flat_map(Bank::face_profiles)
+    }
+
+    fn bank_of_babble(&self) -> Option<&'a Bank<'a>> {
+        self.that_says(|layer| layer.has(LAYER_BABBLE))
+    }
+
+    fn bank_of_faces(&self) -> Option<&'a Bank<'a>> {
+        self.that_says(|layer| layer.has(LAYER_FACES))
+    }
+}

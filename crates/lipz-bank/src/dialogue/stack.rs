@@ -1,0 +1,221 @@
+//! The stack of a dialogue: which files fit over which, and where a clip is.
+
+use super::file::{BankFile, TextFile};
+use super::{Base, Dialogue, DialogueError, Found, Layer, MAX_PATCHES};
+use crate::set_index::SetIndex;
+use crate::{Bank, Clip, ClipId, Error, ErrorKind};
+use lipz_layout::{U64, shard_of};
+
+/// The filter of a patch that has none: it may say something about every id.
+const ALL_IDS: [U64; 1] = [U64::MAX_VALUE];
+
+/// Where a clip is: a file, and a slot in it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) file: u32,
+    pub(super) slot: u32,
+}
+
+/// Where a clip of a stack is, and where its texts are: mostly the same.
+#[derive(Clone, Copy)]
+struct Places {
+    clip: Option<Place>,
+    texts: Option<Place>,
+}
+
+/// A bank of the stack, for one clip: the base, of a set the bank that has the clip, or a patch.
+#[derive(Clone, Copy)]
+pub(super) struct Level<'a> {
+    pub(super) number: usize,
+    pub(super) file: &'a BankFile<'a>,
+    /// What a patch says about the banks below it; `None` for the base, even if it was packed over another bank.
+    pub(super) layer: Option<&'a Layer<'a>>,
+}
+
+impl<'a> Dialogue<'a> {
+    /// Puts a patch on top of the stack.
+    pub(super) fn add_patch(&mut self, number: usize, file: &'a BankFile<'a>) -> Result<(), DialogueError> {
+        let failed = |kind| DialogueError::new(number, Error::new(kind, 0));
+        let layer = file.layer.as_ref().ok_or(failed(ErrorKind::NotALayer))?;
+        // Each is looked for above the one before it.
+        let mut below = (0..=self.patch_count).filter_map(|level| self.checksum_of_level(level));
+        if !layer.bases.iter().all(|base| below.any(|checksum| checksum == base.get())) {
+            return Err(failed(ErrorKind::OtherBase));
+        }
+        match (self.patches.get_mut(self.patch_count), self.filters.get_mut(self.patch_count)) {
+            (Some(place), Some(filter)) => {
+                *place = Some(file);
+                *filter = if layer.filter.is_empty() { &ALL_IDS } else { layer.filter };
+            }
+            _ => return Err(failed(ErrorKind::LayerCount)),
+        }
+        self.patch_count = self.patch_count.saturating_add(1).min(MAX_PATCHES);
+        self.removes_locales |= layer.removed_locales().next().is_some();
+        Ok(())
+    }
+
+    /// The checksum of the base, or of the patch on this level.
+    fn checksum_of_level(&self, level: usize) -> Option<u64> {
+        match level.checked_sub(1) {
+            None => Some(self.files.file(0)?.checksum()),
+            Some(patch) => Some(self.patch(patch)?.file.bank.checksum()),
+        }
+    }
+
+    /// Whether a bank before the file with this number has the clips that texts are for. The index of a set says it of the
+    /// banks of the set.
+    pub(super) fn has_bank_of(&self, number: usize, texts: &TextFile<'_>) -> bool {
+        if let Base::Set(index) = &self.base {
+            if index.banks().any(|bank| bank.fingerprint == texts.fingerprint()) {
+                return true;
+            }
+        }
+        let own = (0..number).filter(|&number| number == 0 || number >= self.behind_base());
+        own.filter_map(|number| self.bank_file(number)).any(|file| texts.is_beside(&file.bank))
+    }
+
+    /// The patch with this number in the stack, 0 for the one nearest to the base.
+    pub(super) fn patch(&self, patch: usize) -> Option<Level<'a>> {
+        let file = (*self.patches.get(patch)?)?;
+        Some(Level { number: file.bank.number as usize, file, layer: file.layer.as_ref() })
+    }
+
+    /// The base, or of a set the bank that may have the clip with this id.
+    pub(super) fn base_of(&self, id: ClipId) -> Option<Level<'a>> {
+        match &self.base {
+            Base::Bank(file) => Some(Level { number: 0, file, layer: None }),
+            Base::Set(index) => {
+                let number = index.bank_of(id).saturating_add(1);
+                Some(Level { number, file: self.bank_file(number)?, layer: None })
+            }
+        }
+    }
+
+    /// The banks that may have the clip with this id, from the top.
+    pub(super) fn levels_of(&self, id: ClipId) -> impl Iterator<Item = Level<'a>> + '_ {
+        let patches = (0..self.patch_count).rev().filter_map(move |patch| self.patch(patch));
+        let patches = patches.filter(move |level| level.layer.map_or(false, |layer| layer.may_have(id)));
+        // The bank of a set is not opened unless it is needed.
+        patches.chain((0..1).filter_map(move |_| self.base_of(id)))
+    }
+
+    /// Where the clip of a set with this id is, if no patch has it.
+    // A dub that is asked for by itself costs a search in the index, because it is in the bank of its original.
+    #[inline]
+    pub(super) fn find_in_set(&self, index: &SetIndex<'a>, id: ClipId) -> Option<Found<'a>> {
+        let number = (shard_of(id.get(), index.bank_count() as u32) as usize).saturating_add(1);
+        let bank = self.bank(number)?;
+        match bank.find(id) {
+            Some((slot, _)) => Some(Found::new(bank, slot, true)),
+            None if index.moved_count() > 0 => self.find_moved(index, id),
+            None => None,
+        }
+    }
+
+    /// Where the clip with this id is, if the index says that it is not in the bank of its id.
+    #[cold]
+    fn find_moved(&self, index: &SetIndex<'a>, id: ClipId) -> Option<Found<'a>> {
+        let bank = self.bank(index.moved_to(id.get())?.saturating_add(1))?;
+        Some(Found::new(bank, bank.find(id)?.0, true))
+    }
+
+    /// Where the clip with this id is, about which a patch may say something.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn find_patched(&self, id: ClipId) -> Option<Found<'a>> {
+        let Places { clip, texts } = self.places(id);
+        let place = clip?;
+        Some(Found::new(self.bank(place.file as usize)?, place.slot, texts == clip))
+    }
+
+    /// The same clip, with its texts here or elsewhere.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn patched_clip_at<'d>(&'d self, clip: Clip<'d>) -> Option<Clip<'d>> {
+        let place = Place { file: clip.file(), slot: clip.slot() };
+        Clip::new(clip.bank, place.slot, Some(self), self.places(clip.id()).texts == Some(place))
+    }
+
+    /// Where the clip with this id is, and where its texts are.
+    fn places(&self, id: ClipId) -> Places {
+        let mut places = Places { clip: None, texts: None };
+        let mut has_texts_of_original = false;
+        for Level { number, file, layer } in self.levels_of(id) {
+            let slot = match (file.bank.find(id), layer) {
+                (Some((slot, _)), _) => slot,
+                (None, Some(layer)) if layer.removes(id) => break,
+                (None, _) => continue,
+            };
+            let place = Some(Place { file: number as u32, slot });
+            let (has_clip, has_texts) = layer.map_or((true, true), |layer| layer.parts(slot));
+            if has_texts && !has_texts_of_original {
+                places.texts = places.texts.or(place);
+            }
+            if has_clip {
+                places.clip = places.clip.or(place);
+            }
+            let borrows = || layer.map_or(false, |layer| layer.has_texts_of_original(slot));
+            has_texts_of_original |= places.texts.is_none() && borrows();
+            if places.clip.is_some() && (places.texts.is_some() || has_texts_of_original) {
+                break;
+            }
+        }
+        if has_texts_of_original {
+            places.texts = self.original_id(id).and_then(|(_, original)| self.own_texts(original));
+        }
+        places
+    }
+
+    /// The number of the bank that has the texts of the clip with this id, and its slot there, which is that of its original for
+    /// a dub without texts of its own; `None` if no bank has some. Texts of a locale can be in a text bank of that bank. For tools.
+    pub fn slot_of_texts(&self, id: ClipId) -> Option<(u32, u32)> {
+        self.texts_place(id).map(|place| (place.file, place.slot))
+    }
+
+    /// Where the texts of the clip with this id are, if any file has some for it.
+    pub(super) fn texts_place(&self, id: ClipId) -> Option<Place> {
+        self.places(id).texts
+    }
+
+    /// Where the texts of the clip with this id are, if it has its own.
+    fn own_texts(&self, id: ClipId) -> Option<Place> {
+        for Level { number, file, layer } in self.levels_of(id) {
+            match (file.bank.find(id), layer) {
+                (Some((slot, _)), None) => return Some(Place { file: number as u32, slot }),
+                (Some((slot, _)), Some(layer)) if layer.parts(slot).1 => {
+                    return Some(Place { file: number as u32, slot });
+                }
+                (Some((slot, _)), Some(layer)) if layer.has_texts_of_original(slot) => return None,
+                (None, Some(layer)) if layer.removes(id) => return None,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// The number of segments of the clip with this id: that of the topmost file which has more than texts of it.
+    pub(super) fn segment_count(&self, id: ClipId) -> Option<u32> {
+        for Level { file, layer, .. } in self.levels_of(id) {
+            match (file.bank.find(id), layer) {
+                (Some((slot, _)), layer) if layer.map_or(true, |layer| layer.parts(slot).0) => {
+                    return Some(file.bank.clip_at(slot)?.segment_count());
+                }
+                (None, Some(layer)) if layer.removes(id) => return None,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// The topmost patch about which `says` holds, or the base, of a set its first bank.
+    pub(super) fn that_says(&self, says: impl Fn(&Layer<'_>) -> bool) -> Option<&'a Bank<'a>> {
+        let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
+        match patches.find(|level| level.layer.map_or(false, &says)) {
+            Some(level) => Some(&level.file.bank),
+            None => self.bank(match &self.base {
+                Base::Bank(_) => 0,
+                Base::Set(_) => 1,
+            }),
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! The voices of a dialogue: which clips are dubs of which others.
+
+use super::stack::Level;
+use super::{Base, Dialogue, Layer};
+use crate::{Bank, Clip, ClipId, Spoken, Voice, VoicedClip};
+use lipz_layout::{DUB_OF, LAYER_DUB, LAYER_DUB_OF, LAYER_NO_DUB, LAYER_OTHER_DUB, LayerDubRecord, NO_DUB, OTHER_DUB};
+
+/// What a file says about a clip in a voice.
+enum Entry {
+    /// Nothing is played for it.
+    Nothing,
+    Dub(ClipId),
+    /// The dub in another voice.
+    OtherDub(ClipId),
+    DubOf(ClipId),
+}
+
+/// Whether the entry of a layer is one, whichever clips it is about.
+pub(super) fn is_entry(dub: &LayerDubRecord) -> bool {
+    match dub.kind.get() {
+        LAYER_NO_DUB => dub.other_id.get() == 0,
+        LAYER_DUB | LAYER_DUB_OF | LAYER_OTHER_DUB => dub.other_id != dub.clip_id,
+        _ => false,
+    }
+}
+
+/// The patch lists its voices without this one: what is said below it does not count.
+struct NoVoice;
+
+impl<'a> Dialogue<'a> {
+    /// The voice in this locale, spelled as in the files (`de-de`); `None` if there are no dubs, or the project names no such
+    /// voice: play the clips as they are.
+    pub fn voice(&self, tag: &str) -> Option<Voice> {
+        self.voices().find(|voice| self.voice_tag(*voice) == tag)
+    }
+
+    /// The voices: that of the originals first, then those of the dubs in the order of their tags.
+    ///
+    /// They are those that the files list, from the topmost one on whose list is complete.
+    pub fn voices(&self) -> impl Iterator<Item = Voice> + '_ {
+        let original = self.original_voice();
+        let dubs = core::iter::successors(original.and_then(|_| self.voice_behind("")), move |before| {
+            self.voice_behind(self.voice_tag(*before))
+        });
+        original.into_iter().chain(dubs)
+    }
+
+    /// The voice of dubs with the first tag behind this one.
+    fn voice_behind(&self, before: &str) -> Option<Voice> {
+        let of_original = self.voice_tag(self.original_voice()?);
+        let listed = self.levels_with_voices().flat_map(|level| self.listed(level).skip(1));
+        let behind = listed.filter(|(tag, _)| *tag > before && *tag != of_original);
+        Some(behind.min_by(|(tag, _), (other, _)| tag.cmp(other))?.1)
+    }
+
+    /// The locale of a voice: `de-de`. Empty for a voice of another dialogue, and in a damaged file.
+    pub fn voice_tag(&self, voice: Voice) -> &'a str {
+        let find = || {
+            let file = self.bank_file(usize::from(voice.file)).filter(|_| voice.origin == self.origin)?;
+            let layer = if self.is_base(usize::from(voice.file)) { None } else { file.layer.as_ref() };
+            let level = Level { number: usize::from(voice.file), file, layer };
+            self.listed(level).nth(usize::from(voice.index))
+        };
+        find().map_or("", |(tag, _)| tag)
+    }
+
+    /// Whether the file with this number is the base, or a bank of the set that is.
+    fn is_base(&self, number: usize) -> bool {
+        number < self.behind_base()
+    }
+
+    /// The voice of the originals, as the topmost file has it that lists voices.
+    fn original_voice(&self) -> Option<Voice> {
+        let mut original = None;
+        for level in self.levels_with_voices() {
+            original = self.listed(level).next().or(original);
+        }
+        original.map(|(_, voice)| voice)
+    }
+
+    /// The base and the patches over it from the one on whose list of voices is complete, the lowest first.
+    fn levels_with_voices(&self) -> impl Iterator<Item = Level<'a>> + '_ {
+        let patches = (0..self.patch_count).filter_map(move |patch| self.patch(patch));
+        let complete = |level: &Level<'a>| level.layer.map_or(false, Layer::has_voices);
+        let last = patches.clone().rev().find(complete).map(|level| level.number);
+        let bases = if last.is_some() { 0..0 } else { self.bases() };
+        let bases = bases.filter_map(move |number| Some(Level { number, file: self.bank_file(number)?, layer: None }));
+        bases.chain(patches.skip_while(move |level| last.map_or(false, |last| level.number != last)))
+    }
+
+    /// The numbers of the banks that are the base.
+    fn bases(&self) -> core::ops::Range<usize> {
+        match &self.base {
+            Base::Bank(_) => 0..1,
+            Base::Set(_) => 1..self.behind_base(),
+        }
+    }
+
+    /// The voices that a file lists, with their tags.
+    fn listed(&self, level: Level<'a>) -> impl Iterator<Item = (&'a str, Voice)> + '_ {
+        let bank: &'a Bank<'a> = &level.file.bank;
+        let of_base =
+            if level.layer.is_none() { Some(bank.voices().map(move |voice| bank.voice_tag(voice))) } else { None };
+        let of_patch = level.layer.map(Layer::voices);
+        let tags = of_base.into_iter().flatten().chain(of_patch.into_iter().flatten());
+        let (origin, file) = (self.origin, level.number as u16);
+        tags.zip(0..=u16::MAX).map(move |(tag, index)| (tag, Voice { origin, file, index }))
+    }
+
+    /// The clip as it is played in a voice.
+    pub(super) fn clip_in_voice<'d>(&'d self, clip: &Clip<'d>, voice: Voice) -> VoicedClip<'d> {
+        let tag = self.voice_tag(voice);
+        if tag.is_empty() {
+            return VoicedClip::new(*clip, Spoken::Original);
+        }
+        let original = match self.original_id(clip.id()).and_then(|(_, original)| self.clip(original)) {
+            Some(original) => original,
+            None => *clip,
+        };
+        let played = self.played_in(original.id(), tag).and_then(|(id, spoken)| Some((self.clip(id)?, spoken)));
+        let (clip, spoken) = played.unwrap_or((original, Spoken::Original));
+        VoicedClip::new(clip, spoken)
+    }
+
+    /// The clip of which the one with this id is a dub, and the voice; `None` if it is none. A dub is none of another dub, and
+    /// has as many segments as its original: patches that do not know each other can say otherwise.
+    pub(super) fn original_id(&self, id: ClipId) -> Option<(Voice, ClipId)> {
+        let (voice, original) = self.said_original(id)?;
+        let segment_count = self.segment_count(original)?;
+        let fits = self.segment_count(id) == Some(segment_count) && self.said_original(original).is_none();
+        if fits { Some((voice, original)) } else { None }
+    }
+
+    /// The clip of which files say that the one with this id is a dub.
+    fn said_original(&self, id: ClipId) -> Option<(Voice, ClipId)> {
+        for voice in self.voices().skip(1) {
+            let tag = self.voice_tag(voice);
+            for level in self.all_levels_of(id) {
+                match entry(level, id, tag) {
+                    Ok(Some(Entry::DubOf(original))) => return Some((voice, original)),
+                    Ok(None) => {}
+                    Ok(Some(_)) | Err(NoVoice) => break,
+                }
+            }
+        }
+        None
+    }
+
+    /// The clip that is played in a voice for the original with this id; `None` if the original is. The dub counts wherever it
+    /// is; of those in other voices, that of the topmost file.
+    fn played_in(&self, original: ClipId, voice: &str) -> Option<(ClipId, Spoken)> {
+        let mut other: Option<ClipId> = None;
+        for level in self.all_levels_of(original) {
+            match entry(level, original, voice) {
+                Ok(Some(Entry::Dub(dub))) => {
+                    if self.original_id(dub).map_or(false, |(of, id)| self.voice_tag(of) == voice && id == original) {
+                        return Some((dub, Spoken::Dub));
+                    }
+                }
+                Ok(Some(Entry::OtherDub(dub))) => {
+                    if self.original_id(dub).map_or(false, |(_, of)| of == original) {
+                        other = other.or(Some(dub));
+                    }
+                }
+                Ok(None) => {}
+                Ok(Some(Entry::Nothing | Entry::DubOf(_))) | Err(NoVoice) => break,
+            }
+        }
+        other.map(|dub| (dub, Spoken::OtherDub))
+    }
+
+    /// The patches from the top, and the base.
+    fn all_levels_of(&self, id: ClipId) -> impl Iterator<Item = Level<'a>> + '_ {
+        (0..self.patch_count).rev().filter_map(move |patch| self.patch(patch)).chain(self.base_of(id))
+    }
+}
+
+/// What a file says about a clip in a voice, if it says something.
+fn entry(level: Level<'_>, id: ClipId, voice: &str) -> Result<Option<Entry>, NoVoice> {
+    let layer = match level.layer {
+        Some(layer) => layer,
+        None => return Ok(in_base(&level.file.bank, id, voice)),
+    };
+    let number = match (layer.voices().skip(1).position(|tag| tag == voice), layer.has_voices()) {
+        (Some(place), _) => place.saturating_add(1),
+        (None, true) => return Err(NoVoice),
+        (None, false) => return Ok(None),
+    };
+    let place = (id.get(), number);
+    let found = layer.dubs.binary_search_by(|dub| (dub.clip_id.get(), usize::from(dub.voice.get())).cmp(&place));
+    let dub = found.ok().and_then(|found| layer.dubs.get(found));
+    Ok(dub.map(|dub| {
+        let other = ClipId::from_u64(dub.other_id.get());
+        match dub.kind.get() {
+            LAYER_DUB => Entry::Dub(other),
+            LAYER_OTHER_DUB => Entry::OtherDub(other),
+            LAYER_DUB_OF => Entry::DubOf(other),
+            _ => Entry::Nothing,
+        }
+    }))
+}
+
+/// The same in the base, which says it by slots.
+fn in_base(base: &Bank<'_>, id: ClipId, voice: &str) -> Option<Entry> {
+    let dubs = base.dubs().skip(1).find(|dubs| dubs.tag == voice.as_bytes())?;
+    let entry = dubs.entry(base.find(id)?.0);
+    if entry == NO_DUB {
+        return None;
+    }
+    let other = base.clip_at(entry & !(DUB_OF | OTHER_DUB))?.id();
+    Some(match (entry & DUB_OF != 0, entry & OTHER_DUB != 0) {
+        (true, _) => Entry::DubOf(other),
+        (false, true) => Entry::OtherDub(other),
+        (false, false) => Entry::Dub(other),
+    })
+}

@@ -1,0 +1,164 @@
+//! What is looked up once and passed to queries: locales, voices and names.
+
+use crate::dialogue::{Dialogue, not_found, of_project, reader};
+use crate::pointer::{answer, text};
+use crate::status::{LIPZ_NONE, Status};
+use crate::string::{String, c_char};
+use core::mem::MaybeUninit;
+
+/// The `bank` where there is no name.
+pub const LIPZ_NO_NAME: u32 = 0;
+
+/// A locale of a dialogue. In another version of the dialogue it leads to `LIPZ_NONE`: look it up again.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Locale {
+    /// Its tag, as in `text_en-us` of a Lipz file: `en-us`.
+    pub tag: String,
+    /// Tells the version of the dialogue apart from others.
+    pub version: u32,
+    /// Where it is in the dialogue.
+    pub place: u32,
+    /// 1 for the default locale.
+    pub is_default: u32,
+}
+
+/// A voice: a language in which lines are recorded. In another version of the dialogue it changes no clip: look it up again.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Voice {
+    /// The locale of the voice: `de-de`.
+    pub tag: String,
+    /// Tells the version of the dialogue apart from others.
+    pub version: u32,
+    /// Where it is in the dialogue.
+    pub place: u32,
+    /// 1 for the voice of the original recordings, in which no clip is a dub.
+    pub is_original: u32,
+}
+
+/// A name that events mention: a character, an emotion, a target or an action. Equal names have equal strings.
+#[repr(C)]
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Name {
+    /// The name as it is spelled in the Lipz file.
+    pub name: String,
+    /// Tells the bank that the name is of apart from others; `LIPZ_NO_NAME` if there is no name.
+    pub bank: u32,
+    /// Its number in that bank.
+    pub id: u32,
+}
+
+impl Locale {
+    fn from_reader(dialogue: &lipz_bank::Dialogue<'_>, locale: lipz_bank::Locale) -> Locale {
+        let [version, place] = locale.to_words();
+        let is_default = (dialogue.default_locale() == Some(locale)).into();
+        Locale { tag: String::from_text(dialogue.locale_tag(locale)), version, place, is_default }
+    }
+
+    pub(crate) fn to_reader(self) -> lipz_bank::Locale {
+        lipz_bank::Locale::from_words([self.version, self.place])
+    }
+}
+
+impl Voice {
+    pub(crate) fn from_reader(dialogue: &lipz_bank::Dialogue<'_>, voice: lipz_bank::Voice) -> Voice {
+        let [version, place] = voice.to_words();
+        let tag = String::from_text(dialogue.voice_tag(voice));
+        Voice { tag, version, place, is_original: voice.is_original().into() }
+    }
+
+    pub(crate) fn to_reader(self) -> lipz_bank::Voice {
+        lipz_bank::Voice::from_words([self.version, self.place])
+    }
+}
+
+impl Name {
+    pub(crate) fn from_reader(name: Option<lipz_bank::EventName<'_>>) -> Name {
+        name.map_or_else(Name::default, |name| {
+            let [bank, id] = name.to_words();
+            Name { name: String::from_text(name.as_str()), bank, id }
+        })
+    }
+}
+
+/// The locale with this tag, spelled as in the files; the default locale if `tag` is null. `LIPZ_ABSENT` if no bank of a set is
+/// there.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_locale(
+    dialogue: Option<&Dialogue>,
+    tag: *const c_char,
+    tag_length_bytes: usize,
+    locale: Option<&mut MaybeUninit<Locale>>,
+) -> Status {
+    answer(locale, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let dialogue = unsafe { reader(dialogue) }?;
+        let found = match tag.is_null() {
+            true => dialogue.default_locale(),
+            // SAFETY: the same contract.
+            false => dialogue.locale(unsafe { text(tag, tag_length_bytes) }?),
+        };
+        of_project(dialogue, found.map(|locale| Locale::from_reader(dialogue, locale)))
+    })
+}
+
+/// The locale with this index: ask from 0 on until `LIPZ_NONE`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_locale_by_index(
+    dialogue: Option<&Dialogue>,
+    index: u32,
+    locale: Option<&mut MaybeUninit<Locale>>,
+) -> Status {
+    answer(locale, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let dialogue = unsafe { reader(dialogue) }?;
+        Ok(Locale::from_reader(dialogue, dialogue.locales().nth(index as usize).ok_or(LIPZ_NONE)?))
+    })
+}
+
+/// The voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or the project names no such voice: play
+/// the clips as they are. `LIPZ_ABSENT` if none is found while a bank of a set is not there: a bank without dubs names no voices.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_voice(
+    dialogue: Option<&Dialogue>,
+    tag: *const c_char,
+    tag_length_bytes: usize,
+    voice: Option<&mut MaybeUninit<Voice>>,
+) -> Status {
+    answer(voice, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let (dialogue, tag) = unsafe { (reader(dialogue)?, text(tag, tag_length_bytes)?) };
+        let found = dialogue.voice(tag).map(|voice| Voice::from_reader(dialogue, voice));
+        found.ok_or_else(|| not_found(dialogue))
+    })
+}
+
+/// The voice with this index, that of the originals first: ask from 0 on until `LIPZ_NONE`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_voice_by_index(
+    dialogue: Option<&Dialogue>,
+    index: u32,
+    voice: Option<&mut MaybeUninit<Voice>>,
+) -> Status {
+    answer(voice, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let dialogue = unsafe { reader(dialogue) }?;
+        Ok(Voice::from_reader(dialogue, dialogue.voices().nth(index as usize).ok_or(LIPZ_NONE)?))
+    })
+}
+
+/// The name that events mention, spelled as there: for the speaker of a cursor. Of a set, those in the banks that are there.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_event_name(
+    dialogue: Option<&Dialogue>,
+    name: *const c_char,
+    name_length_bytes: usize,
+    found: Option<&mut MaybeUninit<Name>>,
+) -> Status {
+    answer(found, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let (dialogue, name) = unsafe { (reader(dialogue)?, text(name, name_length_bytes)?) };
+        Ok(Name::from_reader(Some(dialogue.event_name(name).ok_or(LIPZ_NONE)?)))
+    })
+}

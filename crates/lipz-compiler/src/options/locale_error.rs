@@ -1,0 +1,82 @@
+//! The error for a locale that the options of a project refuse.
+
+use lipz_diagnostics::{Code, Report, escape};
+use lipz_file::locale::canonical_tag;
+use std::fmt;
+
+/// Why a tag is not the locale of a project.
+#[derive(Clone, PartialEq, Eq)]
+pub struct LocaleError {
+    tag: String,
+    /// Whether it is one if the project has extended locales.
+    is_extended: bool,
+}
+
+impl LocaleError {
+    /// The canonical form of a tag, of the form `ll-cc`, or with `extended` of any BCP 47 language tag.
+    pub(crate) fn check(tag: &str, extended: bool) -> Result<String, LocaleError> {
+        let is_extended = || canonical_tag(tag, true).is_some();
+        canonical_tag(tag, extended).ok_or_else(|| LocaleError { tag: tag.to_owned(), is_extended: is_extended() })
+    }
+
+    /// The tag that was refused.
+    pub fn tag(&self) -> &str {
+        &self.tag
+    }
+
+    /// The error as a diagnostic about no file.
+    pub fn to_report(&self) -> Report {
+        Report::failure("", Code::LocaleShape, self.message(), self.help())
+    }
+
+    fn message(&self) -> String {
+        format!("{} is not a locale of the form ll-cc", escape::quoted(&self.tag))
+    }
+
+    fn help(&self) -> &'static str {
+        if self.is_extended {
+            "name a language and a country: en-us; or accept other tags first: `extended_locales(true)`"
+        } else {
+            "name a language and a country: en-us"
+        }
+    }
+}
+
+impl fmt::Display for LocaleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.message(), self.help())
+    }
+}
+
+/// The same text, because a `main` that returns the error prints it this way.
+impl fmt::Debug for LocaleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for LocaleError {}
+
+#[cfg(test)]
+mod tests {
+    use crate::Options;
+
+    #[test]
+    fn locales_are_checked_where_they_are_set() {
+        let options = Options::new();
+        let message = |refused: Result<Options, super::LocaleError>| refused.unwrap_err().to_string();
+        assert_eq!(
+            message(options.clone().default_locale("english")),
+            "`english` is not a locale of the form ll-cc: name a language and a country: en-us"
+        );
+        assert!(message(options.clone().default_locale("es-419")).ends_with("`extended_locales(true)`"));
+        assert!(message(options.clone().locales(["en-us", "de"])).starts_with("`de`"));
+        assert!(message(options.clone().fallback("de", ["en-us"])).starts_with("`de`"));
+        assert!(message(options.clone().fallback("de-de", ["en"])).starts_with("`en`"));
+        let extended = options.clone().extended_locales(true);
+        let set = extended.default_locale("es-419").unwrap().fallback("zh_Hant", ["zh-TW"]).unwrap();
+        assert_eq!(set.get_default_locale(), Some("es-419"));
+        assert_eq!(set.get_fallbacks()["zh-hant"], ["zh-tw"], "in their canonical form");
+        assert_eq!(options.default_locale("en_US").unwrap().get_default_locale(), Some("en-us"));
+    }
+}

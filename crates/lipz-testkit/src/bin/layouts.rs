@@ -1,0 +1,7 @@
+//! `layouts FOLDER` writes the files that programs in other languages play the cases of playback with.
+
+fn main() -> Result<(), &'static str> {
+    let folder = std::env::args_os().nth(1).ok_or("usage: layouts <folder>")?;
+    lipz_testkit::layouts::write(folder.as_ref());
+    Ok(())
+}

@@ -1,0 +1,164 @@
+//! The files that somebody names as a bank: one bank, or a base with patches, a set, and text banks next to them.
+
+use crate::Abort;
+use crate::console;
+use crate::reporter::Reporter;
+use crate::shared::bank_file::{BankFile, refused};
+use crate::shared::set_file::SetFile;
+use crate::shared::{patterns, stack};
+use lipz_bank::files::{DialogueFile, FileKind};
+use lipz_bank::{Bank, Dialogue, Error, ErrorKind};
+use lipz_compiler::dialogue_of;
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// The bytes of a dialogue's files, in their order.
+pub(crate) struct DialogueFiles {
+    /// How messages name the dialogue.
+    pub(crate) name: String,
+    files: Vec<BankFile>,
+    /// The first text bank among them.
+    texts_start: usize,
+}
+
+impl DialogueFiles {
+    /// Reads the files that `path` names: a bank, the index of a set, or several of the form `base+patch`. Reports which of
+    /// them cannot be read.
+    pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        let mut opened = DialogueFiles::of(&stack::paths(path), reporter)?;
+        if let [file] = opened.files.as_slice() {
+            file.name.clone_into(&mut opened.name);
+        } else {
+            opened.name = console::path(path);
+        }
+        Ok(opened)
+    }
+
+    /// The same of several paths, each of which may name several files.
+    pub(crate) fn open_all(paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        let paths: Vec<PathBuf> = paths.iter().flat_map(|path| stack::paths(path)).collect();
+        DialogueFiles::of(&paths, reporter)
+    }
+
+    fn of(paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        let mut files = Vec::new();
+        for (number, path) in paths.iter().enumerate() {
+            match if number == 0 { SetFile::open(path, reporter)? } else { None } {
+                Some(set) => files.extend(set.into_files(reporter)?),
+                None => files.push(BankFile::read(path, reporter)?),
+            }
+        }
+        let name = files.first().map_or(String::new(), |file| file.name.clone());
+        Ok(DialogueFiles { name, texts_start: files.len(), files })
+    }
+
+    /// A bank that was made in memory, or was read before.
+    pub(crate) fn one(file: BankFile) -> DialogueFiles {
+        DialogueFiles { name: file.name.clone(), files: vec![file], texts_start: 1 }
+    }
+
+    /// The same with text banks. Reports which of them cannot be read.
+    pub(crate) fn with_texts(mut self, paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        for path in patterns::files(paths) {
+            self.files.push(BankFile::read(&path, reporter)?);
+        }
+        Ok(self)
+    }
+
+    /// The files, opened and verified. Reports the first that is damaged, or is not what it is named as.
+    pub(crate) fn verified(&self, reporter: &mut Reporter) -> Result<Vec<DialogueFile<'_>>, Abort> {
+        let mut files: Vec<DialogueFile<'_>> = Vec::new();
+        for (number, file) in self.files.iter().enumerate() {
+            let opened = match number < self.texts_start {
+                true => bank(file, &files, number),
+                false => texts(file, &files, number),
+            };
+            files.push(opened.map_err(|report| reporter.refuse(vec![report]))?);
+        }
+        self.refuse_twice(&files, reporter)?;
+        Ok(files)
+    }
+
+    /// The dialogue of these files. Reports which of them does not fit those before it.
+    pub(crate) fn dialogue<'f>(
+        &self,
+        files: &'f [DialogueFile<'f>],
+        reporter: &mut Reporter,
+    ) -> Result<Dialogue<'f>, Abort> {
+        let names: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
+        dialogue_of(&names, files).map_err(|report| reporter.refuse(vec![report]))
+    }
+
+    /// The bytes, if it is one bank.
+    pub(crate) fn bytes(&self) -> Option<&[u8]> {
+        match self.files.as_slice() {
+            [file] => Some(file.bytes()),
+            _ => None,
+        }
+    }
+
+    /// Refuses text banks for a locale that there is already.
+    fn refuse_twice(&self, files: &[DialogueFile<'_>], reporter: &mut Reporter) -> Result<(), Abort> {
+        let (banks, texts) = files.split_at(self.texts_start.min(files.len()));
+        let Some(bank) = banks.iter().find_map(DialogueFile::bank).filter(|_| !texts.is_empty()) else { return Ok(()) };
+        let own = bank.locales().map(|locale| bank.locale_tag(locale).to_owned());
+        let of_texts = self.files.iter().skip(self.texts_start).flat_map(|file| tags_of(file, banks));
+        let mut seen = BTreeSet::new();
+        for tag in own.chain(of_texts) {
+            if let Some(tag) = seen.replace(tag) {
+                let message = format!("the texts in `{}` are named twice", escape::text(&tag));
+                let tip = "name one text bank for each locale that the bank itself does not have";
+                return Err(reporter.usage(message, tip));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The locales of a text bank of one of these banks.
+pub(crate) fn tags_of(file: &BankFile, banks: &[DialogueFile<'_>]) -> Vec<String> {
+    let mut banks = banks.iter().filter_map(DialogueFile::bank);
+    let with_texts = banks.find_map(|bank| bank.with_texts_unverified(file.bytes()).ok());
+    let tags = with_texts.iter().flat_map(|bank| bank.locales().map(|locale| bank.locale_tag(locale).to_owned()));
+    tags.collect()
+}
+
+/// A file that is to be a bank or the index of a set, verified.
+fn bank<'f>(file: &'f BankFile, files: &[DialogueFile<'f>], number: usize) -> Result<DialogueFile<'f>, Report> {
+    let bytes = file.bytes();
+    let because = |code: Code| move |error: Error| about(file, code, error);
+    let is_set = number == 0 && SetFile::is_index(bytes);
+    let opened = if is_set { None } else { Some(Bank::open(bytes).map_err(because(Code::BankRefused))?) };
+    // What a patch says about the banks below it is looked at last.
+    let damage = |error| opened.and_then(|bank| bank.verify().err()).unwrap_or(error);
+    let opened = DialogueFile::open(bytes, number).map_err(|error| because(Code::BankDamaged)(damage(error)))?;
+    verify(opened, files, number).map_err(because(Code::BankDamaged))
+}
+
+/// A file that is to be a text bank, verified.
+pub(crate) fn texts<'f>(
+    file: &'f BankFile,
+    files: &[DialogueFile<'f>],
+    number: usize,
+) -> Result<DialogueFile<'f>, Report> {
+    let bytes = file.bytes();
+    let opened = DialogueFile::open(bytes, number).map_err(|error| about(file, Code::BankRefused, error))?;
+    if opened.kind() != FileKind::Texts {
+        let diagnostic = Diagnostic::new(Code::BankRefused, "the file is not a text bank");
+        let help = "name the .lipztexts files that `lipz pack --split-locales` writes next to a bank";
+        return Err(Report::about(file.name.as_str(), diagnostic.help(help)));
+    }
+    verify(opened, files, number).map_err(|error| {
+        let code = if error.kind() == ErrorKind::OtherClips { Code::BankRefused } else { Code::BankDamaged };
+        about(file, code, error)
+    })
+}
+
+fn about(file: &BankFile, code: Code, error: Error) -> Report {
+    Report::about(file.name.as_str(), refused(code, error, file.bytes()))
+}
+
+fn verify<'f>(file: DialogueFile<'f>, files: &[DialogueFile<'f>], number: usize) -> Result<DialogueFile<'f>, Error> {
+    file.verify_in(files, number, |bytes| std::str::from_utf8(bytes).ok())
+}

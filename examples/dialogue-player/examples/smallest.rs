@@ -1,0 +1,21 @@
+//! The program on docs/BUILD-SCRIPTS.md: `cargo run -p dialogue-player --example smallest`.
+
+use lipz_bank::Dialogue;
+use lipz_bank::files::{DialogueError, DialogueFile};
+
+static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
+
+mod dialogue {
+    include!(concat!(env!("OUT_DIR"), "/dialogue.rs"));
+}
+
+fn main() -> Result<(), DialogueError> {
+    let mut files = [DialogueFile::ABSENT; 1]; // more, for patches and text banks
+    let opened = Dialogue::open_unverified(&mut files, [BANK])?; // cargo has made it
+    let clip = opened.clip(dialogue::act1::MARA_GOOD_EVENING);
+    let english = opened.locale(dialogue::locales::EN_US);
+    if let Some(text) = clip.zip(english).and_then(|(clip, english)| clip.segment(0)?.text(english)) {
+        println!("{text}");
+    }
+    Ok(())
+}

@@ -1,0 +1,179 @@
+// A dialogue: files that answer as one bank.
+
+import { Babble } from "./babble.js";
+import { Clip } from "./clip.js";
+import { ABSENT, LipzError, OK, remedyFor } from "./error.js";
+import { FaceProfile } from "./face-profile.js";
+import { Locale, Voice } from "./handle.js";
+import { FIRST, SECOND } from "./memory.js";
+import * as c from "./structs.js";
+
+const NULL = [0, 0];
+/** The kinds of files, as lipz.h numbers them. */
+const KINDS = ["absent", "bank", "patch", "texts", "set"];
+
+export class Dialogue {
+  #memory;
+  /** The name of each file, and what loads those that are absent. */
+  #files;
+  /** The address of the files in the memory. */
+  #places;
+  #flags;
+  /** The banks that are being loaded, as promises. */
+  #loading = new Map();
+
+  /**
+   * @param files for each its `name`, and `load` if it is a bank of a set
+   * @param contents the address of the contents of all
+   */
+  constructor(memory, files, contents, flags) {
+    this.#memory = memory;
+    this.#files = files;
+    this.#flags = flags;
+    this.#places = memory.allocate(files.length * c.lipz_file.size);
+    memory.dialogue = memory.allocate(c.lipz_dialogue.size);
+    this.#mustFit(memory.status("lipz_dialogue_open", this.#places, contents, files.length, flags, memory.problem));
+  }
+
+  #mustFit(status) {
+    this.#memory.must(status, (number) => this.#files[number]?.name ?? this.#files.at(-1)?.name);
+  }
+
+  #info() {
+    return this.#memory.ask(c.lipz_dialogue_info_t, "lipz_dialogue_info");
+  }
+
+  /** The names and kinds of the files, from the bottom to the top. */
+  get files() {
+    const found = this.#memory.askAll(c.lipz_file_info, "lipz_dialogue_file_by_index");
+    return this.#files.map(({ name }, number) => {
+      // A bank that is absent has nothing to ask for.
+      const { kind = 0, checksum = 0n } = found[number] ?? {};
+      return { name, kind: KINDS[kind], checksum };
+    });
+  }
+
+  get clipCount() {
+    return Number(this.#info().clip_count);
+  }
+
+  /** The clip with this key, or with this id if it is a bigint. */
+  clip(keyOrId) {
+    const { status, fields } = this.#find(keyOrId);
+    if (status === ABSENT) {
+      const about = { file: this.#files[fields.file].name, status, remedy: remedyFor(status) };
+      throw new LipzError("the bank of this clip is not loaded yet", about);
+    }
+    return status === OK ? new Clip(this.#memory, fields) : undefined;
+  }
+
+  /** The same, once the bank of a set that would have it is loaded. */
+  async loadClip(keyOrId) {
+    for (;;) {
+      const { status, fields } = this.#find(keyOrId);
+      if (status !== ABSENT) return this.clip(keyOrId);
+      await this.#load(fields.file);
+    }
+  }
+
+  /** Loads all banks of a set. */
+  async loadAll() {
+    await Promise.all(this.files.map(({ kind }, number) => kind === "absent" && this.#load(number)));
+  }
+
+  /** All clips of the files that are there. */
+  clips() {
+    return this.clipsUnder("");
+  }
+
+  /** Those whose keys start with a prefix. */
+  clipsUnder(prefix) {
+    const memory = this.#memory;
+    const clips = [];
+    const position = memory.put(FIRST, c.u64, 0n);
+    const text = memory.text(prefix);
+    for (;;) {
+      const fields = memory.ask(c.lipz_clip, "lipz_dialogue_next_clip", ...text, position);
+      if (fields === undefined) return clips;
+      clips.push(new Clip(memory, fields));
+    }
+  }
+
+  locale(tag) {
+    const found = this.#memory.ask(c.lipz_locale, "lipz_dialogue_locale", ...this.#memory.text(tag));
+    return found && new Locale(this.#memory, found);
+  }
+
+  get locales() {
+    const found = this.#memory.askAll(c.lipz_locale, "lipz_dialogue_locale_by_index");
+    return found.map((fields) => new Locale(this.#memory, fields));
+  }
+
+  get defaultLocale() {
+    const found = this.#memory.ask(c.lipz_locale, "lipz_dialogue_locale", ...NULL);
+    return found && new Locale(this.#memory, found);
+  }
+
+  voice(tag) {
+    const found = this.#memory.ask(c.lipz_voice, "lipz_dialogue_voice", ...this.#memory.text(tag));
+    return found && new Voice(this.#memory, found);
+  }
+
+  get voices() {
+    const found = this.#memory.askAll(c.lipz_voice, "lipz_dialogue_voice_by_index");
+    return found.map((fields) => new Voice(this.#memory, fields));
+  }
+
+  /** The babble profile with this name. */
+  babble(name) {
+    const found = this.#memory.ask(c.lipz_babble, "lipz_dialogue_babble", ...this.#memory.text(name));
+    return found && new Babble(this.#memory, found);
+  }
+
+  /** The profile of the project; that of the Second Life viewer if it has none. */
+  get defaultBabble() {
+    return new Babble(this.#memory, this.#memory.ask(c.lipz_babble, "lipz_dialogue_babble", ...NULL));
+  }
+
+  /** The face profile with this name. */
+  faceProfile(name) {
+    const found = this.#memory.ask(c.lipz_face_profile, "lipz_dialogue_face_profile", ...this.#memory.text(name));
+    return found && new FaceProfile(this.#memory, found);
+  }
+
+  /** The profile of the project; the usual one if it has none. */
+  get defaultFaceProfile() {
+    const found = this.#memory.ask(c.lipz_face_profile, "lipz_dialogue_face_profile", ...NULL);
+    return new FaceProfile(this.#memory, found);
+  }
+
+  /** The status of a question for a clip, and the fields of the answer. */
+  #find(keyOrId) {
+    const memory = this.#memory;
+    const [name, ...args] =
+      typeof keyOrId === "bigint"
+        ? ["lipz_dialogue_clip", keyOrId]
+        : ["lipz_dialogue_clip_by_key", ...memory.text(keyOrId)];
+    const { status, answer } = memory.call(c.lipz_clip, name, memory.dialogue, ...args);
+    if (status !== ABSENT && status !== OK) memory.ask(c.lipz_clip, name, ...args);
+    return { status, fields: answer };
+  }
+
+  /** Loads a bank of a set: once, and again only if that fails. */
+  #load(number) {
+    if (!this.#loading.has(number)) {
+      const loaded = this.#files[number].load().then((bytes) => this.#supply(number, bytes));
+      this.#loading.set(number, loaded.finally(() => this.#loading.delete(number)));
+    }
+    return this.#loading.get(number);
+  }
+
+  #supply(number, bytes) {
+    const memory = this.#memory;
+    memory.store(bytes, (data) => {
+      const contents = memory.put(SECOND, c.lipz_bytes, { data, length_bytes: bytes.byteLength });
+      const args = [this.#places, number, contents, this.#flags, memory.problem];
+      this.#mustFit(memory.status("lipz_dialogue_supply", ...args));
+    });
+  }
+}

@@ -1,0 +1,11 @@
+// What the package has besides the function that opens files.
+
+export { Babble, UNMEASURED } from "./babble.js";
+export { Clip } from "./clip.js";
+export { Cursor } from "./cursor.js";
+export { Curve, EMOTIONS } from "./curve.js";
+export { Dialogue } from "./dialogue.js";
+export { LipzError } from "./error.js";
+export { FaceProfile } from "./face-profile.js";
+export { Locale, Voice } from "./handle.js";
+export { Segment } from "./segment.js";

@@ -1,0 +1,144 @@
+// Opening files as a dialogue: reads them, finds the banks of a set, and puts all into the memory of one module.
+
+import { Dialogue } from "./dialogue.js";
+import { LipzError, NONE, NOT_A_SET, OK, TOO_SHORT } from "./error.js";
+import { FIRST, Memory } from "./memory.js";
+import * as c from "./structs.js";
+
+/** The flags of lipz.h. */
+const VERIFIED = 0;
+const UNVERIFIED = 1;
+
+const CHECK_PATH = "check the path and whether the file is there";
+const NAME_BANK = "name it after the index, or give the option `load`";
+
+/** The function `openDialogue` of a platform, whose `read` reads a file and whose `beside` names the one next to it. */
+export function openerWith({ read, beside }) {
+  let compiled;
+
+  /** The contents of the file with this path or URL. */
+  async function contentsOf(from) {
+    try {
+      return bytesOf(await read(from));
+    } catch (cause) {
+      throw new LipzError(cause.message, { file: String(from), remedy: CHECK_PATH, cause });
+    }
+  }
+
+  /** The module, compiled: that of the program, or the file next to this one, once. */
+  async function moduleOf(source) {
+    if (source instanceof WebAssembly.Module) return source;
+    if (isPath(source)) return WebAssembly.compile(await contentsOf(source));
+    if (source) return WebAssembly.compile(source);
+    if (compiled === undefined) {
+      // Bundlers look for these words, and copy the file.
+      const url = new URL("./lipz.wasm", import.meta.url);
+      compiled = contentsOf(url).then((bytes) => WebAssembly.compile(bytes));
+      // After a failure, the next call tries again.
+      compiled.catch(() => (compiled = undefined));
+    }
+    return compiled;
+  }
+
+  /** A bank of a set, not loaded: its name, and what loads it. */
+  function absent(index, fileName, load) {
+    if (index.from !== undefined && load === undefined) {
+      const from = beside(index.from, fileName);
+      return { name: from, load: () => contentsOf(from) };
+    }
+    return { name: fileName, load: () => loadedBy(load, fileName) };
+  }
+
+  return async function openDialogue(files, { verify = true, load, wasm } = {}) {
+    if (!Array.isArray(files)) throw new TypeError("the files are not an array: write openDialogue([file])");
+    const sources = files.map(sourceOf);
+    const filled = async (source) => ({ ...source, bytes: source.bytes ?? (await contentsOf(source.from)) });
+    const reading = Promise.all(sources.map(filled));
+    const [module, [index, ...others]] = await Promise.all([moduleOf(wasm), reading]);
+    const memory = new Memory(await WebAssembly.instantiate(module));
+    const all = index ? [index] : [];
+    const { fileNames, isDamaged } = index ? setOf(memory, index) : { fileNames: [] };
+    for (const fileName of fileNames) {
+      const place = others.findIndex(({ name }) => fileNameOf(name) === fileName);
+      all.push(place < 0 ? absent(index, fileName, load) : others.splice(place, 1)[0]);
+    }
+    // Locales and profiles of a set are those of its first bank: if it came later, they would change.
+    if (fileNames.length > 0) all[1].bytes ??= await all[1].load();
+    all.push(...others);
+    const contents = stored(memory, all);
+    const named = all.map(({ name, load }) => ({ name, load }));
+    return new Dialogue(memory, named, contents, verify || isDamaged ? VERIFIED : UNVERIFIED);
+  };
+}
+
+const isPath = (file) => typeof file === "string" || file instanceof URL;
+
+/** The name of a file of the program, with its bytes or where to read them from. */
+function sourceOf(file, number) {
+  if (isPath(file)) return { name: String(file), from: file };
+  const { name, bytes } = isBytes(file) ? { name: `files[${number}]`, bytes: file } : (file ?? {});
+  if (typeof name !== "string" || !isBytes(bytes)) {
+    throw new TypeError(`files[${number}] is not a path, a URL, bytes or { name, bytes }`);
+  }
+  return { name, bytes: bytesOf(bytes) };
+}
+
+/** Whether a value is bytes, also of another window. */
+function isBytes(value) {
+  const type = Object.prototype.toString.call(value).slice("[object ".length, -1);
+  return ArrayBuffer.isView(value) || type === "ArrayBuffer" || type === "SharedArrayBuffer";
+}
+
+function bytesOf(bytes) {
+  return ArrayBuffer.isView(bytes)
+    ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
+    : new Uint8Array(bytes);
+}
+
+/** The last part of a path or URL. */
+const fileNameOf = (path) => path.replace(/[?#].*$/s, "").split(/[/\\]/).at(-1);
+
+/** The bytes of a bank of a set, from the option of the program. */
+async function loadedBy(load, fileName) {
+  if (load === undefined) {
+    throw new LipzError("the bank of the set is not there", { file: fileName, remedy: NAME_BANK });
+  }
+  try {
+    return bytesOf(await load(fileName));
+  } catch (cause) {
+    throw new LipzError(cause.message, { file: fileName, cause });
+  }
+}
+
+/** The names of the banks that the first file names, if it is the index of a set, and whether it is a damaged one. */
+function setOf(memory, index) {
+  const { byteLength: length_bytes } = index.bytes;
+  index.data = placeOf(memory, index);
+  const contents = memory.put(FIRST, c.lipz_bytes, { data: index.data, length_bytes });
+  const fileNames = [];
+  for (;;) {
+    const { status, answer } = memory.call(c.lipz_set_bank, "lipz_set_bank_by_index", contents, fileNames.length);
+    if (status !== OK) return { fileNames, isDamaged: ![NONE, NOT_A_SET, TOO_SHORT].includes(status) };
+    fileNames.push(memory.string(answer.file_name));
+  }
+}
+
+/** Copies the contents of all files, and returns the address of their list. */
+function stored(memory, files) {
+  const list = memory.allocate(files.length * c.lipz_bytes.size);
+  files.forEach((file, number) => {
+    const length_bytes = file.bytes?.byteLength ?? 0;
+    const data = file.data ?? (file.bytes ? placeOf(memory, file) : 0);
+    memory.write(list + number * c.lipz_bytes.size, c.lipz_bytes, { data, length_bytes });
+  });
+  return list;
+}
+
+/** Copies the contents of a file, and returns their address. */
+function placeOf(memory, { name, bytes }) {
+  try {
+    return memory.store(bytes, (at) => at);
+  } catch (cause) {
+    throw new LipzError(`the memory has no room for ${bytes.byteLength} bytes`, { file: name, cause });
+  }
+}

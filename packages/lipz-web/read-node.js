@@ -1,0 +1,20 @@
+// Reading files in node: paths and `file:` URLs from disk, other URLs from a server.
+
+import { readFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import * as web from "./read-web.js";
+
+/** Whether a file has a URL, and not a path; `C:` is a drive. */
+const hasUrl = (file) => file instanceof URL || /^[a-z][a-z+.-]+:/i.test(file);
+
+/** The contents of the file with this path or URL. */
+export async function read(file) {
+  if (!hasUrl(file)) return readFile(file);
+  const url = new URL(file);
+  return url.protocol === "file:" ? readFile(url) : web.read(url);
+}
+
+/** The path or URL of the file with this name next to another one. */
+export function beside(file, fileName) {
+  return hasUrl(file) ? web.beside(file, fileName) : join(dirname(file), fileName);
+}

@@ -1,0 +1,54 @@
+// Bundlers: the package in browsers needs nothing of node, and says where its module is so that bundlers find it.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const PACKAGE = new URL("../", import.meta.url);
+
+/** The modules that a module imports, itself among them, with their texts. */
+async function modulesFrom(url, found = new Map()) {
+  if (found.has(url.href)) return found;
+  const text = await readFile(url, "utf8");
+  found.set(url.href, text);
+  for (const [, path] of text.matchAll(/(?:^|\s)(?:from|import) ?\(?"([^"]+)"/g)) {
+    assert.match(path, /^\.\.?\//, `${url.pathname} imports ${path}`);
+    await modulesFrom(new URL(path, url), found);
+  }
+  return found;
+}
+
+test("in browsers, the package imports modules of its own alone", async () => {
+  const modules = await modulesFrom(new URL("lipz.js", PACKAGE));
+  assert.ok(modules.size > 10, modules.size);
+  const names = Array.from(modules.values()).filter((text) => text.includes('new URL("./lipz.wasm", import.meta.url)'));
+  assert.equal(names.length, 1, "webpack and Vite look for these words");
+  const { exports, files } = JSON.parse(await readFile(new URL("package.json", PACKAGE), "utf8"));
+  assert.deepEqual(exports["."], { types: "./lipz.d.ts", node: "./node.js", default: "./lipz.js" });
+  assert.ok(files.includes("*.js") && files.includes("lipz.wasm"));
+});
+
+test("both entries have the same exports, and those of lipz.d.ts", async () => {
+  const [web, node] = await Promise.all([import("../lipz.js"), import("../node.js")]);
+  assert.deepEqual(Object.keys(web).sort(), Object.keys(node).sort());
+  const types = await readFile(new URL("lipz.d.ts", PACKAGE), "utf8");
+  const declared = Array.from(types.matchAll(/^export (?:class|const|function) (\w+)/gm), ([, name]) => name);
+  assert.deepEqual(Object.keys(web).sort(), declared.sort());
+});
+
+test("esbuild bundles the package without settings", async (t) => {
+  const esbuild = await import("esbuild").catch(() => undefined);
+  if (esbuild === undefined) return t.skip("esbuild is not installed");
+  for (const platform of ["browser", "node"]) {
+    const { errors, warnings, outputFiles } = await esbuild.build({
+      stdin: { contents: 'export * from "@lipz/reader";', resolveDir: fileURLToPath(PACKAGE) },
+      bundle: true,
+      format: "esm",
+      platform,
+      write: false,
+    });
+    assert.deepEqual([errors, warnings], [[], []]);
+    assert.equal(outputFiles[0].text.includes("node:fs"), platform === "node");
+  }
+});
