@@ -112,9 +112,8 @@ pub struct SetBank {
 #[allow(clippy::cast_possible_truncation)] // what fits
 const OPENED: usize = 0x4C49_505A_4449_4131_u64 as usize;
 
-const WORD_BYTES: usize = size_of::<usize>();
-const _: () = assert!(size_of::<Reader<'_>>() <= (LIPZ_DIALOGUE_WORDS - 1) * WORD_BYTES);
-const _: () = assert!(size_of::<DialogueFile<'_>>() <= LIPZ_FILE_WORDS * WORD_BYTES);
+const _: () = assert!(size_of::<Reader<'_>>() <= (LIPZ_DIALOGUE_WORDS - 1) * size_of::<usize>());
+const _: () = assert!(size_of::<DialogueFile<'_>>() <= LIPZ_FILE_WORDS * size_of::<usize>());
 const _: () = assert!(align_of::<Reader<'_>>() <= align_of::<usize>());
 const _: () = assert!(align_of::<DialogueFile<'_>>() <= align_of::<usize>());
 
