@@ -131,7 +131,7 @@ int main(int count, char **arguments) {
     for (number = 0; number < file_count; number++) {
         contents[number] = mapped(arguments[3 + number]);
         if (contents[number].data == NULL) {
-            perror(arguments[3 + number]);
+            fprintf(stderr, "play: %s: it cannot be mapped, or is empty\n", arguments[3 + number]);
             return 1;
         }
     }

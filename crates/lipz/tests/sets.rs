@@ -241,7 +241,11 @@ fn what_is_wrong_with_a_set_is_reported() {
     fs::write(&files[1], &whole[..100]).unwrap();
     assert_eq!(lipz(scene.path(), verify).code, 1);
     fs::remove_file(&files[1]).unwrap();
-    assert_eq!(lipz(scene.path(), verify).code, 2);
+    for asked in [verify, ["stats", "out/dialogue.lipzset"]] {
+        let missing = lipz(scene.path(), asked);
+        assert_eq!(missing.code, 2);
+        assert!(missing.stderr.contains("names it: copy a set with all of its banks"), "{}", missing.stderr);
+    }
     fs::write(&files[1], &whole).unwrap();
     let index = scene.path().join("out/dialogue.lipzset");
     let bytes = fs::read(&index).unwrap();

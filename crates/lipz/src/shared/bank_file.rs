@@ -40,10 +40,25 @@ impl BankFile {
         } else {
             (console::path(path), FileBytes::read(path))
         };
+        BankFile::of_bytes(name, bytes, CHECK_SPELLING, reporter)
+    }
+
+    /// Reads the file at `path`, a bank of the set with this name. Reports why that is not possible.
+    pub(crate) fn of_set(path: &Path, set: &str, reporter: &mut Reporter) -> Result<BankFile, Abort> {
+        let help = format!("`{set}` names it: copy a set with all of its banks, or link it again");
+        BankFile::of_bytes(console::path(path), FileBytes::read(path), &help, reporter)
+    }
+
+    fn of_bytes(
+        name: String,
+        bytes: io::Result<FileBytes>,
+        help: &str,
+        reporter: &mut Reporter,
+    ) -> Result<BankFile, Abort> {
         match bytes {
             Ok(bytes) => Ok(BankFile { name, bytes }),
             Err(error) => {
-                let diagnostic = unreadable(&name, &error);
+                let diagnostic = unreadable(&name, &error, help);
                 Err(reporter.fail(Report::about(name, diagnostic)))
             }
         }
@@ -71,11 +86,14 @@ fn verified(bank: Bank<'_>) -> Result<Bank<'_>, Error> {
     Ok(bank)
 }
 
-/// The diagnostic for a file that cannot be read.
-fn unreadable(shown: &str, error: &io::Error) -> Diagnostic {
+/// The help for a file that you named, and that is not there.
+const CHECK_SPELLING: &str = "check the spelling of the path";
+
+/// The diagnostic for a file that cannot be read; `help` is for one that is not there.
+fn unreadable(shown: &str, error: &io::Error, help: &str) -> Diagnostic {
     let diagnostic = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
     match error.kind() {
-        io::ErrorKind::NotFound => diagnostic("does not exist").help("check the spelling of the path"),
+        io::ErrorKind::NotFound => diagnostic("does not exist").help(help),
         io::ErrorKind::IsADirectory => diagnostic("is a folder").help("name the bank in it"),
         _ => diagnostic(&format!("cannot be read: {error}")),
     }

@@ -51,7 +51,7 @@ impl SetFile {
     pub(crate) fn bank(&self, number: usize, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         let index = self.index(reporter)?;
         let name = index.bank_at(number).map_or("", |bank| bank.file_name);
-        let file = BankFile::read(&self.path.with_file_name(name), reporter)?;
+        let file = BankFile::of_set(&self.path.with_file_name(name), self.name(), reporter)?;
         // What is wrong with a file that is no bank, is reported when it is verified.
         if let Ok(bank) = Bank::open(file.bytes()) {
             index.check_bank(number, &bank).map_err(|error| SetFile::refuse(&file, error, reporter))?;
