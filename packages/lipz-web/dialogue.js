@@ -2,7 +2,7 @@
 
 import { Babble } from "./babble.js";
 import { Clip } from "./clip.js";
-import { ABSENT, LipzError, OK, remedyFor } from "./error.js";
+import { ABSENT, LipzError, NONE, OK, remedyFor } from "./error.js";
 import { FaceProfile } from "./face-profile.js";
 import { Locale, Voice } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
@@ -47,8 +47,7 @@ export class Dialogue {
   get files() {
     const found = this.#memory.askAll(c.lipz_file_info, "lipz_dialogue_file_by_index");
     return this.#files.map(({ name }, number) => {
-      // A bank that is absent has nothing to ask for.
-      const { kind = 0, checksum = 0n } = found[number] ?? {};
+      const { kind, checksum } = found[number];
       return { name, kind: KINDS[kind], checksum };
     });
   }
@@ -90,7 +89,7 @@ export class Dialogue {
   clipsUnder(prefix) {
     const memory = this.#memory;
     const clips = [];
-    const position = memory.put(FIRST, c.u64, 0n);
+    const position = memory.putBytes(FIRST, new Uint8Array(c.u64.size));
     const text = memory.text(prefix);
     for (;;) {
       const fields = memory.ask(c.lipz_clip, "lipz_dialogue_next_clip", ...text, position);
@@ -155,7 +154,7 @@ export class Dialogue {
         ? ["lipz_dialogue_clip", keyOrId]
         : ["lipz_dialogue_clip_by_key", ...memory.text(keyOrId)];
     const { status, answer } = memory.call(c.lipz_clip, name, memory.dialogue, ...args);
-    if (status !== ABSENT && status !== OK) memory.ask(c.lipz_clip, name, ...args);
+    if (![ABSENT, NONE, OK].includes(status)) memory.must(status);
     return { status, fields: answer };
   }
 

@@ -195,7 +195,9 @@ export class Memory {
     if (status === OK) return;
     this.#functions.lipz_status_message(status, this.slot(ANSWER));
     const message = this.string(this.read(this.slot(ANSWER), lipz_string));
-    if (nameOf === undefined) throw new LipzError(`${message} (status ${status})`, { status });
+    if (nameOf === undefined) {
+      throw new LipzError(`${message} (status ${status})`, { status, remedy: remedyFor(status) });
+    }
     const { file, offset_bytes: offsetBytes } = this.read(this.problem, lipz_problem);
     const about = { file: nameOf(file), status, offsetBytes, remedy: remedyFor(status) };
     throw new LipzError(`${message} (status ${status}, at byte ${offsetBytes})`, about);

@@ -769,9 +769,11 @@ lipz_status lipz_dialogue_info(const lipz_dialogue *dialogue, lipz_dialogue_info
 // The file with this index: ask from 0 on until `LIPZ_NONE`.
 lipz_status lipz_dialogue_file_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_file_info *file);
 
-// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The contents
-// of all of them go behind the index in `lipz_dialogue_open`, in this order.
-lipz_status lipz_set_bank_by_index(const lipz_bytes *contents, uint32_t index, lipz_set_bank *bank);
+// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The
+// first call verifies the index, the others only open it. The contents of all banks go behind the index in `lipz_dialogue_open`, in this order.
+lipz_status lipz_set_bank_by_index(const lipz_bytes *contents,
+                                   uint32_t index,
+                                   lipz_set_bank *bank);
 
 // The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
 // clips as constants.

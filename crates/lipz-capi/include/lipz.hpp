@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -29,18 +30,25 @@ inline std::string_view view(const lipz_string &string) noexcept {
     return string.data == nullptr ? std::string_view() : std::string_view(string.data, string.length_bytes);
 }
 
-/// Why files make no dialogue.
+/// Why files make no dialogue; of a file that cannot be read, with the status LIPZ_NONE.
 class Error : public std::runtime_error {
   public:
-    Error(lipz_status status, const std::string &file, std::uint32_t offset_bytes = 0)
-        : std::runtime_error(file + ": " + message(status)), status_(status), offset_bytes_(offset_bytes) {}
+    Error(lipz_status status, const std::filesystem::path &file, std::uint32_t offset_bytes = 0)
+        : std::runtime_error(utf8(file) + ": " + message(status)), status_(status), offset_bytes_(offset_bytes) {}
     lipz_status status() const noexcept { return status_; }
     /// Where the damage is: bytes from the start of the file.
     std::uint32_t offset_bytes() const noexcept { return offset_bytes_; }
 
   private:
+    static std::string utf8(const std::filesystem::path &path) {
+        const auto text = path.u8string(); // of char8_t from C++20 on
+        return std::string(text.begin(), text.end());
+    }
     static std::string message(lipz_status status) {
         lipz_string text;
+        if (status == LIPZ_NONE) {
+            return "the file cannot be read";
+        }
         lipz_status_message(status, &text);
         return std::string(view(text));
     }
@@ -401,12 +409,12 @@ class Dialogue {
         const auto status = lipz_dialogue_supply(&state_->dialogue, state_->files.data(), number, &contents,
                                                  state_->flags, &problem);
         if (status != LIPZ_OK) {
-            throw Error(status, state_->paths.at(number).u8string(), problem.offset_bytes);
+            throw error(status, number, problem.offset_bytes);
         }
     }
     /// The clips whose keys start with `prefix`, file by file.
-    auto clips(std::string_view prefix = {}) const noexcept {
-        auto next = [this, prefix, position = std::uint64_t(0)]() mutable -> std::optional<Clip> {
+    auto clips(std::string prefix = {}) const {
+        auto next = [this, prefix = std::move(prefix), position = std::uint64_t(0)]() mutable -> std::optional<Clip> {
             return answer_in<Clip, lipz_clip>(
                 *this, [&](auto *out) { return lipz_dialogue_next_clip(get(), prefix.data(), prefix.size(), &position, out); });
         };
@@ -467,15 +475,23 @@ class Dialogue {
     };
     explicit Dialogue(std::uint32_t flags) : state_(std::make_unique<State>()) { state_->flags = flags; }
     lipz_bytes add(const std::filesystem::path &path) {
+        std::error_code code;
+        const auto length = std::filesystem::file_size(path, code);
+        std::vector<std::uint8_t> bytes(code ? 0 : static_cast<std::size_t>(length));
         std::ifstream file(path, std::ios::binary);
-        std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-        if (!file || bytes.empty()) {
-            throw std::runtime_error(path.u8string() + (file ? " is empty" : " cannot be read"));
+        if (code || !file.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
+            throw Error(LIPZ_NONE, path);
+        }
+        if (bytes.empty()) {
+            throw Error(LIPZ_TOO_SHORT, path);
         }
         state_->paths.push_back(path);
         state_->contents.push_back({bytes.data(), bytes.size()});
         state_->owned.push_back(std::move(bytes));
         return state_->contents.back();
+    }
+    Error error(lipz_status status, std::uint32_t number, std::uint32_t offset_bytes) const {
+        return Error(status, number < state_->paths.size() ? state_->paths[number] : "dialogue", offset_bytes);
     }
     Dialogue opened() {
         lipz_problem problem;
@@ -483,8 +499,7 @@ class Dialogue {
         const auto status = lipz_dialogue_open(&state_->dialogue, state_->files.data(), state_->contents.data(),
                                                state_->contents.size(), state_->flags, &problem);
         if (status != LIPZ_OK) {
-            const auto &paths = state_->paths;
-            throw Error(status, problem.file < paths.size() ? paths[problem.file].u8string() : "dialogue", problem.offset_bytes);
+            throw error(status, problem.file, problem.offset_bytes);
         }
         return std::move(*this);
     }

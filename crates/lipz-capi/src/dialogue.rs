@@ -294,8 +294,8 @@ pub unsafe extern "C" fn lipz_dialogue_file_by_index(
     })
 }
 
-/// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The contents
-/// of all of them go behind the index in `lipz_dialogue_open`, in this order.
+/// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The
+/// first call verifies the index, the others only open it. The contents of all banks go behind the index in `lipz_dialogue_open`, in this order.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_set_bank_by_index(
     contents: Option<&Bytes>,
@@ -305,7 +305,8 @@ pub unsafe extern "C" fn lipz_set_bank_by_index(
     answer(bank, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let bytes = unsafe { contents.ok_or(LIPZ_NULL_POINTER)?.bytes() }?;
-        let set = SetIndex::open(bytes).and_then(SetIndex::verify).map_err(of_damage)?;
+        let set = SetIndex::open(bytes).and_then(|set| if index == 0 { set.verify() } else { Ok(set) });
+        let set = set.map_err(of_damage)?;
         let found = set.bank_at(index as usize).ok_or(LIPZ_NONE)?;
         Ok(SetBank {
             file_name: String::from_text(found.file_name),

@@ -173,7 +173,7 @@ class Stage {
             status = cursor_->finish(*dialogue_);
         }
         if (status != LIPZ_OK) {
-            throw lipz::Error(status, verb);
+            throw lipz::Error(status, std::filesystem::path(verb));
         }
         print_shown();
         lipz::Cursor segments = *cursor_;

@@ -33,6 +33,28 @@ fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize, i
     compiler.link_to_set(&Link::open(&paths).unwrap(), index)
 }
 
+/// Compares each bank of a set, when no other one is there, with the bank of all.
+fn assert_alone(index: &[u8], files: &[Vec<u8>], whole: &Bank<'_>) {
+    for number in 0..files.len() {
+        let others = files.iter().enumerate().map(|(other, file)| if other == number { file.as_slice() } else { &[] });
+        let contents: Vec<&[u8]> = [index].into_iter().chain(others).collect();
+        with(&contents, |alone| {
+            for clip in whole.clips().filter(|clip| alone.set_index().unwrap().bank_of(clip.id()) == number) {
+                let found = alone.clip(clip.id()).expect("the clip of a bank that is there");
+                for voice in alone.voices() {
+                    let same = whole.voice(alone.voice_tag(voice)).unwrap();
+                    assert_eq!(found.in_voice(voice).clip.key(), clip.in_voice(same).clip.key());
+                }
+            }
+            assert_eq!(alone.default_babble().name(), whole.default_babble().name());
+            assert_eq!(alone.face_profiles().count(), whole.face_profiles().count());
+            let default = |tag: Option<&str>| tag.map(str::to_owned);
+            let of_alone = default(alone.default_locale().map(|locale| alone.locale_tag(locale)));
+            assert_eq!(of_alone, default(whole.default_locale().map(|locale| whole.locale_tag(locale))));
+        });
+    }
+}
+
 /// Index and banks of the set at this path, as a program reads them.
 fn read(index: &Path) -> (Vec<u8>, Vec<Vec<u8>>) {
     let bytes = fs::read(index).unwrap();
@@ -43,11 +65,12 @@ fn read(index: &Path) -> (Vec<u8>, Vec<Vec<u8>>) {
 
 /// Compares the set at `index` with the bank of all, and what is made of both.
 fn assert_answers(index: &Path, whole: &[u8]) {
-    let (index, files) = read(index);
-    let contents: Vec<&[u8]> = [&index].into_iter().chain(&files).map(Vec::as_slice).collect();
+    let (index_bytes, files) = read(index);
+    let contents: Vec<&[u8]> = [&index_bytes].into_iter().chain(&files).map(Vec::as_slice).collect();
     with(&contents, |set| {
         let bank = Bank::open(whole).unwrap().verify().unwrap();
         dialogues::assert_same(set, &bank);
+        assert_alone(&index_bytes, &files, &bank);
         let index = set.set_index().unwrap();
         assert_eq!((set.clip_count(), index.clip_count()), (bank.clip_count(), bank.clip_count() as u64));
         for clip in bank.clips() {

@@ -25,7 +25,7 @@ type View<'a> = lipz_bank::Dialogue<'a>;
 /// downloads and mods, each over those before it, and text banks, each after the bank of its clips. The kind of a file is in its
 /// header. Opening checks that all files fit.
 ///
-/// The value is one version of the files. A clone is the same version, and costs a counter: give one to each thread that reads.
+/// The value is one version of the files. A clone is the same version, and copies the paths alone: give one to each thread that reads.
 /// [`refresh`](Dialogue::refresh), [`add`](Dialogue::add) and [`remove`](Dialogue::remove) change this value only, all files or
 /// none; clones stay as they are. [`Locale`](lipz_bank::Locale), [`Voice`](lipz_bank::Voice) and names are those of a version:
 /// in another one they lead to nothing, so look them up again. A [`Cursor`](lipz_bank::Cursor) and a
@@ -124,7 +124,10 @@ impl Dialogue {
             return Ok(Changes::default());
         }
         self.seen = now;
-        self.take_in(self.sources.clone())
+        let changes = self.take_in(self.sources.clone());
+        // A bank that a new index names may arrive after it, and no stamp is about that bank yet.
+        self.seen.are_settled &= !matches!(&changes, Err(error) if error.is_missing());
+        changes
     }
 
     /// Opens another file on top of the others: a text bank, a patch, the dubs of a voice. What it changes is in the result.
@@ -157,7 +160,9 @@ impl Dialogue {
         }
         changed.sort_unstable();
         changed.dedup();
-        if !changed.is_empty() {
+        // A file that was added twice changes no path, and does not fit.
+        let is_same = files.list().len() == old.list().len() && changed.is_empty();
+        if !is_same {
             self.snapshot = Arc::new(snapshot(files)?);
             self.seen.are_settled = false; // of the files that are new
         }

@@ -121,12 +121,14 @@ impl HostFiles {
         }
     }
 
-    /// The same bank, if it is open here under the same number. Texts are verified again: their bank may be a new one.
+    /// The same bank, if it is open here under the same number. Texts are verified again: their bank may be a new one; so are banks
+    /// of a set: their index may be.
     fn opened_like(&self, file: &HostFile) -> Option<Arc<OpenFile>> {
         let same = self.list.iter().find(|old| Arc::ptr_eq(&old.bytes, &file.bytes) && old.number == file.number)?;
         let open = same.open.get()?.as_ref().ok()?;
         let is_bank = matches!(open.borrow_dependent().kind(), FileKind::Bank | FileKind::Patch);
-        if is_bank && file.number > self.shards { Some(Arc::clone(open)) } else { None }
+        let is_of_set = (1..=self.shards).contains(&file.number);
+        if is_bank && !is_of_set { Some(Arc::clone(open)) } else { None }
     }
 
     /// The file, opened now if it is not open yet.

@@ -8,6 +8,7 @@ use lipz_host::{Dialogue, Source};
 use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
 
 fn replace(path: &Path, bytes: &[u8]) {
     let new = path.with_extension("new");
@@ -97,6 +98,49 @@ fn files_are_added_and_removed() {
     assert!(dialogue.remove("patch").unwrap().files().eq([Path::new("patch")]));
     assert_eq!((text(&dialogue, "line", "en-us").as_str(), dialogue.locale_tag(first)), ("Aye.", "en-us"));
     assert!(dialogue.remove("patch").unwrap().is_empty());
+    let again = Source::bytes("base", stack("Aye.", "Nay.")[0].clone());
+    assert_eq!(
+        dialogue.add(again).unwrap_err().bank_error().unwrap().kind(),
+        ErrorKind::NotALayer,
+        "the same once more"
+    );
+    assert_eq!(text(&dialogue, "line", "en-us"), "Aye.");
+}
+
+#[test]
+fn a_base_that_stays_is_not_verified_again() {
+    let [base, patch] = stack("Aye.", "Nay.");
+    let mut dialogue = Dialogue::open([Source::bytes("base", base)]).unwrap();
+    let before = dialogue.clone();
+    dialogue.add(Source::bytes("patch", patch)).unwrap();
+    let base_of = |dialogue: &Dialogue| std::ptr::from_ref(dialogue.view().file(0).unwrap()).cast::<()>();
+    assert_eq!(base_of(&dialogue), base_of(&before), "the same opened file");
+}
+
+/// As `rsync --times` does it: the index looks old, and its banks are on their way.
+#[test]
+fn the_banks_of_a_new_set_may_come_after_its_index() {
+    let [old, new] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let (path, next) = (link(old.path(), 3, "Aye."), link(new.path(), 2, "Nay."));
+    let age = |path: &Path| {
+        let file = fs::File::options().write(true).open(path).unwrap();
+        file.set_modified(SystemTime::now() - Duration::from_secs(60)).unwrap();
+    };
+    age(&path);
+    age(&next);
+    let mut dialogue = Dialogue::open([&path]).unwrap();
+    dialogue.files().for_each(age);
+    assert!(dialogue.refresh().unwrap().is_empty());
+    fs::rename(&next, &path).unwrap();
+    for _ in 0..3 {
+        assert!(dialogue.refresh().unwrap_err().io_error().is_some(), "a missing bank is refused every time");
+    }
+    for file in fs::read_dir(new.path()).unwrap() {
+        let file = file.unwrap();
+        fs::copy(file.path(), old.path().join(file.file_name())).unwrap();
+    }
+    assert!(!dialogue.refresh().unwrap().is_empty());
+    assert_eq!(texts(&dialogue), KEYS.map(|_| "Nay."));
 }
 
 /// A language that came after the bank: its text bank is made from the next version, and fits the clips of this one.

@@ -34,6 +34,8 @@ test("clips are in the order of their keys by code points", () => {
   assert.deepEqual(under, keys.filter((key) => key.startsWith("act2/")));
   assert.ok(under.length > 0);
   assert.deepEqual(drama.clipsUnder("act9/"), []);
+  const counts = [drama.clips(), drama.clips()].map((clips) => clips.length);
+  assert.deepEqual(counts, [48, 48], "also when they are asked for twice in a row");
 });
 
 test("a clip has the frames of its Lipz file", async () => {

@@ -15,10 +15,11 @@ const BANKS: &str = "fixtures/banks/v1";
 const LACKING: [&str; 2] = ["faces", "states"];
 
 /// Each compiler with its language and the source.
-const PROGRAMS: [(&str, &str, &str); 4] = [
+const PROGRAMS: [(&str, &str, &str); 5] = [
     ("cc", "-std=c99", "cases.c"),
     ("clang", "-std=c99", "cases.c"),
     ("c++", "-std=c++17", "cases.cpp"),
+    ("c++", "-std=c++20", "cases.cpp"),
     ("clang++", "-std=c++17", "cases.cpp"),
 ];
 const WARNINGS: [&str; 5] = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-Wconversion"];
@@ -34,13 +35,13 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
         // The sanitizers of the compiler that also links the other programs are enough.
         let is_sanitized = ["cc", "c++"].contains(&compiler);
         for flags in [&[][..], &SANITIZERS].into_iter().take(1 + usize::from(is_sanitized)) {
-            let program = prefix.join("build").join(format!("{source}-{compiler}-{}", flags.len()));
+            let program = prefix.join("build").join(format!("{source}-{compiler}{language}-{}", flags.len()));
             let mut compile = Command::new(compiler);
             compile.arg(language).args(WARNINGS).args(flags).arg("-I").arg(prefix.join("include"));
             compile.arg(paths::workspace_root().join("crates/lipz-capi/tests").join(source));
             compile.arg(prefix.join("lib/liblipz.a")).arg("-o").arg(&program);
             succeed(&mut compile, &format!("{compiler} with {source}"))?;
-            let name = format!("{source} of {compiler} {}", flags.join(" "));
+            let name = format!("{source} of {compiler} {language} {}", flags.join(" "));
             for folder in &folders {
                 answers(Command::new(&program), &name, folder, &[])?;
             }

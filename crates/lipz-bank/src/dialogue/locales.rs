@@ -215,8 +215,8 @@ impl<'a> Dialogue<'a> {
         if locale.origin == self.origin.with_list(list) { Some(table) } else { None }
     }
 
-    /// The base, or the first bank of a set that is there: all banks of a set have the same locales.
-    fn base_levels(&self) -> impl Iterator<Item = Level<'a>> + Clone + '_ {
+    /// The base, or the first bank of a set that is there: all banks of a set have the same locales and profiles.
+    pub(super) fn base_levels(&self) -> impl Iterator<Item = Level<'a>> + Clone + '_ {
         let numbers = match &self.base {
             Base::Bank(_) => 0..1,
             Base::Set(_) => 1..self.behind_base(),

@@ -104,11 +104,10 @@ impl<'a> Dialogue<'a> {
     #[inline]
     pub(super) fn find_in_set(&self, index: &SetIndex<'a>, id: ClipId) -> Option<Found<'a>> {
         let number = (shard_of(id.get(), index.bank_count() as u32) as usize).saturating_add(1);
-        let bank = self.bank(number)?;
-        match bank.find(id) {
-            Some((slot, _)) => Some(Found::new(bank, slot, true)),
+        // Also if that bank is not there: a dub may be in one that is.
+        match self.bank(number).and_then(|bank| Some(Found::new(bank, bank.find(id)?.0, true))) {
             None if index.moved_count() > 0 => self.find_moved(index, id),
-            None => None,
+            found => found,
         }
     }
 
@@ -207,15 +206,12 @@ impl<'a> Dialogue<'a> {
         None
     }
 
-    /// The topmost patch about which `says` holds, or the base, of a set its first bank.
+    /// The topmost patch about which `says` holds, or the base, of a set the first bank that is there.
     pub(super) fn that_says(&self, says: impl Fn(&Layer<'_>) -> bool) -> Option<&'a Bank<'a>> {
         let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
         match patches.find(|level| level.layer.map_or(false, &says)) {
             Some(level) => Some(&level.file.bank),
-            None => self.bank(match &self.base {
-                Base::Bank(_) => 0,
-                Base::Set(_) => 1,
-            }),
+            None => Some(&self.base_levels().next()?.file.bank),
         }
     }
 }
