@@ -48,7 +48,7 @@ pub(crate) struct Dubs<'data> {
 }
 
 impl Dubs<'_> {
-    /// The entry of the clip in this slot; [`NO_DUB`] if there is none.
+    /// The entry of the clip in this slot; [`NO_DUB`] without one.
     pub(crate) fn entry(&self, slot: u32) -> u32 {
         self.entries.and_then(|entries| entries.get(slot as usize)).map_or(NO_DUB, |entry| entry.get())
     }
@@ -125,7 +125,7 @@ impl<'data> Bank<'data> {
 }
 
 impl<'a> Clip<'a> {
-    /// The clip as it is played in `voice`: the dub in it; if there is none, that in a voice that this one falls back to,
+    /// The clip as it is played in `voice`: the dub in it; without one, that in a voice that this one falls back to,
     /// as the project says; otherwise the original.
     ///
     /// The clip may be the original or any of its dubs. A dub has a frame rate and a viseme type of its own: give what
@@ -175,7 +175,7 @@ impl<'a> Clip<'a> {
         Some(Voice { origin: self.bank.origin, file: 0, index: index as u16 })
     }
 
-    /// The clip of which this one is a dub; `None` if it is none.
+    /// The clip of which this one is a dub; `None` if it is not a dub.
     pub fn original(&self) -> Option<Clip<'a>> {
         if let Some(home) = self.home {
             return (home.queries.original)(home, self);

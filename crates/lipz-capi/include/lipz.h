@@ -400,7 +400,7 @@ typedef struct {
 typedef struct {
   // Hash of the key: names the clip in every version.
   uint64_t id;
-  // The version of the dialogue: in another one, queries of the clip give `LIPZ_NONE`.
+  // The version of the dialogue: in a different one, queries of the clip give `LIPZ_NONE`.
   uint32_t version;
   // The number of the file that it is in.
   uint32_t file;
@@ -829,7 +829,7 @@ lipz_status lipz_clip_hold_frames(const lipz_dialogue *dialogue,
 // What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the clip had none.
 lipz_status lipz_clip_recording(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_recording *recording);
 
-// The clip as it is played in `voice`: the dub in it; if there is none, that in a voice that this one falls back to; otherwise
+// The clip as it is played in `voice`: the dub in it; without one, that in a voice that this one falls back to; otherwise
 // the original. The clip may be the original or any of its dubs. With a voice of another version, the clip itself.
 lipz_status lipz_clip_in_voice(const lipz_dialogue *dialogue,
                                const lipz_clip *clip,

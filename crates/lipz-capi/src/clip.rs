@@ -32,7 +32,7 @@ pub const LIPZ_OTHER_DUB: u32 = 2;
 pub struct Clip {
     /// Hash of the key: names the clip in every version.
     pub id: u64,
-    /// The version of the dialogue: in another one, queries of the clip give `LIPZ_NONE`.
+    /// The version of the dialogue: in a different one, queries of the clip give `LIPZ_NONE`.
     pub version: u32,
     /// The number of the file that it is in.
     pub file: u32,
@@ -361,7 +361,7 @@ pub unsafe extern "C" fn lipz_clip_recording(
     }
 }
 
-/// The clip as it is played in `voice`: the dub in it; if there is none, that in a voice that this one falls back to; otherwise
+/// The clip as it is played in `voice`: the dub in it; without one, that in a voice that this one falls back to; otherwise
 /// the original. The clip may be the original or any of its dubs. With a voice of another version, the clip itself.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_in_voice(

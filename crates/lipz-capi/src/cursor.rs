@@ -305,7 +305,7 @@ unsafe fn of_due<'a, T: Default>(
                     Some(taken) => return Ok(taken),
                     None => cursor.pass(index),
                 },
-                // Of a clip with fewer segments than it had, no more is due.
+                // The clip has fewer segments than before: nothing else is due.
                 None => cursor.due_segment = cursor.due_end,
             }
         }

@@ -194,6 +194,22 @@ fn a_set_is_patched() {
 }
 
 /// The set of the fixtures is what is linked now, byte for byte.
+/// The banks of a set are inputs, too, although only the index is named.
+#[test]
+fn no_bank_of_a_set_is_overwritten_by_what_is_made_of_it() {
+    let scene = scene();
+    pack(&scene);
+    scene.prepare(&LINK);
+    let bank = banks(&scene).remove(0);
+    let before = fs::read(&bank).unwrap();
+    let output = bank.to_str().unwrap();
+    for made in [&["merge"][..], &["pack", "--over"]] {
+        let merged = lipz(scene.path(), made.iter().copied().chain(["out/dialogue.lipzset", "-o", output]));
+        assert_eq!((merged.code, merged.stderr.contains("are one file")), (2, true), "{}", merged.stderr);
+    }
+    assert!(fs::read(&bank).unwrap() == before);
+}
+
 #[test]
 fn the_golden_set_is_linked_again() {
     let scene = Scene::new();

@@ -122,7 +122,7 @@ impl<'a> Dialogue<'a> {
         VoicedClip::new(clip, spoken)
     }
 
-    /// The clip of which the one with this id is a dub, and the voice; `None` if it is none. A dub is none of another dub, and
+    /// The clip of which the one with this id is a dub, and the voice; `None` if it is not a dub. No dub is one of another dub, and
     /// has as many segments as its original: patches that do not know each other can say otherwise.
     pub(super) fn original_id(&self, id: ClipId) -> Option<(Voice, ClipId)> {
         let (voice, original) = self.said_original(id)?;

@@ -47,8 +47,7 @@ impl Stack {
         match named.as_slice() {
             [(name, bytes)] => {
                 refuse_part(name, &dialogue)?;
-                let bytes = if dialogue.set_index().is_some() { merge::merge(&dialogue)? } else { bytes.to_vec() };
-                Stack::new(bytes, &dialogue)
+                Stack::new(bytes.to_vec(), &dialogue)
             }
             _ => Stack::new(merge::merge(&dialogue)?, &dialogue),
         }
@@ -57,9 +56,14 @@ impl Stack {
     /// The same of a dialogue, which is verified and may have text banks.
     ///
     /// # Errors
-    /// When its base is a patch, and when it is too large for one bank.
+    /// When its base is a patch, when a bank of its set is not there, and when it is too large for one bank.
     pub fn of(dialogue: &Dialogue<'_>) -> Result<Stack, Report> {
         refuse_part("", dialogue)?;
+        let is_there = |number| dialogue.file(number).is_some_and(|file| file.kind() != FileKind::Absent);
+        if !(0..dialogue.file_count()).all(is_there) {
+            let diagnostic = Diagnostic::new(Code::BankRefused, "a bank of the set is not there");
+            return Err(Report::about("", diagnostic.help("open the set with all of its banks")));
+        }
         Stack::new(merge::merge(dialogue)?, dialogue)
     }
 

@@ -51,10 +51,10 @@ impl Run for Merge {
             return Err(reporter.usage("a bank is not for a terminal", "name a file, or send standard output to one"));
         }
         output_file::refuse_source(&self.output, reporter)?;
-        for bank in banks.iter().filter(|_| !is_printed) {
-            output_file::refuse_same(&[("a bank to be merged", bank), ("the output", &self.output)], reporter)?;
-        }
         let named = DialogueFiles::open_all(&banks, reporter)?;
+        if !is_printed {
+            named.refuse_output(("a bank to be merged", "the output"), &self.output, reporter)?;
+        }
         let files = named.verified(reporter)?;
         let dialogue = named.dialogue(&files, reporter)?;
         let whole = Stack::of(&dialogue).map_err(|report| reporter.refuse(vec![report]))?.into_bank();

@@ -10,7 +10,7 @@ use lipz_host::FileBytes;
 use lipz_layout::{FORMAT_MAJOR, FORMAT_MINOR, Header, MAGIC, SET_MAGIC};
 use std::io;
 use std::mem::offset_of;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The most bytes that a bank has: its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
@@ -24,10 +24,17 @@ const LINK_AGAIN: &str = "copy all files of the set again, or link it again: lip
 /// The bytes of a bank, and how messages name it.
 pub(crate) struct BankFile {
     pub(crate) name: String,
+    /// Where it is; empty for standard input and for a bank that was made in memory.
+    path: PathBuf,
     bytes: FileBytes,
 }
 
 impl BankFile {
+    /// Where the file is; nowhere for standard input and for a bank that was made in memory.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        Some(self.path.as_path()).filter(|path| !path.as_os_str().is_empty())
+    }
+
     /// The bytes of the file.
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
@@ -35,28 +42,28 @@ impl BankFile {
 
     /// Reads the file at `path`, or standard input. Reports why that is not possible.
     pub(crate) fn read(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
-        let (name, bytes) = if stdio::is_meant(path) {
-            (stdio::input_name(), stdio::read(LONGEST_BANK + 1).map(FileBytes::from))
-        } else {
-            (console::path(path), FileBytes::read(path))
-        };
-        BankFile::of_bytes(name, bytes, CHECK_SPELLING, reporter)
+        if stdio::is_meant(path) {
+            let bytes = stdio::read(LONGEST_BANK + 1).map(FileBytes::from);
+            return BankFile::of_bytes(stdio::input_name(), Path::new(""), bytes, CHECK_SPELLING, reporter);
+        }
+        BankFile::of_bytes(console::path(path), path, FileBytes::read(path), CHECK_SPELLING, reporter)
     }
 
     /// Reads the file at `path`, a bank of the set with this name. Reports why that is not possible.
     pub(crate) fn of_set(path: &Path, set: &str, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         let help = format!("`{set}` names it: copy a set with all of its banks, or link it again");
-        BankFile::of_bytes(console::path(path), FileBytes::read(path), &help, reporter)
+        BankFile::of_bytes(console::path(path), path, FileBytes::read(path), &help, reporter)
     }
 
     fn of_bytes(
         name: String,
+        path: &Path,
         bytes: io::Result<FileBytes>,
         help: &str,
         reporter: &mut Reporter,
     ) -> Result<BankFile, Abort> {
         match bytes {
-            Ok(bytes) => Ok(BankFile { name, bytes }),
+            Ok(bytes) => Ok(BankFile { name, path: path.to_owned(), bytes }),
             Err(error) => {
                 let diagnostic = unreadable(&name, &error, help);
                 Err(reporter.fail(Report::about(name, diagnostic)))
@@ -66,7 +73,7 @@ impl BankFile {
 
     /// A bank that was made in memory.
     pub(crate) fn made(name: String, bytes: Vec<u8>) -> BankFile {
-        BankFile { name, bytes: bytes.into() }
+        BankFile { name, path: PathBuf::new(), bytes: bytes.into() }
     }
 
     /// The bank, verified. Reports what is wrong with it.

@@ -1,11 +1,11 @@
-//! The files that somebody names as a bank: one bank, or a base with patches, a set, and text banks next to them.
+//! The files that you name as a bank: one bank, or a base with patches, a set, and text banks next to them.
 
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::{BankFile, refused};
 use crate::shared::set_file::SetFile;
-use crate::shared::{patterns, stack};
+use crate::shared::{output_file, patterns, stack};
 use lipz_bank::files::{DialogueFile, FileKind};
 use lipz_bank::{Bank, Dialogue, Error, ErrorKind};
 use lipz_compiler::dialogue_of;
@@ -88,6 +88,19 @@ impl DialogueFiles {
     ) -> Result<Dialogue<'f>, Abort> {
         let names: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
         dialogue_of(&names, files).map_err(|report| reporter.refuse(vec![report]))
+    }
+
+    /// Refuses an output that is one of the files, also one that only the index of a set names.
+    pub(crate) fn refuse_output(
+        &self,
+        (file, output): (&str, &str),
+        path: &Path,
+        reporter: &mut Reporter,
+    ) -> Result<(), Abort> {
+        for own in self.files.iter().filter_map(BankFile::path) {
+            output_file::refuse_same(&[(file, own), (output, path)], reporter)?;
+        }
+        Ok(())
     }
 
     /// The bytes, if it is one bank.

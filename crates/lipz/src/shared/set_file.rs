@@ -25,7 +25,7 @@ impl SetFile {
             return Ok(None);
         }
         let set = SetFile { path: path.to_owned(), file: BankFile::read(path, reporter)? };
-        set.index(reporter)?;
+        set.checked(SetIndex::open(set.file.bytes()).and_then(SetIndex::verify), reporter)?;
         Ok(Some(set))
     }
 
@@ -39,9 +39,14 @@ impl SetFile {
         &self.file.name
     }
 
-    /// The index. Reports damage, which `open` would have found.
+    /// The index, which `open` has verified.
     pub(crate) fn index(&self, reporter: &mut Reporter) -> Result<SetIndex<'_>, Abort> {
-        SetIndex::open(self.file.bytes()).and_then(SetIndex::verify).map_err(|error| {
+        self.checked(SetIndex::open(self.file.bytes()), reporter)
+    }
+
+    /// Reports damage of the index.
+    fn checked<'s>(&self, index: Result<SetIndex<'s>, Error>, reporter: &mut Reporter) -> Result<SetIndex<'s>, Abort> {
+        index.map_err(|error| {
             let diagnostic = refused(Code::BankDamaged, error, self.file.bytes());
             reporter.refuse(vec![Report::about(self.file.name.as_str(), diagnostic)])
         })

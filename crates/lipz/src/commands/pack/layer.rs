@@ -6,7 +6,7 @@ use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
-use crate::shared::{output_file, stack, stdio};
+use crate::shared::stdio;
 use lipz_bank::Bank;
 use lipz_compiler::{Over, Stack};
 use std::io::{self, IsTerminal};
@@ -35,11 +35,10 @@ pub(super) fn destination(
     if is_printed && io::stdout().is_terminal() {
         return Err(reporter.usage("a bank is not for a terminal", "name a file, or send standard output to one"));
     }
-    let below = arguments.over.iter().flat_map(|path| stack::paths(path));
-    for bank in below.filter(|_| !is_printed) {
-        output_file::refuse_same(&[("the bank below", &bank), ("the layer", output)], reporter)?;
-    }
     let named = DialogueFiles::open_all(&arguments.over, reporter)?;
+    if !is_printed {
+        named.refuse_output(("the bank below", "the layer"), output, reporter)?;
+    }
     let files = named.verified(reporter)?;
     let dialogue = named.dialogue(&files, reporter)?;
     let stack = Stack::of(&dialogue).map_err(|report| reporter.refuse(vec![report]))?;
