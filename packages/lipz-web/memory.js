@@ -139,14 +139,18 @@ export class Memory {
     const at = this.slot(TIME);
     const view = this.#view;
     if (typeof time === "number" && this.#isInSeconds) {
-      view.setFloat64(at + lipz_time.places.seconds, time, true);
+      view.setFloat64(at + lipz_time.places.count, time, true);
       return at;
     }
     this.#isInSeconds = typeof time === "number";
-    const { count, seconds, rate_hz } = lipz_time.places;
-    const [units, inSeconds, rate] = timeOf(time);
+    const { count, rate_hz } = lipz_time.places;
+    if (this.#isInSeconds) {
+      view.setFloat64(at + count, time, true);
+      view.setUint32(at + rate_hz, SECONDS, true);
+      return at;
+    }
+    const [units, rate] = timeOf(time);
     view.setBigInt64(at + count, units, true);
-    view.setFloat64(at + seconds, inSeconds, true);
     view.setUint32(at + rate_hz, rate, true);
     return at;
   }
@@ -210,11 +214,10 @@ export class Memory {
   }
 }
 
-/** A time as `lipz_time` has it: whole units, seconds, and the rate or the unit. */
+/** A time in whole units as `lipz_time` has it: their count and the rate, 0 for microseconds. */
 function timeOf(time) {
-  if (typeof time === "number") return [0n, time, SECONDS];
-  if ("us" in time) return [BigInt(time.us), 0, 0];
+  if ("us" in time) return [BigInt(time.us), 0];
   const { position, rateHz } = time;
   // Without a rate there is no time: as before the start.
-  return rateHz > 0 && rateHz < FIRST_UNIT ? [BigInt(position), 0, rateHz] : [-1n, 0, 0];
+  return rateHz > 0 && rateHz < FIRST_UNIT ? [BigInt(position), rateHz] : [-1n, 0];
 }

@@ -13,7 +13,6 @@ export const u32 = number(4, "getUint32", "setUint32");
 export const i32 = number(4, "getInt32", "setInt32");
 export const u64 = number(8, "getBigUint64", "setBigUint64");
 export const i64 = number(8, "getBigInt64", "setBigInt64");
-export const f64 = number(8, "getFloat64", "setFloat64");
 export const pointer = u32;
 export const lipz_viseme = { size: 1, align: 1, read: (view, at) => String.fromCharCode(view.getUint8(at)) };
 
@@ -99,7 +98,7 @@ export const lipz_clip = struct({
   has_events: u32,
 });
 
-export const lipz_time = struct({ count: i64, seconds: f64, rate_hz: u32, reserved: u32 });
+export const lipz_time = struct({ count: i64, rate_hz: u32, reserved: u32 });
 
 export const lipz_segment = struct({
   clip_id: u64,

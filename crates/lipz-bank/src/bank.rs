@@ -137,7 +137,8 @@ impl<'data> Bank<'data> {
         crate::verify::tables(*self)
     }
 
-    /// Opens and verifies the text bank that fills `bytes`, and returns the bank with its locales in place of its own.
+    /// Opens and verifies the text bank that fills `bytes`, and puts its locales in place of those of the bank. Handles of locales
+    /// that were looked up before lead to no text any more.
     ///
     /// A program that has one language in memory packs with `--split-locales`, and opens the bank with the text bank of the
     /// language. A [`Dialogue`](crate::Dialogue) takes several at the same time.
@@ -148,7 +149,8 @@ impl<'data> Bank<'data> {
     /// # fn main() -> Result<(), Error> {
     /// # let base: &[u8] = include_bytes!("../examples/act1.lipzbank");
     /// # let german = base; // a whole bank is accepted, too
-    /// let bank = Bank::open(base)?.verify()?.with_texts(german)?;
+    /// let mut bank = Bank::open(base)?.verify()?;
+    /// bank.open_texts(german)?;
     /// let segment = bank.clip_by_key("act1/mara-good-evening").and_then(|clip| clip.segment(0));
     /// let text = segment.zip(bank.locale("de-de")).and_then(|(segment, german)| segment.text(german));
     /// assert_eq!(text.map(|text| text.as_str()), Some("Guten Abend, Otto."));
@@ -158,24 +160,26 @@ impl<'data> Bank<'data> {
     ///
     /// # Errors
     /// As [`Bank::verify`]; when the texts belong to other clips, or when the bank itself is not
-    /// [verified](Bank::is_verified).
-    pub fn with_texts(self, bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let (file, mut table) = self.open_texts(bytes)?;
-        crate::verify::text_file(&file, &mut table, &self, crate::verify::core_utf8)?;
-        Ok(self.with_table(&file, table))
+    /// [verified](Bank::is_verified). The bank stays as it was.
+    pub fn open_texts(&mut self, bytes: &'data [u8]) -> Result<(), Error> {
+        let (file, mut table) = self.text_file(bytes)?;
+        crate::verify::text_file(&file, &mut table, self, crate::verify::core_utf8)?;
+        self.take_texts(&file, table);
+        Ok(())
     }
 
-    /// Like [`Bank::with_texts`], without verifying anything, in a time that depends only on the number of sections.
+    /// Like [`Bank::open_texts`], without verifying anything, in a time that depends only on the number of sections.
     ///
     /// # Errors
-    /// As [`Bank::open`], and when the texts belong to other clips.
-    pub fn with_texts_unverified(self, bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
-        let (file, table) = self.open_texts(bytes)?;
-        Ok(self.with_table(&file, table))
+    /// As [`Bank::open`], and when the texts belong to other clips. The bank stays as it was.
+    pub fn open_texts_unverified(&mut self, bytes: &'data [u8]) -> Result<(), Error> {
+        let (file, table) = self.text_file(bytes)?;
+        self.take_texts(&file, table);
+        Ok(())
     }
 
     /// The table of a text bank for the clips of this bank.
-    fn open_texts<'texts>(&self, bytes: &'texts [u8]) -> Result<(File<'texts>, LocaleTable<'texts>), Error> {
+    fn text_file(&self, bytes: &'data [u8]) -> Result<(File<'data>, LocaleTable<'data>), Error> {
         let file = File::open(bytes)?;
         let table = text_table(&file, self.texts.segment_count)?;
         if file.header.fingerprint.get() != self.fingerprint() {
@@ -184,10 +188,10 @@ impl<'data> Bank<'data> {
         Ok((file, table))
     }
 
-    /// The bank with the locales of another file. Handles of its own locales do not count any more.
-    fn with_table(self, file: &File<'data>, texts: LocaleTable<'data>) -> Bank<'data> {
-        let origin = Origin::of_hash(add_checksum(self.checksum(), file.header.checksum.get()));
-        Bank { texts, origin, ..self }
+    /// Puts the locales of another file in place of those of the bank, as a different origin of handles.
+    fn take_texts(&mut self, file: &File<'data>, texts: LocaleTable<'data>) {
+        self.texts = texts;
+        self.origin = Origin::of_hash(add_checksum(self.checksum(), file.header.checksum.get()));
     }
 
     /// Whether the bank came from [`Bank::verify`], [`Bank::verify_with`] or [`Bank::verify_lines`], which leaves out some sections.

@@ -3,6 +3,7 @@
 use core::fmt;
 use core::iter::FusedIterator;
 
+use crate::dialogue::Queries;
 use crate::event::NameKey;
 use crate::segment::Segments;
 use crate::{Bank, ClipId, Dialogue, EventName, Fps, Segment, Time, Viseme, VisemeType};
@@ -14,7 +15,7 @@ use lipz_types::StoredFps;
 pub struct Clip<'a> {
     pub(crate) bank: &'a Bank<'a>,
     pub(crate) record: &'a ClipRecord,
-    /// The dialogue that the clip was found in, which has texts, voices and names of other files.
+    /// The dialogue that the clip was found in, which may have texts, voices and names of other files.
     pub(crate) home: Option<&'a Dialogue<'a>>,
     /// Not checked, so that finding a clip takes no time for it.
     fps: Option<StoredFps>,
@@ -90,8 +91,15 @@ impl<'a> Clip<'a> {
         if key.bank == self.bank.origin {
             return EventName::numbered(self.bank, key.id);
         }
+        let (home, queries) = self.together()?;
+        (queries.name)(home, key)
+    }
+
+    /// The dialogue that the clip was found in, and the queries that its files answer together, if it has more than one.
+    #[inline(always)]
+    pub(crate) fn together(&self) -> Option<(&'a Dialogue<'a>, &'static Queries)> {
         let home = self.home?;
-        (home.queries.name)(home, key)
+        Some((home, home.queries()?))
     }
 
     /// The frame rate; `None` if it is unspecified and none was given with [`Clip::or_fps`], or if it is damaged.

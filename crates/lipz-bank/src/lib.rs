@@ -107,7 +107,7 @@ pub use segment::Segment;
 pub use text::Text;
 pub use voice::{Spoken, Voice, VoicedClip};
 
-pub use lipz_types::{ClipId, Command, Fps, Micros, Samples, Seconds, Strength, Time, Viseme, VisemeType};
+pub use lipz_types::{AnyTime, ClipId, Command, Fps, Micros, Samples, Seconds, Strength, Time, Viseme, VisemeType};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

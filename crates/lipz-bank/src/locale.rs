@@ -5,7 +5,7 @@ use crate::file::{Sections, entries, place};
 use crate::origin::Origin;
 use crate::pool::Pool;
 use crate::text::{FoundText, TextPlace};
-use lipz_layout::{LOCALE_DEFAULT, LocaleRecord, NO_TEXT, U32};
+use lipz_layout::{ClipRecord, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, U32};
 use lipz_types::hash::{FINISH, STEP, mix};
 
 /// A locale of a [`Dialogue`](crate::Dialogue) or of a [`Bank`]: what a text is asked for by.
@@ -135,6 +135,16 @@ impl<'data> Bank<'data> {
     pub fn locale_tag(&self, locale: Locale) -> &'data str {
         let tag = if locale.origin == self.origin { self.texts.tag(usize::from(locale.index)) } else { None };
         tag.unwrap_or("")
+    }
+
+    /// The text of the segment with this index of a clip of the bank, if the locale is one of the bank.
+    #[inline(always)]
+    pub(crate) fn text_of(&'data self, clip: &ClipRecord, segment: u32, locale: Locale) -> Option<FoundText<'data>> {
+        if locale.origin != self.origin {
+            return None;
+        }
+        let first = clip.segments_first.get() as usize;
+        self.texts.find(usize::from(locale.index), first, first.wrapping_add(segment as usize))
     }
 
     /// The handle of the locale with this index.

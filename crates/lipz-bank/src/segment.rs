@@ -86,7 +86,7 @@ impl<'a> Segment<'a> {
             None => self.own_text(locale)?.text(),
             Some(home) => {
                 let Clip { bank, record, .. } = self.clip;
-                (home.queries.text)(home, bank, record, (self.index, self.clip.has_texts()), locale)
+                home.text(bank, record, (self.index, self.clip.has_texts()), locale)
             }
         }
     }
@@ -113,17 +113,14 @@ impl<'a> Segment<'a> {
     /// The text in `locale`, if that is one of the bank.
     #[inline(always)]
     fn own_text(&self, locale: Locale) -> Option<FoundText<'a>> {
-        if locale.origin != self.clip.bank.origin {
-            return None;
-        }
-        self.clip.bank.texts.find(usize::from(locale.index), self.first_number(), self.number())
+        self.clip.bank.text_of(self.clip.record, self.index, locale)
     }
 
     /// The text in `locale`, wherever the dialogue has it.
     #[inline(always)] // otherwise the whole segment is copied for the call
     fn text_in(&self, home: &'a Dialogue<'a>, locale: Locale) -> Option<FoundText<'a>> {
         let Clip { bank, record, .. } = self.clip;
-        (home.queries.find_text)(home, bank, record, (self.index, self.clip.has_texts()), locale)
+        home.find_text(bank, record, (self.index, self.clip.has_texts()), locale)
     }
 
     /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has

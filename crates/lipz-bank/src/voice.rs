@@ -146,8 +146,8 @@ impl<'a> Clip<'a> {
     /// }
     /// ```
     pub fn in_voice(&self, voice: Voice) -> VoicedClip<'a> {
-        if let Some(home) = self.home {
-            return (home.queries.in_voice)(home, self, voice);
+        if let Some((home, queries)) = self.together() {
+            return (queries.in_voice)(home, self, voice);
         }
         let dubs = match self.bank.dubs_of(voice) {
             Some(dubs) => dubs,
@@ -165,8 +165,8 @@ impl<'a> Clip<'a> {
 
     /// The voice whose recording the mouth of this clip belongs to; `None` in a bank without dubs.
     pub fn voice(&self) -> Option<Voice> {
-        if let Some(home) = self.home {
-            return (home.queries.voice)(home, self);
+        if let Some((home, queries)) = self.together() {
+            return (queries.voice)(home, self);
         }
         let index = match self.bank.original_in(self.slot()) {
             Some((index, _)) => index,
@@ -177,8 +177,8 @@ impl<'a> Clip<'a> {
 
     /// The clip of which this one is a dub; `None` if it is not a dub.
     pub fn original(&self) -> Option<Clip<'a>> {
-        if let Some(home) = self.home {
-            return (home.queries.original)(home, self);
+        if let Some((home, queries)) = self.together() {
+            return (queries.original)(home, self);
         }
         self.bank.clip_at(self.bank.original_in(self.slot())?.1)
     }

@@ -5,6 +5,7 @@
 
 use lipz_bank::{Bank, Clip, Command, Cursor, ErrorKind, EventName, Locale, Segment};
 use lipz_testkit::golden::{DRAMA, SMALL, changed, put, verified};
+use lipz_testkit::texts::{with_texts, with_texts_unverified};
 use std::collections::HashSet;
 
 static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
@@ -55,7 +56,7 @@ fn a_copy_is_the_same_bank() {
 fn a_text_bank_is_for_its_bank() {
     let newer = newer(BASE);
     let (bank, newer) = (open(BASE), open(&newer));
-    let [own, moved] = [bank, newer].map(|bank| bank.with_texts(GERMAN).expect("texts of these clips"));
+    let [own, moved] = [bank, newer].map(|bank| with_texts(&bank, GERMAN).expect("texts of these clips"));
     for (with_texts, other) in [(&own, &moved), (&moved, &own)] {
         let locale = german(with_texts);
         assert!(first(with_texts).text(locale).is_some() && first(other).text(locale).is_none());
@@ -114,11 +115,11 @@ fn equal_are_the_same_things() {
 fn texts_are_verified_against_verified_banks_only() {
     let bank = Bank::open(BASE).expect("a bank");
     assert!(!bank.is_verified());
-    assert!(bank.with_texts_unverified(GERMAN).is_ok());
-    let error = bank.with_texts(GERMAN).expect_err("whether the clips are right is not known");
+    assert!(with_texts_unverified(&bank, GERMAN).is_ok());
+    let error = with_texts(&bank, GERMAN).expect_err("whether the clips are right is not known");
     assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::BankNotVerified, 0));
     let bank = bank.verify().expect("a golden bank");
-    assert!(bank.is_verified() && bank.with_texts(GERMAN).is_ok());
+    assert!(bank.is_verified() && with_texts(&bank, GERMAN).is_ok());
     let damaged = changed(BASE, |bytes| {
         let last = bytes.len() - 1;
         bytes[last] = 0xFF; // of the last string

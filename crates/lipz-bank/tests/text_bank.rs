@@ -8,6 +8,7 @@ use lipz_bank::{Bank, Error, ErrorKind};
 use lipz_layout::{NO_TEXT, Tag};
 use lipz_testkit::exercise::every_text_query;
 use lipz_testkit::golden::{DRAMA, SMALL, changed, directory, put, reseal, section, u32_at, verified};
+use lipz_testkit::texts::{with_texts, with_texts_unverified};
 
 static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
 static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
@@ -15,7 +16,7 @@ static ENGLISH: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.en-us.l
 
 /// What opening and verifying the texts finds.
 fn refusal(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
-    bank.with_texts(bytes).err()
+    with_texts(bank, bytes).err()
 }
 
 #[test]
@@ -25,11 +26,11 @@ fn answers_are_those_of_the_bank_with_texts() {
     assert_eq!(base.fingerprint(), whole.fingerprint());
     let mut compared = 0;
     for bytes in [GERMAN, ENGLISH] {
-        let with_texts = base.with_texts(bytes).expect("a golden text bank");
-        for locale in with_texts.locales() {
-            let same = whole.locale(with_texts.locale_tag(locale)).expect("a locale of the whole bank");
-            assert_eq!(with_texts.default_locale() == Some(locale), whole.default_locale() == Some(same));
-            for clip in with_texts.clips() {
+        let opened = with_texts(&base, bytes).expect("a golden text bank");
+        for locale in opened.locales() {
+            let same = whole.locale(opened.locale_tag(locale)).expect("a locale of the whole bank");
+            assert_eq!(opened.default_locale() == Some(locale), whole.default_locale() == Some(same));
+            for clip in opened.clips() {
                 let other = whole.clip(clip.id()).expect("a clip of the whole bank");
                 assert_eq!(clip.frames(), other.frames());
                 for (segment, other) in clip.segments().zip(other.segments()) {
@@ -47,7 +48,7 @@ fn answers_are_those_of_the_bank_with_texts() {
 #[test]
 fn texts_belong_to_one_bank() {
     let other = verified(DRAMA);
-    for opened in [other.with_texts(GERMAN), other.with_texts_unverified(GERMAN)] {
+    for opened in [with_texts(&other, GERMAN), with_texts_unverified(&other, GERMAN)] {
         let error = opened.expect_err("texts of other clips");
         assert_eq!((error.kind(), error.offset_bytes()), (ErrorKind::OtherClips, 24));
     }
@@ -62,9 +63,9 @@ fn a_text_bank_is_no_bank() {
 #[test]
 fn a_bank_with_texts_is_a_text_bank() {
     let base = verified(BASE);
-    let with_texts = base.with_texts(SMALL).expect("the same clips");
-    assert!(with_texts.locales().map(|locale| with_texts.locale_tag(locale)).eq(["de-de", "en-us"]));
-    assert!(every_text_query(&with_texts));
+    let opened = with_texts(&base, SMALL).expect("the same clips");
+    assert!(opened.locales().map(|locale| opened.locale_tag(locale)).eq(["de-de", "en-us"]));
+    assert!(every_text_query(&opened));
 }
 
 #[test]
@@ -77,8 +78,8 @@ fn every_truncation_and_every_change_is_noticed() {
     for at in 0..bytes.len() {
         for change in 1..=255 {
             bytes[at] ^= change;
-            if let Ok(with_texts) = base.with_texts_unverified(&bytes) {
-                every_text_query(&with_texts);
+            if let Ok(opened) = with_texts_unverified(&base, &bytes) {
+                every_text_query(&opened);
                 assert!(refusal(&base, &bytes).is_some(), "byte {at} ^ {change:#x} goes unnoticed");
             }
             bytes[at] ^= change;
@@ -95,10 +96,10 @@ fn every_forged_byte() {
             let mut bytes = GERMAN.to_vec();
             bytes[at] ^= change;
             reseal(&mut bytes);
-            let Ok(with_texts) = base.with_texts_unverified(&bytes) else { continue };
-            every_text_query(&with_texts);
-            if let Ok(with_texts) = base.with_texts(&bytes) {
-                assert!(every_text_query(&with_texts), "byte {at} ^ {change:#x}");
+            let Ok(opened) = with_texts_unverified(&base, &bytes) else { continue };
+            every_text_query(&opened);
+            if let Ok(opened) = with_texts(&base, &bytes) {
+                assert!(every_text_query(&opened), "byte {at} ^ {change:#x}");
             }
         }
     }

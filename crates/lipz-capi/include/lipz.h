@@ -428,10 +428,8 @@ typedef struct {
 // Each unit leads to the frame of exact arithmetic. Times before the start, from the end on, infinite or not a number lead to no
 // frame, and so to rest.
 typedef struct {
-  // Microseconds, or samples per channel.
+  // Microseconds, samples per channel, or the bits of a `double` or a `float`.
   int64_t count;
-  // Seconds.
-  double seconds;
   // 0 for microseconds, `LIPZ_SECONDS`, `LIPZ_SECONDS_F32`, or samples per second.
   uint32_t rate_hz;
   // 0.
@@ -752,6 +750,11 @@ lipz_status lipz_dialogue_open(lipz_dialogue *dialogue,
                                uint32_t flags,
                                lipz_problem *problem);
 
+// Opens a dialogue of the one bank whose contents these are, without verifying it: for firmware, whose bank was verified when it
+// was packed. A program that opens dialogues only in this way has no code for patches, sets, text banks and checks. `file` is
+// room for the bank, which stays where it is, as in `lipz_dialogue_open`.
+lipz_status lipz_dialogue_open_bank(lipz_dialogue *dialogue, lipz_file *file, const lipz_bytes *contents);
+
 // Puts a bank of a set into its place, with the number of its file, that was not there when the dialogue was opened. Handles
 // count as before. `files` are those of `lipz_dialogue_open`; no other function is called meanwhile.
 //
@@ -1014,7 +1017,7 @@ lipz_status lipz_face_idle_at(const lipz_dialogue *dialogue,
 
 // A time in microseconds.
 static inline lipz_time lipz_time_us(int64_t us) {
-  lipz_time time = {us, 0.0, 0, 0};
+  lipz_time time = {us, 0, 0};
   return time;
 }
 
@@ -1022,19 +1025,21 @@ static inline lipz_time lipz_time_us(int64_t us) {
 static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
   // Without a rate there is no time: as before the start.
   int is_rate = rate_hz > 0 && rate_hz < LIPZ_SECONDS_F32;
-  lipz_time time = {is_rate ? position : -1, 0.0, is_rate ? rate_hz : 0, 0};
+  lipz_time time = {is_rate ? position : -1, is_rate ? rate_hz : 0, 0};
   return time;
 }
 
 // A time in seconds.
 static inline lipz_time lipz_time_seconds(double seconds) {
-  lipz_time time = {0, seconds, LIPZ_SECONDS, 0};
+  union { double seconds; int64_t bits; } value = {seconds};
+  lipz_time time = {value.bits, LIPZ_SECONDS, 0};
   return time;
 }
 
 // A time in seconds of a clock that has no more than a float.
 static inline lipz_time lipz_time_seconds_f32(float seconds) {
-  lipz_time time = {0, (double)seconds, LIPZ_SECONDS_F32, 0};
+  union { float seconds; uint32_t bits; } value = {seconds};
+  lipz_time time = {value.bits, LIPZ_SECONDS_F32, 0};
   return time;
 }
 

@@ -105,12 +105,20 @@ template <typename T, typename Next> class Range {
     Next next_;
 };
 
+template <typename T, typename Next> auto range(Next next) { return Range<T, Next>(std::move(next)); }
+
 /// The range of what `ask(index, out)` answers from index 0 on.
 template <typename T, typename Of = T, typename Ask> auto by_index(Ask ask) {
-    auto next = [ask, index = std::uint32_t(0)]() mutable {
+    return range<T>([ask, index = std::uint32_t(0)]() mutable {
         return answer<T, Of>([&](Of *out) { return ask(index++, out); });
-    };
-    return Range<T, decltype(next)>(next);
+    });
+}
+
+/// The viseme that `ask(out)` writes, at rest without an answer.
+template <typename Ask> char viseme_of(Ask ask) noexcept {
+    lipz_viseme viseme;
+    ask(&viseme);
+    return static_cast<char>(viseme);
 }
 
 struct Micros {
@@ -243,14 +251,10 @@ struct Clip : lipz_clip {
         return answer<std::uint32_t>([&](auto *out) { return lipz_clip_frame_at(dialogue, this, time, out); });
     }
     char viseme(std::uint32_t frame) const noexcept {
-        lipz_viseme viseme;
-        lipz_clip_viseme(dialogue, this, frame, &viseme);
-        return static_cast<char>(viseme);
+        return viseme_of([&](auto *out) { lipz_clip_viseme(dialogue, this, frame, out); });
     }
     char viseme_at(Time time) const noexcept {
-        lipz_viseme viseme;
-        lipz_clip_viseme_at(dialogue, this, time, &viseme);
-        return static_cast<char>(viseme);
+        return viseme_of([&](auto *out) { lipz_clip_viseme_at(dialogue, this, time, out); });
     }
     std::optional<Segment> segment(std::uint32_t index) const noexcept {
         return answer_in<Segment, lipz_segment>(
@@ -284,11 +288,10 @@ struct Clip : lipz_clip {
     }
     /// All curves, in the order of their names.
     auto curves() const noexcept {
-        auto next = [clip = *this, index = std::uint32_t(0)]() mutable -> std::optional<Curve> {
+        return range<Curve>([clip = *this, index = std::uint32_t(0)]() mutable {
             return answer_in<Curve, lipz_curve>(
                 *clip.dialogue, [&](auto *out) { return lipz_clip_curve_by_index(clip.dialogue, &clip, index++, out); });
-        };
-        return Range<Curve, decltype(next)>(next);
+        });
     }
     lipz_emotions emotions_at(Time time, const lipz_who *who = nullptr) const noexcept {
         lipz_emotions emotions;
@@ -335,16 +338,13 @@ struct Cursor : lipz_cursor {
     }
     /// Takes the segments that are due, with all their events.
     auto segments(const lipz_dialogue &in) noexcept {
-        auto next = [this, &in]() -> std::optional<Segment> {
+        return range<Segment>([this, &in] {
             return answer_in<Segment, lipz_segment>(
                 in, [&](auto *out) { return lipz_cursor_take_segment(&in, this, out); });
-        };
-        return Range<Segment, decltype(next)>(next);
+        });
     }
     char viseme(const lipz_dialogue &in) const noexcept {
-        lipz_viseme viseme;
-        lipz_cursor_viseme(&in, this, &viseme);
-        return static_cast<char>(viseme);
+        return viseme_of([&](auto *out) { lipz_cursor_viseme(&in, this, out); });
     }
     /// How far the mouth is open, in ten-thousandths; nothing if the clip has no shapes: let the mouth babble.
     std::optional<std::uint32_t> openness(const lipz_dialogue &in) const noexcept {
@@ -414,11 +414,10 @@ class Dialogue {
     }
     /// The clips whose keys start with `prefix`, file by file.
     auto clips(std::string prefix = {}) const {
-        auto next = [this, prefix = std::move(prefix), position = std::uint64_t(0)]() mutable -> std::optional<Clip> {
+        return range<Clip>([this, prefix = std::move(prefix), position = std::uint64_t(0)]() mutable {
             return answer_in<Clip, lipz_clip>(
                 *this, [&](auto *out) { return lipz_dialogue_next_clip(get(), prefix.data(), prefix.size(), &position, out); });
-        };
-        return Range<Clip, decltype(next)>(next);
+        });
     }
     std::optional<lipz_locale> locale(std::string_view tag) const noexcept {
         return answer<lipz_locale>([&](auto *out) { return lipz_dialogue_locale(get(), tag.data(), tag.size(), out); });

@@ -108,7 +108,7 @@ unsafe fn babbled(
             index => dialogue.babbles().nth(index as usize).filter(|_| babble.version == dialogue.version()),
         };
         let profile = profile.ok_or(LIPZ_NONE)?;
-        let weights = at!(time, |time| profile.at(time, power));
+        let weights = profile.at(time.to_reader(), power);
         Ok(Weights { ooh: weights.ooh.ten_thousandths().into(), aah: weights.aah.ten_thousandths().into() })
     })
 }

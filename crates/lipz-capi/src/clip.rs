@@ -1,6 +1,6 @@
 //! Clips: finding them, their keys and frames.
 
-use crate::dialogue::{Dialogue, absent_file, reader};
+use crate::dialogue::{Dialogue, number, reader};
 use crate::handle::Voice;
 use crate::pointer::{answer, text};
 use crate::segment::Segment;
@@ -189,12 +189,12 @@ fn found<'a>(
         *out = Clip::from_reader(dialogue.version(), &clip);
         return LIPZ_OK;
     }
-    match absent_file(dialogue, id) {
-        Ok(file) => {
-            out.file = file;
+    match dialogue.missing_bank(id) {
+        Some(file) => {
+            out.file = number(file);
             LIPZ_ABSENT
         }
-        Err(status) => status,
+        None => LIPZ_NONE,
     }
 }
 
@@ -251,7 +251,7 @@ pub unsafe extern "C" fn lipz_clip_frame_at(
     frame: Option<&mut MaybeUninit<u32>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { of_clip(dialogue, clip, frame, |_, clip| at!(time, |time| clip.frame_at(time)).ok_or(LIPZ_NONE)) }
+    unsafe { of_clip(dialogue, clip, frame, |_, clip| clip.frame_at(time.to_reader()).ok_or(LIPZ_NONE)) }
 }
 
 /// The viseme of a frame; rest outside the clip.
@@ -275,9 +275,7 @@ pub unsafe extern "C" fn lipz_clip_viseme_at(
     viseme: Option<&mut MaybeUninit<Viseme>>,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe {
-        of_clip(dialogue, clip, viseme, |_, clip| Ok(Viseme::from_reader(at!(time, |time| clip.viseme_at(time)))))
-    }
+    unsafe { of_clip(dialogue, clip, viseme, |_, clip| Ok(Viseme::from_reader(clip.viseme_at(time.to_reader())))) }
 }
 
 /// The segment of a clip with this index.
@@ -305,7 +303,7 @@ pub unsafe extern "C" fn lipz_clip_segment_at(
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
         of_clip(dialogue, clip, segment, |dialogue, clip| {
-            Segment::from_found(dialogue.version(), at!(time, |time| clip.segment_at(time)))
+            Segment::from_found(dialogue.version(), clip.segment_at(time.to_reader()))
         })
     }
 }

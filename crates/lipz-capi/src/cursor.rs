@@ -198,7 +198,7 @@ pub unsafe extern "C" fn lipz_cursor_advance(
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
         moved(dialogue, cursor, Move::On, |cursor, clip| {
-            let _ = at!(time, |time| cursor.advance_to(clip, time));
+            let _ = cursor.advance_to(clip, time.to_reader());
         })
     }
 }
@@ -214,7 +214,7 @@ pub unsafe extern "C" fn lipz_cursor_loop(
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe {
         moved(dialogue, cursor, Move::Around, |cursor, clip| {
-            let _ = at!(time, |time| cursor.loop_to(clip, time));
+            let _ = cursor.loop_to(clip, time.to_reader());
         })
     }
 }
@@ -228,7 +228,7 @@ pub unsafe extern "C" fn lipz_cursor_seek(
     time: Time,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe { moved(dialogue, cursor, Move::Away, |cursor, clip| at!(time, |time| cursor.seek(clip, time))) }
+    unsafe { moved(dialogue, cursor, Move::Away, |cursor, clip| cursor.seek(clip, time.to_reader())) }
 }
 
 /// Ends the clip before the audio does, as when a player skips it: the segments that are left become due, so that lasting states

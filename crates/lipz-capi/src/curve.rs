@@ -149,7 +149,7 @@ pub unsafe extern "C" fn lipz_curve_value_at(
     unsafe {
         of_curve(dialogue, curve, thousandths, |curve| {
             let mut inner = lipz_bank::curve::CurveCursor::from_word(cursor.as_ref().map_or(0, |cursor| cursor.key));
-            let value = at!(time, |time| inner.value_at(&curve, time));
+            let value = inner.value_at(&curve, time.to_reader());
             if let Some(cursor) = cursor {
                 cursor.key = inner.to_word();
             }

@@ -5,8 +5,8 @@ use crate::status::{LIPZ_ABSENT, LIPZ_NONE, LIPZ_NOT_OPENED, LIPZ_NULL_POINTER, 
 use crate::string::String;
 use core::mem::{MaybeUninit, align_of, size_of};
 use core::slice;
+use lipz_bank::Dialogue as Reader;
 use lipz_bank::files::{DialogueError, DialogueFile, FileKind, SetIndex};
-use lipz_bank::{ClipId, Dialogue as Reader};
 
 /// Words of a `lipz_dialogue`.
 pub const LIPZ_DIALOGUE_WORDS: usize = 80;
@@ -140,6 +140,34 @@ pub unsafe extern "C" fn lipz_dialogue_open(
     // SAFETY: the contract of the crate, which the caller keeps.
     let result = unsafe { open(files, contents, file_count, flags, problem) };
     match result {
+        Ok(opened) => {
+            dialogue.keep(opened);
+            LIPZ_OK
+        }
+        Err(status) => status,
+    }
+}
+
+/// Opens a dialogue of the one bank whose contents these are, without verifying it: for firmware, whose bank was verified when it
+/// was packed. A program that opens dialogues only in this way has no code for patches, sets, text banks and checks. `file` is
+/// room for the bank, which stays where it is, as in `lipz_dialogue_open`.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_open_bank(
+    dialogue: Option<&mut MaybeUninit<Dialogue>>,
+    file: Option<&mut MaybeUninit<FilePlace>>,
+    contents: Option<&Bytes>,
+) -> Status {
+    let dialogue = match dialogue {
+        Some(dialogue) => dialogue.write(Dialogue { words: [0; LIPZ_DIALOGUE_WORDS] }),
+        None => return LIPZ_NULL_POINTER,
+    };
+    let (file, contents) = match (file, contents) {
+        (Some(file), Some(contents)) => (file.as_mut_ptr().cast::<MaybeUninit<DialogueFile<'_>>>(), contents),
+        _ => return LIPZ_NULL_POINTER,
+    };
+    // SAFETY: the place has the room and the alignment; the rest is the contract of the crate, which the caller keeps.
+    let (file, bytes) = unsafe { (&mut *file, contents.bytes()) };
+    match bytes.and_then(|bytes| Reader::open_bank(file, bytes).map_err(of_damage)) {
         Ok(opened) => {
             dialogue.keep(opened);
             LIPZ_OK
@@ -357,16 +385,7 @@ pub(crate) fn not_found(reader: &Reader<'_>) -> Status {
 
 /// A locale or a profile, which each bank of a set has: `LIPZ_ABSENT` if none of them is there.
 pub(crate) fn of_project<T>(reader: &Reader<'_>, found: Option<T>) -> Result<T, Status> {
-    match (0..reader.file_count()).any(|number| reader.bank(number).is_some()) {
-        true => found.ok_or(LIPZ_NONE),
-        false => Err(LIPZ_ABSENT),
-    }
-}
-
-/// The number of the file that would have the clip with this id, if it is a bank of a set that is not there.
-pub(crate) fn absent_file(reader: &Reader<'_>, id: ClipId) -> Result<u32, Status> {
-    let file = reader.set_index().ok_or(LIPZ_NONE)?.bank_of(id).saturating_add(1);
-    if reader.bank(file).is_some() { Err(LIPZ_NONE) } else { Ok(number(file)) }
+    if reader.has_bank() { found.ok_or(LIPZ_NONE) } else { Err(LIPZ_ABSENT) }
 }
 
 /// A number of things that stand in a file, whose length has 32 bits.

@@ -121,7 +121,7 @@ pub unsafe extern "C" fn lipz_clip_emotions_at(
     unsafe {
         of_clip(dialogue, clip, emotions, |_, clip| {
             let who = who::to_reader(who)?;
-            let found = at!(time, |time| clip.emotions_at(time, who));
+            let found = clip.emotions_at(time.to_reader(), who);
             let mut emotions = Emotions { sum: found.sum().thousandths(), ..Emotions::default() };
             for (place, (_, value)) in emotions.thousandths.iter_mut().zip(found.iter()) {
                 *place = value.thousandths();
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn lipz_clip_face_at(
     unsafe {
         of_clip(dialogue, clip, face, |dialogue, clip| {
             let (who, profile) = (who::to_reader(who)?, profile_of(dialogue, profile)?);
-            Ok(Face::from_reader(at!(time, |time| clip.face_at(time, who, &profile, looked_at(look_at)))))
+            Ok(Face::from_reader(clip.face_at(time.to_reader(), who, &profile, looked_at(look_at))))
         })
     }
 }
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn lipz_face_idle_at(
     answer(face, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let profile = profile_of(unsafe { reader(dialogue) }?, profile)?;
-        Ok(Face::from_reader(at!(time, |time| profile.idle_at(time, seed, looked_at(look_at)))))
+        Ok(Face::from_reader(profile.idle_at(time.to_reader(), seed, looked_at(look_at))))
     })
 }
 

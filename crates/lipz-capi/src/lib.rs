@@ -23,8 +23,6 @@
 #![allow(clippy::missing_safety_doc)] // all functions have one contract: the one above
 #![cfg_attr(not(test), deny(clippy::indexing_slicing, clippy::arithmetic_side_effects))]
 
-#[macro_use]
-mod time;
 mod babble;
 mod character;
 mod clip;
@@ -40,6 +38,7 @@ mod pointer;
 mod segment;
 mod status;
 mod string;
+mod time;
 mod version;
 mod who;
 

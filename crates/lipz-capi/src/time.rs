@@ -1,6 +1,6 @@
 //! Times, in the units that audio engines report.
 
-use lipz_bank::{Micros, Samples, Seconds};
+use lipz_bank::{AnyTime, Micros, Samples, Seconds};
 
 /// The `rate_hz` of a time in seconds.
 pub const LIPZ_SECONDS: u32 = 0xFFFF_FFFF;
@@ -14,53 +14,22 @@ pub const LIPZ_SECONDS_F32: u32 = 0xFFFF_FFFE;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Time {
-    /// Microseconds, or samples per channel.
+    /// Microseconds, samples per channel, or the bits of a `double` or a `float`.
     pub count: i64,
-    /// Seconds.
-    pub seconds: f64,
     /// 0 for microseconds, `LIPZ_SECONDS`, `LIPZ_SECONDS_F32`, or samples per second.
     pub rate_hz: u32,
     /// 0.
     pub reserved: u32,
 }
 
-/// Calls a method with a time, in its unit.
-macro_rules! at {
-    ($time:expr, |$each:ident| $call:expr) => {
-        match $time.rate_hz {
-            0 => {
-                let $each = $crate::time::micros(&$time);
-                $call
-            }
-            $crate::time::LIPZ_SECONDS => {
-                let $each = $crate::time::seconds(&$time);
-                $call
-            }
-            $crate::time::LIPZ_SECONDS_F32 => {
-                let $each = $crate::time::seconds_f32(&$time);
-                $call
-            }
-            _ => {
-                let $each = $crate::time::samples(&$time);
-                $call
-            }
+impl Time {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // bits
+    pub(crate) fn to_reader(self) -> AnyTime {
+        match self.rate_hz {
+            0 => AnyTime::Micros(Micros(self.count)),
+            LIPZ_SECONDS => AnyTime::SecondsF64(Seconds(f64::from_bits(self.count as u64))),
+            LIPZ_SECONDS_F32 => AnyTime::SecondsF32(Seconds(f32::from_bits(self.count as u32))),
+            rate_hz => AnyTime::Samples(Samples { position: self.count, rate_hz }),
         }
-    };
-}
-
-pub(crate) fn micros(time: &Time) -> Micros {
-    Micros(time.count)
-}
-
-pub(crate) fn samples(time: &Time) -> Samples {
-    Samples { position: time.count, rate_hz: time.rate_hz }
-}
-
-pub(crate) fn seconds(time: &Time) -> Seconds<f64> {
-    Seconds(time.seconds)
-}
-
-#[allow(clippy::cast_possible_truncation)] // it was an `f32`
-pub(crate) fn seconds_f32(time: &Time) -> Seconds<f32> {
-    Seconds(time.seconds as f32)
+    }
 }

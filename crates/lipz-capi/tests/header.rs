@@ -90,7 +90,7 @@ const INTRODUCTION: &str = "/*
 const TIMES: &str = "
 // A time in microseconds.
 static inline lipz_time lipz_time_us(int64_t us) {
-  lipz_time time = {us, 0.0, 0, 0};
+  lipz_time time = {us, 0, 0};
   return time;
 }
 
@@ -98,19 +98,21 @@ static inline lipz_time lipz_time_us(int64_t us) {
 static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
   // Without a rate there is no time: as before the start.
   int is_rate = rate_hz > 0 && rate_hz < LIPZ_SECONDS_F32;
-  lipz_time time = {is_rate ? position : -1, 0.0, is_rate ? rate_hz : 0, 0};
+  lipz_time time = {is_rate ? position : -1, is_rate ? rate_hz : 0, 0};
   return time;
 }
 
 // A time in seconds.
 static inline lipz_time lipz_time_seconds(double seconds) {
-  lipz_time time = {0, seconds, LIPZ_SECONDS, 0};
+  union { double seconds; int64_t bits; } value = {seconds};
+  lipz_time time = {value.bits, LIPZ_SECONDS, 0};
   return time;
 }
 
 // A time in seconds of a clock that has no more than a float.
 static inline lipz_time lipz_time_seconds_f32(float seconds) {
-  lipz_time time = {0, (double)seconds, LIPZ_SECONDS_F32, 0};
+  union { float seconds; uint32_t bits; } value = {seconds};
+  lipz_time time = {value.bits, LIPZ_SECONDS_F32, 0};
   return time;
 }
 

@@ -313,7 +313,7 @@ mod tests {
         });
         let base = fs::read(&path).unwrap();
         let texts = fs::read(folder.path().join("b.en-us.lipztexts")).unwrap();
-        assert!(Bank::open(&base).unwrap().verify().unwrap().with_texts(&texts).is_ok());
+        assert!(Bank::open(&base).unwrap().verify().unwrap().open_texts(&texts).is_ok());
     }
 
     #[test]

@@ -31,8 +31,8 @@ impl SplitBank {
     /// let bank = Compiler::default().compile(&[Input::from_bytes("mayor", file)]).bank.ok_or("no bank")?;
     /// let split = SplitBank::from_bytes(&bank).map_err(|report| report.to_string())?;
     /// let (tag, german) = &split.texts[0];
-    /// let base = lipz_bank::Bank::open(&split.base)?.verify()?;
-    /// let base = base.with_texts(german)?;
+    /// let mut base = lipz_bank::Bank::open(&split.base)?.verify()?;
+    /// base.open_texts(german)?;
     /// let segment = base.clip_by_key("mayor").and_then(|clip| clip.segment(1)).ok_or("no clip")?;
     /// let text = base.locale(tag).and_then(|locale| segment.text(locale));
     /// assert_eq!(text.map(|text| text.as_str()), Some("Mayor!"));

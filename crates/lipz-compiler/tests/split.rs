@@ -20,7 +20,8 @@ fn text_banks_answer_as_the_whole() {
     let mut text_count = 0;
     for ((tag, bytes), locale) in split.texts.iter().zip(bank.locales()) {
         assert_eq!(tag, bank.locale_tag(locale));
-        let base = base.with_texts(bytes).unwrap();
+        let mut base = base;
+        base.open_texts(bytes).unwrap();
         let own = base.locale(tag).unwrap();
         let is_default = base.default_locale() == Some(own);
         assert_eq!((base.locales().count(), is_default), (1, bank.default_locale() == Some(locale)));

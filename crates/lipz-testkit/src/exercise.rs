@@ -23,11 +23,12 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     assert!(!bank.is_verified());
     every_query(&bank, effort);
     // A whole bank is accepted as texts beside itself.
-    let with_texts = bank.with_texts_unverified(bytes).expect("they have one fingerprint");
+    let mut opened = bank;
+    opened.open_texts_unverified(bytes).expect("they have one fingerprint");
     stacked::every_query(&[bytes]);
     stacked::every_query(&[bytes, bytes]);
     if effort == Effort::All {
-        every_text_query(&with_texts);
+        every_text_query(&opened);
     }
     let tables = bank.verify_tables();
     match bank.verify() {
@@ -40,7 +41,8 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
             every_query(&bank, effort);
             verified_is_whole(&bank);
             if effort == Effort::All {
-                assert!(bank.with_texts(bytes).is_ok_and(|bank| every_text_query(&bank)));
+                let mut opened = bank;
+                assert!(opened.open_texts(bytes).is_ok() && every_text_query(&opened));
                 assert!(stacked::every_query_verified(&[bytes]) || bank.layer().is_some());
             }
             true

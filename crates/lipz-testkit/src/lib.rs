@@ -28,6 +28,8 @@ pub mod layouts;
 mod said;
 #[cfg(feature = "std")]
 pub mod stacked;
+#[cfg(feature = "std")]
+pub mod texts;
 #[cfg(feature = "tools")]
 pub mod tools;
 

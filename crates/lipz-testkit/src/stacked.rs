@@ -3,10 +3,17 @@
 use lipz_bank::files::{DialogueError, DialogueFile, Files, SetIndex};
 use lipz_bank::{Bank, ClipId, Dialogue, EventName, Locale, Voice};
 use std::hint::black_box;
+use std::mem::MaybeUninit;
 
 /// Makes a dialogue of these files without verifying them, and asks it everything; whether they fit. Panics only if an iterator
 /// gives more than it can have.
 pub fn every_query(contents: &[&[u8]]) -> bool {
+    if let [bytes] = contents {
+        let mut file = MaybeUninit::uninit();
+        if let Ok(dialogue) = Dialogue::open_bank(&mut file, bytes) {
+            every_query_of(&dialogue);
+        }
+    }
     let mut files = crate::dialogues::places(contents.len());
     match Dialogue::open_unverified(&mut files, contents.iter().copied()) {
         Ok(dialogue) => {
@@ -92,6 +99,11 @@ pub fn every_query_of(dialogue: &Dialogue<'_>) {
     let limit: usize = banks().map(Bank::length_bytes).sum();
     assert!(dialogue.bank(usize::MAX).is_none() && dialogue.clip_at(u32::MAX, 0).is_none());
     black_box((dialogue.face_profile("robot"), dialogue.default_face_profile()));
+    let missing = dialogue.missing_bank(ClipId::from_key("robot"));
+    assert!(
+        missing.is_none_or(|number| dialogue.bank(number).is_none())
+            && (dialogue.has_bank() || banks().next().is_none())
+    );
     black_box((dialogue.babble("robot").is_some(), dialogue.default_babble().name().len()));
     assert!(
         dialogue.babbles().take(limit + 1).count() <= limit

@@ -1,6 +1,7 @@
 //! Every tool that takes a bank, on banks that may be forged.
 
 use crate::dialogues::with;
+use crate::texts::with_texts;
 use lipz_bank::Bank;
 use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::stats::Stats;
@@ -27,7 +28,7 @@ pub fn is_used(bytes: &[u8], original: &[u8]) -> bool {
     let split = SplitBank::from_bytes(bytes).unwrap();
     let base = Bank::open(&split.base).unwrap().verify().unwrap();
     for (_, texts) in &split.texts {
-        base.with_texts(texts).unwrap();
+        with_texts(&base, texts).unwrap();
     }
     true
 }

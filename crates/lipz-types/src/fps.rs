@@ -51,9 +51,9 @@ impl Fps {
 
     #[allow(clippy::arithmetic_side_effects)] // numerator ≤ 1000 · denominator: fits 64 bits
     const fn with_reciprocal(numerator: u32, denominator: u32) -> Option<Fps> {
-        let micros = denominator as u128 * MICROS_PER_SECOND as u128;
-        let reciprocal = match (((numerator as u128) << 64) + micros - 1).checked_div(micros) {
-            Some(reciprocal) => reciprocal as u64,
+        let micros = denominator as u64 * MICROS_PER_SECOND;
+        let reciprocal = match reciprocal(numerator, micros) {
+            Some(reciprocal) => reciprocal,
             None => return None,
         };
         match StoredFps::from_parts(numerator, denominator, reciprocal) {
@@ -119,6 +119,36 @@ impl PartialOrd for Fps {
     }
 }
 
+/// ⌈2⁶⁴ · `frames` / `micros`⌉ of a quotient below 1; `None` if nothing is to divide by. Small processors do not divide 128 bits.
+const fn reciprocal(frames: u32, micros: u64) -> Option<u64> {
+    if cfg!(target_pointer_width = "64") { divided(frames, micros) } else { Some(long_divided(frames, micros)) }
+}
+
+/// The reciprocal by an instruction.
+#[allow(clippy::arithmetic_side_effects)] // 128 bits hold the sum
+const fn divided(frames: u32, micros: u64) -> Option<u64> {
+    match (((frames as u128) << 64) + micros as u128 - 1).checked_div(micros as u128) {
+        Some(reciprocal) => Some(reciprocal as u64),
+        None => None,
+    }
+}
+
+/// The reciprocal by long division, a bit at a time.
+#[allow(clippy::arithmetic_side_effects)] // the rest is less than the divisor, which has 52 bits
+const fn long_divided(frames: u32, micros: u64) -> u64 {
+    let (mut reciprocal, mut rest, mut bit) = (0_u64, frames as u64, 0);
+    while bit < 64 {
+        rest *= 2;
+        reciprocal <<= 1;
+        if rest >= micros {
+            rest -= micros;
+            reciprocal |= 1;
+        }
+        bit += 1;
+    }
+    reciprocal + (rest != 0) as u64
+}
+
 #[allow(clippy::arithmetic_side_effects)] // the divisor is not zero: it is the loop's condition
 pub(crate) const fn greatest_common_divisor(mut a: u32, mut b: u32) -> u32 {
     while b != 0 {
@@ -139,5 +169,20 @@ impl fmt::Display for Fps {
 impl fmt::Debug for Fps {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Fps({}/{})", self.numerator(), self.denominator())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_divisions_agree() {
+        for (numerator, denominator) in
+            [(1_u32, 1_u32), (24, 1), (1000, 1), (30_000, 1001), (2997, 125), (u32::MAX, 4_294_968)]
+        {
+            let micros = u64::from(denominator) * MICROS_PER_SECOND;
+            assert_eq!(divided(numerator, micros), Some(long_divided(numerator, micros)), "{numerator}/{denominator}");
+        }
     }
 }

@@ -55,7 +55,7 @@ pub use name::UnknownName;
 pub use position::Position;
 pub use stored_fps::StoredFps;
 pub use strength::Strength;
-pub use time::{Micros, Samples, Seconds, Time};
+pub use time::{AnyTime, Micros, Samples, Seconds, Time};
 pub use viseme::{Viseme, VisemeType};
 pub use weight::Weight;
 

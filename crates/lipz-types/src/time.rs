@@ -5,7 +5,7 @@ use crate::stored_fps::{LATEST_US, one_of};
 use crate::{Position, StoredFps};
 
 /// A point in time since the clip's audio began, in one of the units that audio engines report:
-/// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`].
+/// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`]; [`AnyTime`] if the unit is known only at run time.
 ///
 /// Every unit leads to the frame number of exact arithmetic, ⌊time · fps⌋ (Lipz specification,
 /// "Knowing which Viseme to Show"). Times before the start, after the end, infinite or not a number
@@ -19,7 +19,7 @@ pub trait Time: Copy + sealed::Sealed {
     #[doc(hidden)]
     fn has_begun(self) -> bool;
 
-    /// The time so much later, rounded up to the unit.
+    /// The time so much later: rounded up to the unit, and of floats to the nearest.
     #[doc(hidden)]
     fn later(self, us: u32) -> Self;
 
@@ -60,6 +60,7 @@ mod sealed {
     impl Sealed for super::Seconds<f32> {}
     impl Sealed for super::Seconds<f64> {}
     impl Sealed for core::time::Duration {}
+    impl Sealed for super::AnyTime {}
 }
 
 /// Microseconds since the clip's audio began. The fastest unit: no division, no loop.
@@ -192,12 +193,15 @@ impl Time for Seconds<f32> {
 
     #[inline]
     fn has_begun(self) -> bool {
-        self.0 >= 0.0
+        self.parts().is_some() || self.0.to_bits() == f32::INFINITY.to_bits()
     }
 
-    #[inline]
     fn later(self, us: u32) -> Self {
-        Seconds(self.0 + us as f32 / MICROS_PER_SECOND as f32)
+        let sum = self.parts().and_then(|(mantissa, shift)| later_float(mantissa, shift, us, f32::MANTISSA_DIGITS));
+        sum.map_or(self, |(mantissa, shift)| {
+            let exponent = 149_i32.wrapping_sub(shift) as u32;
+            Seconds(f32::from_bits((mantissa as u32).wrapping_add(exponent << 23)))
+        })
     }
 
     fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
@@ -230,12 +234,15 @@ impl Time for Seconds<f64> {
 
     #[inline]
     fn has_begun(self) -> bool {
-        self.0 >= 0.0
+        self.parts().is_some() || self.0.to_bits() == f64::INFINITY.to_bits()
     }
 
-    #[inline]
     fn later(self, us: u32) -> Self {
-        Seconds(self.0 + f64::from(us) / f64::from(MICROS_PER_SECOND))
+        let sum = self.parts().and_then(|(mantissa, shift)| later_float(mantissa, shift, us, f64::MANTISSA_DIGITS));
+        sum.map_or(self, |(mantissa, shift)| {
+            let exponent = 1074_i32.wrapping_sub(shift) as u64;
+            Seconds(f64::from_bits(mantissa.wrapping_add(exponent << 52)))
+        })
     }
 
     fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
@@ -263,6 +270,27 @@ fn frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -
     StoredFps::from_parts(1, fps.denominator(), 0)?.frame_at_units(frames, 1, frame_count)
 }
 
+/// The time `us` microseconds after `mantissa` · 2^−`shift` seconds, as a mantissa of so many digits and its shift. `None` if it is
+/// the same: from 2²³ seconds in single precision on, of which a unit in the last place is more than a second.
+///
+/// Without floating point: small processors have none, or only half of it.
+fn later_float(mantissa: u64, shift: i32, us: u32, digits: u32) -> Option<(u64, i32)> {
+    /// ⌈2⁹⁶ / 10⁶⌉
+    const MICRO_Q96: u128 = (1_u128 << 96) / MICROS_PER_SECOND as u128 + 1;
+    if shift < 0 || us == 0 {
+        return None;
+    }
+    // In units of 2^−64 seconds: fewer than 118 bits, of which the lowest are rounded away.
+    let time = if shift < 128 { u128::from(mantissa) << 64 >> shift } else { 0 };
+    let sum = time.wrapping_add(u128::from(us).wrapping_mul(MICRO_Q96) >> 32);
+    let excess = 128_i32.wrapping_sub(sum.leading_zeros() as i32).wrapping_sub(digits as i32);
+    let rounded = match excess {
+        1.. => (sum >> excess.wrapping_sub(1)).wrapping_add(1) >> 1,
+        _ => sum << excess.unsigned_abs(),
+    };
+    Some((rounded as u64, 64_i32.wrapping_sub(excess)))
+}
+
 /// What is left of (`mantissa` + 2) · 2^−`shift` seconds after the frames before `frame`, in 65,536ths of the time that a
 /// numerator of frames takes.
 fn rest_of_float(mantissa: u64, shift: i32, frame: u32, fps: StoredFps) -> (u64, u64) {
@@ -275,4 +303,59 @@ fn rest_of_float(mantissa: u64, shift: i32, frame: u32, fps: StoredFps) -> (u64,
     };
     let whole = u64::from(fps.denominator()) << 16;
     ((shifted as u64).wrapping_sub(whole.wrapping_mul(u64::from(frame))), whole)
+}
+
+/// A time in a unit that is known only at run time: of an engine's clock, or from a program in another language.
+///
+/// It leads to the same frames as the time in it, through code that is there once for all units.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum AnyTime {
+    /// Microseconds.
+    Micros(Micros),
+    /// Samples.
+    Samples(Samples),
+    /// Seconds in single precision.
+    SecondsF32(Seconds<f32>),
+    /// Seconds in double precision.
+    SecondsF64(Seconds<f64>),
+}
+
+impl Time for AnyTime {
+    #[inline(never)]
+    fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
+        match self {
+            AnyTime::Micros(time) => time.frame(fps, frame_count),
+            AnyTime::Samples(time) => time.frame(fps, frame_count),
+            AnyTime::SecondsF32(time) => time.frame(fps, frame_count),
+            AnyTime::SecondsF64(time) => time.frame(fps, frame_count),
+        }
+    }
+
+    fn has_begun(self) -> bool {
+        match self {
+            AnyTime::Micros(time) => time.has_begun(),
+            AnyTime::Samples(time) => time.has_begun(),
+            AnyTime::SecondsF32(time) => time.has_begun(),
+            AnyTime::SecondsF64(time) => time.has_begun(),
+        }
+    }
+
+    #[inline(never)]
+    fn later(self, us: u32) -> Self {
+        match self {
+            AnyTime::Micros(time) => AnyTime::Micros(time.later(us)),
+            AnyTime::Samples(time) => AnyTime::Samples(time.later(us)),
+            AnyTime::SecondsF32(time) => AnyTime::SecondsF32(time.later(us)),
+            AnyTime::SecondsF64(time) => AnyTime::SecondsF64(time.later(us)),
+        }
+    }
+
+    fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
+        match self {
+            AnyTime::Micros(time) => time.since_start_of(frame, fps),
+            AnyTime::Samples(time) => time.since_start_of(frame, fps),
+            AnyTime::SecondsF32(time) => time.since_start_of(frame, fps),
+            AnyTime::SecondsF64(time) => time.since_start_of(frame, fps),
+        }
+    }
 }

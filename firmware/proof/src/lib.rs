@@ -7,6 +7,7 @@
 #![no_std]
 
 use core::hash::{Hash, Hasher};
+use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
 use lipz_bank::babble::{Babble, VoiceLevel, Weight};
 use lipz_bank::curve::{CurveCursor, CurveValue};
@@ -118,9 +119,11 @@ fn asked<'a>(name: &'a str, number: u32, named: Option<EventName<'a>>) -> Asked<
 }
 
 fn texts_asked(bank: Bank<'_>, texts: &[u8], name: &str, number: u32, see: See) {
-    for with_texts in [bank.with_texts_unverified(texts), bank.with_texts(texts)] {
-        match with_texts {
-            Ok(bank) => bank_asked(&bank, name, number, see),
+    let (mut unverified, mut verified) = (bank, bank);
+    let opened = [unverified.open_texts_unverified(texts), verified.open_texts(texts)];
+    for (bank, opened) in [unverified, verified].iter().zip(opened) {
+        match opened {
+            Ok(()) => bank_asked(bank, name, number, see),
             Err(error) => see_error(see, error),
         }
     }
@@ -191,6 +194,12 @@ fn dialogues_asked(contents: &[&[u8]], name: &str, number: u32, see: See) {
     see_opened(Dialogue::open(&mut [DialogueFile::ABSENT; FILES], contents.iter().copied()));
     see_opened(Dialogue::open_with(&mut [DialogueFile::ABSENT; FILES], contents.iter().copied(), core_utf8));
     see_opened(Dialogue::open_unverified(&mut [DialogueFile::ABSENT; FILES], contents.iter().copied()));
+    if let Some(bytes) = contents.first() {
+        match Dialogue::open_bank(&mut MaybeUninit::uninit(), bytes) {
+            Ok(dialogue) => dialogue_asked(&dialogue, name, number, see),
+            Err(error) => see_error(see, error),
+        }
+    }
     let mut files = [DialogueFile::ABSENT; FILES];
     for at in 0..FILES.min(contents.len()) {
         let opened = contents.get(at).map(|bytes| DialogueFile::open(bytes, at));
@@ -218,6 +227,7 @@ fn dialogues_asked(contents: &[&[u8]], name: &str, number: u32, see: See) {
 fn dialogue_asked(dialogue: &Dialogue<'_>, name: &str, number: u32, see: See) {
     see(dialogue.clip_count() as u64 ^ u64::from(dialogue.version()));
     see(dialogue.set_index().map_or(0, |index| index.checksum()));
+    see(u64::from(dialogue.has_bank()) | dialogue.missing_bank(ClipId::from_key(name)).map_or(0, |at| at as u64) << 1);
     for at in (0..dialogue.file_count()).chain([number as usize]) {
         if let Some(file) = dialogue.file(at) {
             see(file.length_bytes() as u64 ^ file.checksum() ^ file.kind() as u64);

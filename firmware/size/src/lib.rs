@@ -25,8 +25,13 @@ fn status<T>(result: Result<T, Error>, place: &mut Place<T>) -> u32 {
             place.write(value);
             0
         }
-        Err(error) => error.kind() as u32 | error.offset_bytes() << 8,
+        Err(error) => number(error),
     }
+}
+
+/// An error, other than 0.
+fn number(error: Error) -> u32 {
+    error.kind() as u32 | error.offset_bytes() << 8
 }
 
 fn answer<T>(value: Option<T>, place: &mut Place<T>) -> bool {
@@ -45,7 +50,7 @@ fn size_verify(bank: &mut Bank<'_>) -> u32 {
             *bank = verified;
             0
         }
-        Err(error) => error.kind() as u32 | error.offset_bytes() << 8,
+        Err(error) => number(error),
     }
 }
 
@@ -56,7 +61,7 @@ fn size_verify_lines(bank: &mut Bank<'_>) -> u32 {
             *bank = verified;
             0
         }
-        Err(error) => error.kind() as u32 | error.offset_bytes() << 8,
+        Err(error) => number(error),
     }
 }
 
@@ -117,13 +122,13 @@ fn size_event_name(bank: &Bank<'_>, name: &str) -> u32 {
 }
 
 #[no_mangle]
-fn size_open_texts<'a>(bank: &Bank<'a>, bytes: &'a [u8], place: &mut Place<Bank<'a>>) -> u32 {
-    status(bank.with_texts_unverified(bytes), place)
+fn size_open_texts<'a>(bank: &mut Bank<'a>, bytes: &'a [u8]) -> u32 {
+    bank.open_texts_unverified(bytes).map_or_else(number, |()| 0)
 }
 
 #[no_mangle]
-fn size_verify_texts<'a>(bank: &Bank<'a>, bytes: &'a [u8], place: &mut Place<Bank<'a>>) -> u32 {
-    status(bank.with_texts(bytes), place)
+fn size_verify_texts<'a>(bank: &mut Bank<'a>, bytes: &'a [u8]) -> u32 {
+    bank.open_texts(bytes).map_or_else(number, |()| 0)
 }
 
 #[no_mangle]

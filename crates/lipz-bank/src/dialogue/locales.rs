@@ -2,7 +2,7 @@
 
 use super::file::Contents;
 use super::stack::{Level, Place};
-use super::{Base, Dialogue, Layer};
+use super::{Answers, Base, Dialogue, Layer};
 use crate::locale::LocaleTable;
 use crate::text::FoundText;
 use crate::{Bank, Locale};
@@ -33,6 +33,13 @@ impl<'a> Dialogue<'a> {
     /// Clips of files that do not have it show the text of the locale that stands in for it, marked as a
     /// [fallback](crate::Text::is_fallback).
     pub fn locale(&self, tag: &str) -> Option<Locale> {
+        match self.answers {
+            Answers::Alone(bank) => bank.locale(tag),
+            Answers::Together(queries) => (queries.locale)(self, tag),
+        }
+    }
+
+    pub(super) fn locale_in_files(&self, tag: &str) -> Option<Locale> {
         let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
         let mut found = None;
         for level in &mut patches {
@@ -48,7 +55,14 @@ impl<'a> Dialogue<'a> {
     /// The default locale: that of the topmost file that says which one it is. Of a bank without locales, the text banks next to
     /// it say it.
     pub fn default_locale(&self) -> Option<Locale> {
-        let bank = self.that_says(|layer| layer.has(LAYER_DEFAULT_LOCALE))?;
+        match self.answers {
+            Answers::Alone(bank) => bank.default_locale(),
+            Answers::Together(queries) => (queries.default_locale)(self),
+        }
+    }
+
+    pub(super) fn default_locale_in_files(&self) -> Option<Locale> {
+        let bank = self.that_says(LAYER_DEFAULT_LOCALE)?;
         let number = bank.number as usize;
         let level = Level { number, file: self.bank_file(number)?, layer: None };
         let tag = self.tables_of(level).find_map(|table| table.locales.tag(table.locales.default_index()?))?;
@@ -63,7 +77,10 @@ impl<'a> Dialogue<'a> {
     /// The tag of a locale, as in `text_en-us` of a Lipz file: `en-us`. Empty for a locale of another dialogue, and in a damaged
     /// file.
     pub fn locale_tag(&self, locale: Locale) -> &'a str {
-        self.list_of(locale).and_then(|table| table.tag(usize::from(locale.index))).unwrap_or("")
+        match self.answers {
+            Answers::Alone(bank) => bank.locale_tag(locale),
+            Answers::Together(queries) => (queries.locale_tag)(self, locale),
+        }
     }
 
     /// The tags of all locales, each once: those of the topmost file come first.
@@ -206,7 +223,7 @@ impl<'a> Dialogue<'a> {
     }
 
     /// The list that a locale counts in; `None` for one of another dialogue.
-    fn list_of(&self, locale: Locale) -> Option<&'a LocaleTable<'a>> {
+    pub(super) fn list_of(&self, locale: Locale) -> Option<&'a LocaleTable<'a>> {
         let (table, list) = match &self.files.file(usize::from(locale.file))?.contents {
             Contents::Bank(file) => (&file.bank.texts, file.bank.locale_list),
             Contents::Texts(texts) => (&texts.table, texts.locale_list),

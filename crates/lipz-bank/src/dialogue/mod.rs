@@ -23,9 +23,11 @@ use crate::set_index::SetIndex;
 use crate::verify::Utf8;
 use crate::{Bank, Clip, ClipId, Error, ErrorKind, EventName};
 use core::fmt;
+use core::mem::MaybeUninit;
 use file::{BankFile, Contents, FilesRef};
-use lipz_layout::U64;
-use queries::{QUERIES, Queries};
+use lipz_layout::{Tag, U64};
+use queries::QUERIES;
+pub(crate) use queries::Queries;
 
 /// Patches that a dialogue has room for.
 pub(crate) const MAX_PATCHES: usize = 15;
@@ -56,8 +58,7 @@ pub(crate) const MAX_PATCHES: usize = 15;
 #[derive(Clone, Copy)]
 pub struct Dialogue<'a> {
     files: FilesRef<'a>,
-    /// The queries of clips, in a table: a program that opens no dialogue has none of their code.
-    pub(crate) queries: &'static Queries,
+    answers: Answers<'a>,
     base: Base<'a>,
     /// The patch that is the nearest to the base, and so on.
     patches: [Option<&'a BankFile<'a>>; MAX_PATCHES],
@@ -70,6 +71,15 @@ pub struct Dialogue<'a> {
     removes_locales: bool,
 }
 
+/// What answers queries.
+#[derive(Clone, Copy)]
+pub(crate) enum Answers<'a> {
+    /// The bank that is the only file, by itself.
+    Alone(&'a Bank<'a>),
+    /// All files together. Their queries are in a table: a program that opens one bank has none of their code.
+    Together(&'static Queries),
+}
+
 /// What patches are over.
 #[derive(Clone, Copy)]
 enum Base<'a> {
@@ -80,6 +90,7 @@ enum Base<'a> {
 }
 
 /// Where a clip is.
+#[derive(Clone, Copy)]
 struct Found<'a> {
     bank: &'a Bank<'a>,
     /// The slot in the lower half, and in the upper one whether its texts are there, too: two registers for all.
@@ -129,6 +140,24 @@ impl<'a> Dialogue<'a> {
         utf8: fn(&'a [u8]) -> Option<&'a str>,
     ) -> Result<Dialogue<'a>, DialogueError> {
         Dialogue::open_each(files, contents, Some(utf8))
+    }
+
+    /// Opens the one bank that fills `bytes`, without verifying it, and puts it into `file`: for firmware, whose bank was verified
+    /// when it was packed. A program that opens dialogues only in this way has no code for patches, sets, text banks and checks.
+    ///
+    /// # Errors
+    /// As [`Bank::open`]; [`ErrorKind::OtherBase`] for a patch.
+    pub fn open_bank(file: &'a mut MaybeUninit<DialogueFile<'a>>, bytes: &'a [u8]) -> Result<Dialogue<'a>, Error> {
+        let bank = Bank::open(bytes)?;
+        if bank.file.entry(Tag::LAYER).is_some() {
+            return Err(Error::new(ErrorKind::OtherBase, 0));
+        }
+        let file: &'a DialogueFile<'a> =
+            file.write(DialogueFile { contents: Contents::Bank(BankFile { bank, layer: None }) });
+        match &file.contents {
+            Contents::Bank(base) => Ok(Dialogue::alone(FilesRef::Slice(core::slice::from_ref(file)), base)),
+            _ => Err(Error::new(ErrorKind::OtherBase, 0)),
+        }
     }
 
     /// Like [`Dialogue::open`], without verifying anything, in a time that does not depend on the number of clips. Each text is
@@ -206,16 +235,10 @@ impl<'a> Dialogue<'a> {
         if files.count() > usize::from(u16::MAX) {
             return Err(failed(files.count(), ErrorKind::LayerCount));
         }
-        let mut dialogue = Dialogue {
-            files,
-            queries: &QUERIES,
-            base,
-            patches: [None; MAX_PATCHES],
-            filters: [&[]; MAX_PATCHES],
-            patch_count: 0,
-            origin: Origin::NONE,
-            removes_locales: false,
-        };
+        if let (Base::Bank(bank), 1) = (&base, files.count()) {
+            return Ok(Dialogue::alone(files, bank));
+        }
+        let mut dialogue = Dialogue::with_base(files, Answers::Together(&QUERIES), base, Origin::NONE);
         dialogue.check_base()?;
         let mut hash = first.checksum();
         for number in dialogue.behind_base()..files.count() {
@@ -235,6 +258,26 @@ impl<'a> Dialogue<'a> {
         }
         dialogue.origin = Origin::of_hash(hash);
         Ok(dialogue)
+    }
+
+    /// The dialogue of one bank.
+    fn alone(files: FilesRef<'a>, file: &'a BankFile<'a>) -> Dialogue<'a> {
+        Dialogue::with_base(files, Answers::Alone(&file.bank), Base::Bank(file), file.bank.origin)
+    }
+
+    /// A dialogue without patches.
+    fn with_base(files: FilesRef<'a>, answers: Answers<'a>, base: Base<'a>, origin: Origin) -> Dialogue<'a> {
+        let (patches, filters) = ([None; MAX_PATCHES], [&[] as &[U64]; MAX_PATCHES]);
+        Dialogue { files, answers, base, patches, filters, patch_count: 0, origin, removes_locales: false }
+    }
+
+    /// The queries of clips, if the dialogue is more than one bank.
+    #[inline]
+    pub(crate) fn queries(&self) -> Option<&'static Queries> {
+        match self.answers {
+            Answers::Alone(_) => None,
+            Answers::Together(queries) => Some(queries),
+        }
     }
 
     /// Checks that the banks of a set that are there are those that its index names.
@@ -302,8 +345,7 @@ impl<'a> Dialogue<'a> {
     /// The clip with this id, of the topmost file that has it; `None` if none does, or one above removes it.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'_>> {
-        let found = self.find(id)?;
-        Clip::new(found.bank, found.slot(), Some(self), found.has_texts())
+        self.found_clip(self.find(id)?)
     }
 
     /// The clip with this key, compared whole.
@@ -311,15 +353,30 @@ impl<'a> Dialogue<'a> {
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'_>> {
         let found = self.find(ClipId::from_key(key))?;
         let record = found.bank.keys.get(found.slot() as usize)?;
-        if found.bank.key_bytes(record)? != key.as_bytes() {
-            return None;
-        }
+        if found.bank.key_bytes(record)? == key.as_bytes() { self.found_clip(found) } else { None }
+    }
+
+    /// The clip that was found.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // short code where memory is scarce
+    fn found_clip(&self, found: Found<'a>) -> Option<Clip<'_>> {
         Clip::new(found.bank, found.slot(), Some(self), found.has_texts())
     }
 
     /// Where the clip with this id is.
     #[inline(always)] // a place in registers
     fn find(&self, id: ClipId) -> Option<Found<'a>> {
+        match self.answers {
+            // Where code is cheap, without a question and a call.
+            _ if cfg!(target_pointer_width = "64") => self.find_in_files(id),
+            Answers::Alone(bank) => Some(Found::new(bank, bank.find(id)?.0, true)),
+            Answers::Together(queries) => (queries.find)(self, id),
+        }
+    }
+
+    /// Where the clip with this id is, of the topmost file that has it.
+    #[inline(always)] // a place in registers
+    fn find_in_files(&self, id: ClipId) -> Option<Found<'a>> {
         if self.patch_count != 0 && self.may_be_patched(id) {
             return self.find_patched(id);
         }
@@ -343,22 +400,46 @@ impl<'a> Dialogue<'a> {
     /// keep numbers and not clips.
     #[inline]
     pub fn clip_at(&self, file: u32, slot: u32) -> Option<Clip<'_>> {
-        let clip = Clip::new(self.bank(file as usize)?, slot, Some(self), true)?;
-        if self.patch_count != 0 && self.may_be_patched(clip.id()) {
-            return self.patched_clip_at(clip);
+        match self.answers {
+            Answers::Alone(bank) if file == 0 => self.found_clip(Found::new(bank, slot, true)),
+            Answers::Alone(_) => None,
+            Answers::Together(queries) => self.found_clip((queries.find_at)(self, file, slot)?),
         }
-        Some(clip)
     }
 
     /// The name that events mention, spelled as there (`amy`); `None` if no event of any file does.
     pub fn event_name(&self, name: &str) -> Option<EventName<'_>> {
-        let mut banks = (0..self.files.count()).filter_map(|number| self.bank(number));
-        banks.find_map(|bank| bank.event_name(name))
+        match self.answers {
+            Answers::Alone(bank) => bank.event_name(name),
+            Answers::Together(queries) => (queries.event_name)(self, name),
+        }
     }
 
     /// The name of [`EventName::to_words`]; `None` if it is from another dialogue.
     pub fn event_name_of_words(&self, words: [u32; 2]) -> Option<EventName<'_>> {
-        self.name(NameKey::from_words(words))
+        let key = NameKey::from_words(words);
+        match self.answers {
+            Answers::Alone(bank) if bank.origin == key.bank => EventName::numbered(bank, key.id),
+            Answers::Alone(_) => None,
+            Answers::Together(queries) => (queries.name)(self, key),
+        }
+    }
+
+    /// Whether the base is there: a set may be opened before any of its banks.
+    pub fn has_bank(&self) -> bool {
+        match self.answers {
+            Answers::Alone(_) => true,
+            Answers::Together(queries) => (queries.has_bank)(self),
+        }
+    }
+
+    /// The number of the file that is not there and would have the clip with this id: of a bank of a set. `None` if no file could
+    /// have it.
+    pub fn missing_bank(&self, id: ClipId) -> Option<usize> {
+        match self.answers {
+            Answers::Alone(_) => None,
+            Answers::Together(queries) => (queries.missing_bank)(self, id),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Profiles of babble and of faces in a dialogue: those of one of its banks.
 
-use super::Dialogue;
+use super::{Answers, Dialogue};
 use crate::Bank;
 use crate::babble::Babble;
 use crate::face::FaceProfile;
@@ -19,7 +19,7 @@ impl<'a> Dialogue<'a> {
 
     /// All babble profiles, in the order of their names.
     pub fn babbles(&self) -> impl Iterator<Item = Babble<'a>> + Clone + '_ {
-        self.bank_of_babble().into_iter().flat_map(Bank::babbles)
+        Babble::all(self.bank_of_babble())
     }
 
     /// The face profile with this name, of the topmost file that says something about profiles.
@@ -34,14 +34,21 @@ impl<'a> Dialogue<'a> {
 
     /// All face profiles, in the order of their names.
     pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'a>> + Clone + '_ {
-        self.bank_of_faces().into_iter().flat_map(Bank::face_profiles)
+        FaceProfile::all(self.bank_of_faces())
     }
 
     fn bank_of_babble(&self) -> Option<&'a Bank<'a>> {
-        self.that_says(|layer| layer.has(LAYER_BABBLE))
+        self.bank_that_says(LAYER_BABBLE)
     }
 
     fn bank_of_faces(&self) -> Option<&'a Bank<'a>> {
-        self.that_says(|layer| layer.has(LAYER_FACES))
+        self.bank_that_says(LAYER_FACES)
+    }
+
+    fn bank_that_says(&self, flag: u32) -> Option<&'a Bank<'a>> {
+        match self.answers {
+            Answers::Alone(bank) => Some(bank),
+            Answers::Together(queries) => (queries.that_says)(self, flag),
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! What a clip asks of the dialogue that it was found in.
 
-use super::Dialogue;
+use super::{Answers, Dialogue, Found};
 use crate::event::NameKey;
 use crate::text::FoundText;
-use crate::{Bank, Clip, EventName, Locale, Text, Voice, VoicedClip};
+use crate::{Bank, Clip, ClipId, EventName, Locale, Text, Voice, VoicedClip};
 use lipz_layout::ClipRecord;
 
 /// A query for the text of the segment with an index, of the clip with a record of a bank, which may have its texts there.
@@ -12,12 +12,24 @@ type TextQuery = for<'a> fn(&'a Dialogue<'a>, &'a Bank<'a>, &'a ClipRecord, (u32
 type FindTextQuery =
     for<'a> fn(&'a Dialogue<'a>, &'a Bank<'a>, &'a ClipRecord, (u32, bool), Locale) -> Option<FoundText<'a>>;
 
-/// The queries of a clip that its dialogue answers.
+/// What the files of a dialogue answer together.
 pub(crate) struct Queries {
+    /// Where the clip with an id is.
+    pub(super) find: for<'a> fn(&Dialogue<'a>, ClipId) -> Option<Found<'a>>,
+    /// The clip in a file and a slot, and whether its texts are there, too.
+    pub(super) find_at: for<'a> fn(&Dialogue<'a>, u32, u32) -> Option<Found<'a>>,
+    pub(super) locale: fn(&Dialogue<'_>, &str) -> Option<Locale>,
+    pub(super) default_locale: fn(&Dialogue<'_>) -> Option<Locale>,
+    /// The bank that says what a flag of layers is about.
+    pub(super) that_says: for<'a> fn(&Dialogue<'a>, u32) -> Option<&'a Bank<'a>>,
+    pub(super) has_bank: fn(&Dialogue<'_>) -> bool,
+    pub(super) missing_bank: fn(&Dialogue<'_>, ClipId) -> Option<usize>,
+    pub(super) event_name: for<'a> fn(&Dialogue<'a>, &str) -> Option<EventName<'a>>,
+    pub(super) locale_tag: for<'a> fn(&Dialogue<'a>, Locale) -> &'a str,
     /// The text of the segment with this index of a clip, which may have its texts in its bank.
-    pub(crate) text: TextQuery,
+    text: TextQuery,
     /// The same, not checked to be UTF-8.
-    pub(crate) find_text: FindTextQuery,
+    find_text: FindTextQuery,
     /// The name that a cursor has kept.
     pub(crate) name: for<'a> fn(&'a Dialogue<'a>, NameKey) -> Option<EventName<'a>>,
     /// The clip as it is played in a voice.
@@ -30,6 +42,17 @@ pub(crate) struct Queries {
 
 /// The only ones.
 pub(super) static QUERIES: Queries = Queries {
+    find: |dialogue, id| dialogue.find_in_files(id),
+    find_at: |dialogue, file, slot| dialogue.find_at(file, slot),
+    that_says: |dialogue, flag| dialogue.that_says(flag),
+    has_bank: |dialogue| dialogue.banks().next().is_some(),
+    missing_bank: |dialogue, id| dialogue.missing_bank_in_files(id),
+    event_name: |dialogue, name| dialogue.banks().find_map(|bank| bank.event_name(name)),
+    locale: |dialogue, tag| dialogue.locale_in_files(tag),
+    default_locale: |dialogue| dialogue.default_locale_in_files(),
+    locale_tag: |dialogue, locale| {
+        dialogue.list_of(locale).and_then(|list| list.tag(usize::from(locale.index))).unwrap_or("")
+    },
     text: |dialogue, bank, record, segment, locale| dialogue.text_of(bank, record, segment, locale)?.text(),
     find_text: |dialogue, bank, record, segment, locale| dialogue.text_of(bank, record, segment, locale),
     name: |dialogue, key| dialogue.name(key),
@@ -39,6 +62,41 @@ pub(super) static QUERIES: Queries = Queries {
 };
 
 impl<'a> Dialogue<'a> {
+    /// The text of the segment with this index of a clip, which may have its texts in its bank.
+    #[inline(never)] // out of the way of clips of a bank
+    pub(crate) fn text(
+        &'a self,
+        bank: &'a Bank<'a>,
+        record: &'a ClipRecord,
+        segment: (u32, bool),
+        locale: Locale,
+    ) -> Option<Text<'a>> {
+        match self.answers {
+            Answers::Alone(bank) => bank.text_of(record, segment.0, locale)?.text(),
+            Answers::Together(queries) => (queries.text)(self, bank, record, segment, locale),
+        }
+    }
+
+    /// The same, not checked to be UTF-8.
+    #[inline(never)]
+    pub(crate) fn find_text(
+        &'a self,
+        bank: &'a Bank<'a>,
+        record: &'a ClipRecord,
+        segment: (u32, bool),
+        locale: Locale,
+    ) -> Option<FoundText<'a>> {
+        match self.answers {
+            Answers::Alone(bank) => bank.text_of(record, segment.0, locale),
+            Answers::Together(queries) => (queries.find_text)(self, bank, record, segment, locale),
+        }
+    }
+
+    /// The banks that are there.
+    fn banks(&self) -> impl Iterator<Item = &'a Bank<'a>> + '_ {
+        (0..self.files.count()).filter_map(move |number| self.bank(number))
+    }
+
     /// The name that a cursor has kept, if it is one of these banks.
     pub(super) fn name(&self, key: NameKey) -> Option<EventName<'a>> {
         let mut open = (0..self.files.count()).filter_map(|number| self.files.file_if_open(number)?.bank());

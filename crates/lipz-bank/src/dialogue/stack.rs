@@ -3,7 +3,7 @@
 use super::file::{BankFile, TextFile};
 use super::{Base, Dialogue, DialogueError, Found, Layer, MAX_PATCHES};
 use crate::set_index::SetIndex;
-use crate::{Bank, Clip, ClipId, Error, ErrorKind};
+use crate::{Bank, ClipId, Error, ErrorKind};
 use lipz_layout::{U64, shard_of};
 
 /// The filter of a patch that has none: it may say something about every id.
@@ -127,12 +127,13 @@ impl<'a> Dialogue<'a> {
         Some(Found::new(self.bank(place.file as usize)?, place.slot, texts == clip))
     }
 
-    /// The same clip, with its texts here or elsewhere.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn patched_clip_at<'d>(&'d self, clip: Clip<'d>) -> Option<Clip<'d>> {
-        let place = Place { file: clip.file(), slot: clip.slot() };
-        Clip::new(clip.bank, place.slot, Some(self), self.places(clip.id()).texts == Some(place))
+    /// The clip in this place, with its texts there or elsewhere.
+    pub(super) fn find_at(&self, file: u32, slot: u32) -> Option<Found<'a>> {
+        let bank = self.bank(file as usize)?;
+        let id = ClipId::from_u64(bank.keys.get(slot as usize)?.id.get());
+        let is_patched = self.patch_count != 0 && self.may_be_patched(id);
+        let has_texts = !is_patched || self.places(id).texts == Some(Place { file, slot });
+        Some(Found::new(bank, slot, has_texts))
     }
 
     /// Where the clip with this id is, and where its texts are.
@@ -206,10 +207,20 @@ impl<'a> Dialogue<'a> {
         None
     }
 
-    /// The topmost patch about which `says` holds, or the base, of a set the first bank that is there.
-    pub(super) fn that_says(&self, says: impl Fn(&Layer<'_>) -> bool) -> Option<&'a Bank<'a>> {
+    /// The number of the file that would have the clip with this id, if that is a bank of a set which is not there.
+    pub(super) fn missing_bank_in_files(&self, id: ClipId) -> Option<usize> {
+        let mut patches = (0..self.patch_count).filter_map(|patch| self.patch(patch)?.layer);
+        if patches.any(|layer| layer.removes(id)) {
+            return None;
+        }
+        let number = self.set_index()?.bank_of(id).saturating_add(1);
+        if self.bank(number).is_none() { Some(number) } else { None }
+    }
+
+    /// The topmost patch with this flag, or the base, of a set the first bank that is there.
+    pub(super) fn that_says(&self, flag: u32) -> Option<&'a Bank<'a>> {
         let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
-        match patches.find(|level| level.layer.map_or(false, &says)) {
+        match patches.find(|level| level.layer.map_or(false, |layer| layer.has(flag))) {
             Some(level) => Some(&level.file.bank),
             None => Some(&self.base_levels().next()?.file.bank),
         }

@@ -175,8 +175,10 @@ fn named_pose<'m>(before: Option<Curve<'m>>, curve: Curve<'m>) -> Option<Curve<'
 }
 
 /// Whole milliseconds since the start; 0 before it, and as many as fit after 49 days.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))] // needed twice
 fn milliseconds<T: Time>(time: T) -> u64 {
-    match time.frame(Fps::whole(1000), u32::MAX) {
+    const MILLISECONDS: Fps = Fps::whole(1000);
+    match time.frame(MILLISECONDS, u32::MAX) {
         Some(ms) => u64::from(ms),
         None if time.has_begun() => u64::from(u32::MAX),
         None => 0,

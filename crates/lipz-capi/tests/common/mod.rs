@@ -121,7 +121,7 @@ pub(crate) fn text_of(string: String) -> &'static str {
 }
 
 pub(crate) fn micros(us: i64) -> Time {
-    Time { count: us, seconds: 0.0, rate_hz: 0, reserved: 0 }
+    Time { count: us, rate_hz: 0, reserved: 0 }
 }
 
 pub(crate) fn samples(position: i64, rate_hz: u32) -> Time {
@@ -129,11 +129,11 @@ pub(crate) fn samples(position: i64, rate_hz: u32) -> Time {
 }
 
 pub(crate) fn seconds(seconds: f64) -> Time {
-    Time { seconds, rate_hz: LIPZ_SECONDS, ..micros(0) }
+    Time { count: seconds.to_bits() as i64, rate_hz: LIPZ_SECONDS, reserved: 0 }
 }
 
 pub(crate) fn seconds_f32(seconds: f32) -> Time {
-    Time { seconds: seconds.into(), rate_hz: LIPZ_SECONDS_F32, ..micros(0) }
+    Time { count: seconds.to_bits().into(), rate_hz: LIPZ_SECONDS_F32, reserved: 0 }
 }
 
 /// The name, unless there is none.

@@ -96,9 +96,9 @@ fn split_locales_are_files_of_their_own() {
     assert_eq!(names, expected);
     let read = |name: &str| fs::read(scene.path().join("out").join(name)).unwrap();
     let (base, german) = (read("dialogue.lipzbank"), read("dialogue.de-de.lipztexts"));
-    let bank = Bank::open(&base).unwrap().verify().unwrap();
+    let mut bank = Bank::open(&base).unwrap().verify().unwrap();
     assert!(bank.locale("de-de").is_none());
-    assert!(bank.with_texts(&german).is_ok());
+    assert!(bank.open_texts(&german).is_ok());
     let (lines, names) = run(scene.path(), |build| build.split_locales(true), &[("no.lipz", "")]);
     assert!(lines.contains("cargo::error="), "{lines}");
     assert_eq!(names, expected, "what was there stays");

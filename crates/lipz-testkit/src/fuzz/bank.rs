@@ -3,6 +3,7 @@
 use crate::exercise::{Effort, every_text_query, provoke};
 use crate::golden::{SMALL, reseal, verified};
 use crate::stacked::{every_query, every_query_verified};
+use crate::texts::{with_texts, with_texts_unverified};
 use lipz_bank::Bank;
 use lipz_bank::files::{DialogueFile, FileKind};
 use lipz_layout::Header;
@@ -21,16 +22,16 @@ pub fn text_bank(bytes: &[u8]) {
     let banks = [Bank::open(SMALL).expect("a golden bank"), verified_bank];
     for bytes in [bytes, &sealed(bytes)] {
         for bank in &banks {
-            let Ok(with_texts) = bank.with_texts_unverified(bytes) else { continue };
-            every_text_query(&with_texts);
-            let verified = bank.with_texts(bytes);
-            if let Ok(with_texts) = verified {
-                assert!(bank.is_verified() && every_text_query(&with_texts), "a verified text bank lacks texts");
+            let Ok(opened) = with_texts_unverified(bank, bytes) else { continue };
+            every_text_query(&opened);
+            let verified = with_texts(bank, bytes);
+            if let Ok(opened) = verified {
+                assert!(bank.is_verified() && every_text_query(&opened), "a verified text bank lacks texts");
             }
             // In a dialogue the same holds.
             every_query(&[SMALL, bytes]);
             let is_texts = DialogueFile::open(bytes, 1).is_ok_and(|file| file.kind() == FileKind::Texts);
-            let is_right = verified_bank.with_texts(bytes).is_ok();
+            let is_right = with_texts(&verified_bank, bytes).is_ok();
             assert_eq!(every_query_verified(&[SMALL, bytes]), is_texts && is_right);
         }
     }

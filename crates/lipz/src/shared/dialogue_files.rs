@@ -131,8 +131,8 @@ impl DialogueFiles {
 
 /// The locales of a text bank of one of these banks.
 pub(crate) fn tags_of(file: &BankFile, banks: &[DialogueFile<'_>]) -> Vec<String> {
-    let mut banks = banks.iter().filter_map(DialogueFile::bank);
-    let with_texts = banks.find_map(|bank| bank.with_texts_unverified(file.bytes()).ok());
+    let mut banks = banks.iter().filter_map(DialogueFile::bank).copied();
+    let with_texts = banks.find_map(|mut bank| bank.open_texts_unverified(file.bytes()).ok().map(|()| bank));
     let tags = with_texts.iter().flat_map(|bank| bank.locales().map(|locale| bank.locale_tag(locale).to_owned()));
     tags.collect()
 }

@@ -155,6 +155,8 @@ test("a clip with errors is shown as far as it is right, and mended", { timeout:
   await page.key("a", "control");
   await page.key("Backspace");
   await page.key("Enter");
+  // The list of problems becomes shorter, and what is below it moves.
+  await page.until("preview.then(async ({ player }) => (await player.settled, true))");
   await page.click('[data-name="text_en-us"][data-at="1"]');
   await page.type("Two.");
   await page.key("Enter");

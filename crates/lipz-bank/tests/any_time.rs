@@ -1,0 +1,48 @@
+//! Times in a unit that is known only at run time, and times that are later.
+// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+#![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
+
+use lipz_bank::{AnyTime, Fps, Micros, Samples, Seconds, Time};
+use proptest::prelude::*;
+
+proptest! {
+    /// A sum of floats has two roundings, and so at most one unit in the last place more or less.
+    #[test]
+    fn floats_are_later_without_floating_point(time in 0.0_f64..1e6, us in any::<u32>()) {
+        let sum = time + f64::from(us) / 1e6;
+        let units = Seconds(time).later(us).0.to_bits().abs_diff(sum.to_bits());
+        prop_assert!(units <= 1, "{time} {us}: {units}");
+        let (time, micros) = (time as f32, f64::from(us) / 1e6);
+        let sum = (f64::from(time) + micros) as f32;
+        let units = Seconds(time).later(us).0.to_bits().abs_diff(sum.to_bits());
+        prop_assert!(units <= 1, "{time} {us}: {units}");
+    }
+
+    #[test]
+    fn any_time_is_the_time_in_it(seconds in -1.0_f64..1e6, us in 0..2_000_000_u32, fps in 1..1000_u16) {
+        fn same(time: impl Time, any: AnyTime, us: u32, fps: Fps) {
+            assert_eq!(any.frame(fps, u32::MAX), time.frame(fps, u32::MAX));
+            assert_eq!(any.later(us).frame(fps, 1000), time.later(us).frame(fps, 1000));
+            assert_eq!(any.position(fps.into()), time.position(fps.into()));
+            assert_eq!(any.has_begun(), time.has_begun());
+        }
+        let fps = Fps::whole(fps);
+        let (micros, single) = (Micros((seconds * 1e6) as i64), Seconds(seconds as f32));
+        let samples = Samples { position: (seconds * 48e3) as i64, rate_hz: 48_000 };
+        same(micros, AnyTime::Micros(micros), us, fps);
+        same(samples, AnyTime::Samples(samples), us, fps);
+        same(single, AnyTime::SecondsF32(single), us, fps);
+        same(Seconds(seconds), AnyTime::SecondsF64(Seconds(seconds)), us, fps);
+    }
+}
+
+#[test]
+fn what_is_no_time_is_never_later() {
+    for time in [-1.0, f64::NEG_INFINITY, f64::INFINITY, 1e300] {
+        assert_eq!(Seconds(time).later(1000).0.to_bits(), time.to_bits());
+    }
+    assert!(Seconds(f64::NAN).later(1).0.is_nan() && !Seconds(f64::NAN).has_begun());
+    assert!(Seconds(-0.0_f32).has_begun() && !Seconds(-1e-30_f32).has_begun());
+    assert_eq!(Seconds(0.0_f64).later(500_000), Seconds(0.5));
+    assert_eq!(Seconds(5e-324_f64).later(0), Seconds(5e-324));
+}
