@@ -45,7 +45,7 @@ const LINES_WITH_FACES: usize = 100;
 /// Locales of each clip.
 const LOCALES: usize = 5;
 /// Questions about the whole bank, which take millions of instructions, and are asked less often.
-const WHOLE_BANK: [&str; 1] = ["verify"];
+const WHOLE_BANK: [&str; 2] = ["verify", "verify with simdutf8"];
 /// The one that is about no bank, but about files on their way into one.
 const PACKING: &str = "pack a file";
 /// Banks of the set that is asked.

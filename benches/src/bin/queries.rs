@@ -79,6 +79,11 @@ fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> 
 fn ask_bank(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
     match question {
         "open" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)))),
+        "verify with simdutf8" => {
+            let utf8 = |bytes| simdutf8::basic::from_utf8(bytes).ok();
+            (0..times)
+                .for_each(|_| _ = black_box(Bank::open(black_box(bytes)).and_then(|bank| bank.verify_with(utf8))));
+        }
         "verify" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)).and_then(Bank::verify))),
         _ => {
             let bank = Bank::open(bytes)?.verify()?;

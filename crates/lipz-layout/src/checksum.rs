@@ -24,8 +24,7 @@ const START: [u64; 4] = [PRIME_1.wrapping_add(PRIME_2), PRIME_2, 0, PRIME_1.wrap
 
 /// Folds `bytes` into the checksum of format 1.
 pub fn checksum(bytes: &[u8]) -> u64 {
-    let stripes = bytes.chunks_exact(STRIPE);
-    let rest = stripes.remainder();
+    let rest = bytes.chunks_exact(STRIPE).remainder();
     let mut last = [0; STRIPE];
     // The rest is shorter than a stripe.
     if let Some(start) = last.get_mut(..rest.len()) {
@@ -35,9 +34,18 @@ pub fn checksum(bytes: &[u8]) -> u64 {
         *end = END;
     }
     let mut lanes = START;
-    for stripe in stripes {
-        add(&mut lanes, stripe);
+    let mut left = bytes;
+    // Two at a time, where code is cheap: without moves from register to register.
+    if cfg!(target_pointer_width = "64") {
+        let pairs = bytes.chunks_exact(STRIPE * 2);
+        left = pairs.remainder();
+        for pair in pairs {
+            let (stripe, next) = pair.split_at(STRIPE);
+            add(&mut lanes, stripe);
+            add(&mut lanes, next);
+        }
     }
+    left.chunks_exact(STRIPE).for_each(|stripe| add(&mut lanes, stripe));
     add(&mut lanes, &last);
     mix(lanes, bytes.len() as u64)
 }
