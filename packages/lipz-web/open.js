@@ -95,8 +95,15 @@ function bytesOf(bytes) {
     : new Uint8Array(bytes);
 }
 
-/** The last part of a path or URL. */
-const fileNameOf = (path) => path.replace(/[?#].*$/s, "").split(/[/\\]/).at(-1);
+/** The last part of a path or URL, which spells some characters of a file's name as `%20`. */
+function fileNameOf(path) {
+  const name = path.replace(/[?#].*$/s, "").split(/[/\\]/).at(-1);
+  try {
+    return /^[a-z][a-z\d+.-]+:\/\//i.test(path) ? decodeURIComponent(name) : name;
+  } catch {
+    return name;
+  }
+}
 
 /** The bytes of a bank of a set, from the option of the program. */
 async function loadedBy(load, fileName) {

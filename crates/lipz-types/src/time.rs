@@ -254,7 +254,19 @@ impl Time for Seconds<f64> {
 ///
 /// With whole units (`shift` ≤ 0) the time is at least 2²³ seconds, 97 days; from 2⁷⁵ seconds on
 /// no clip of 2³² frames at one frame per second is that long.
+#[inline]
 fn frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
+    if cfg!(target_pointer_width = "64") && fps.denominator() == 1 && (1..64).contains(&shift) {
+        // A whole rate is at most 1000: 64 bits hold the product.
+        let frames = mantissa.wrapping_add(2).wrapping_mul(u64::from(fps.numerator())) >> shift;
+        return if frames < u64::from(frame_count) { Some(frames as u32) } else { None };
+    }
+    wide_frame_at_float(fps, frame_count, mantissa, shift)
+}
+
+/// The same of any rate at any time.
+#[cfg_attr(target_pointer_width = "64", cold, inline(never))]
+fn wide_frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
     let time = u128::from(mantissa.wrapping_add(2));
     if shift <= 0 {
         let shift = shift.unsigned_abs();

@@ -8,15 +8,14 @@ use std::fmt;
 #[derive(Clone, PartialEq, Eq)]
 pub struct LocaleError {
     tag: String,
-    /// Whether it is one if the project has extended locales.
-    is_extended: bool,
+    /// Whether the project has extended locales.
+    extended: bool,
 }
 
 impl LocaleError {
     /// The canonical form of a tag, of the form `ll-cc`, or with `extended` of any BCP 47 language tag.
     pub(crate) fn check(tag: &str, extended: bool) -> Result<String, LocaleError> {
-        let is_extended = || canonical_tag(tag, true).is_some();
-        canonical_tag(tag, extended).ok_or_else(|| LocaleError { tag: tag.to_owned(), is_extended: is_extended() })
+        canonical_tag(tag, extended).ok_or_else(|| LocaleError { tag: tag.to_owned(), extended })
     }
 
     /// The tag that was refused.
@@ -30,11 +29,14 @@ impl LocaleError {
     }
 
     fn message(&self) -> String {
-        format!("{} is not a locale of the form ll-cc", escape::quoted(&self.tag))
+        let form = if self.extended { "BCP 47 language tag" } else { "locale of the form ll-cc" };
+        format!("{} is not a {form}", escape::quoted(&self.tag))
     }
 
     fn help(&self) -> &'static str {
-        if self.is_extended {
+        if self.extended {
+            "name a language, and where it matters a script and a region: en-us, es-419, zh-hant"
+        } else if canonical_tag(&self.tag, true).is_some() {
             "name a language and a country: en-us; or accept other tags first: `extended_locales(true)`"
         } else {
             "name a language and a country: en-us"
@@ -74,6 +76,10 @@ mod tests {
         assert!(message(options.clone().fallback("de", ["en-us"])).starts_with("`de`"));
         assert!(message(options.clone().fallback("de-de", ["en"])).starts_with("`en`"));
         let extended = options.clone().extended_locales(true);
+        assert_eq!(
+            message(extended.clone().default_locale("-")),
+            "`-` is not a BCP 47 language tag: name a language, and where it matters a script and a region: en-us, es-419, zh-hant"
+        );
         let set = extended.default_locale("es-419").unwrap().fallback("zh_Hant", ["zh-TW"]).unwrap();
         assert_eq!(set.get_default_locale(), Some("es-419"));
         assert_eq!(set.get_fallbacks()["zh-hant"], ["zh-tw"], "in their canonical form");

@@ -48,8 +48,7 @@ pub struct Options {
     pub(crate) default_fps: Option<Fps>,
     /// Viseme type of files without `viseme_type`. Without it their clips' type is "unspecified".
     pub(crate) default_viseme_type: Option<VisemeType>,
-    /// Locale of `text` elements without one, and the last resort of every locale's fallback. Any
-    /// spelling that [`lipz_file::locale::canonical_tag`] accepts.
+    /// Locale of `text` elements without one, and the last resort of every locale's fallback, in its canonical form.
     pub(crate) default_locale: Option<String>,
     /// Accept any BCP 47 language tag (`es-419`, `zh-hant`), not only `ll-cc`.
     pub(crate) extended_locales: bool,
