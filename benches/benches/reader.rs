@@ -9,7 +9,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use lipz_bank::curve::CurveCursor;
 use lipz_bank::face::{LookAt, Who};
 use lipz_bank::files::DialogueFile;
-use lipz_bank::{Bank, ClipId, Dialogue, Micros};
+use lipz_bank::{Bank, Clip, ClipId, Dialogue, Micros};
 use lipz_benches::{DEFAULT_SEED, Random, faces, files, layers, naive};
 use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
@@ -50,6 +50,15 @@ fn queries(criterion: &mut Criterion) {
 
     let mut group = criterion.benchmark_group("reader");
     group.bench_function("find, by id", |bencher| bencher.iter(|| bank.clip(ids[pick()]).map(|clip| clip.slot())));
+    // As in a game that follows links: the processor cannot start before it has the answer.
+    let mut at = 0;
+    let behind = |at: usize, clip: Option<Clip<'_>>| (at + clip.expect("a clip").slot() as usize) % CLIPS;
+    group.bench_function("find, by the id that the last answer leads to", |bencher| {
+        bencher.iter(|| at = behind(at + 1, bank.clip(ids[at])));
+    });
+    group.bench_function("find, by the key that the last answer leads to", |bencher| {
+        bencher.iter(|| at = behind(at + 1, bank.clip_by_key(&files[at].0)));
+    });
     let (patch, addition) = layers::over(&bytes, CLIPS).expect("two layers");
     let mut places = [DialogueFile::ABSENT; 3];
     let stack = Dialogue::open(&mut places, [&bytes, &patch, &addition].map(Vec::as_slice)).expect("patches that fit");
