@@ -5,7 +5,8 @@
     reason = "a bench program: criterion's macros, and a stop at the first surprise"
 )]
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use lipz_bank::curve::CurveCursor;
 use lipz_bank::face::{LookAt, Who};
 use lipz_bank::files::DialogueFile;
@@ -23,6 +24,18 @@ fn bank(files: &[(String, String)]) -> Vec<u8> {
     let inputs: Vec<Input> = files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect();
     let options = Options::new().strip(true);
     Compiler::new(options.clone()).compile(&inputs).bank.expect("clips without errors")
+}
+
+/// As in a game that follows links: the processor cannot start a look-up before it has the answer to the last one.
+fn follow_links(group: &mut BenchmarkGroup<'_, WallTime>, bank: &Bank<'_>, ids: &[ClipId], files: &[(String, String)]) {
+    let mut at = 0;
+    let behind = |at: usize, clip: Option<Clip<'_>>| (at + clip.expect("a clip").slot() as usize) % CLIPS;
+    group.bench_function("find, by the id that the last answer leads to", |bencher| {
+        bencher.iter(|| at = behind(at + 1, bank.clip(ids[at])));
+    });
+    group.bench_function("find, by the key that the last answer leads to", |bencher| {
+        bencher.iter(|| at = behind(at + 1, bank.clip_by_key(&files[at].0)));
+    });
 }
 
 fn queries(criterion: &mut Criterion) {
@@ -50,15 +63,7 @@ fn queries(criterion: &mut Criterion) {
 
     let mut group = criterion.benchmark_group("reader");
     group.bench_function("find, by id", |bencher| bencher.iter(|| bank.clip(ids[pick()]).map(|clip| clip.slot())));
-    // As in a game that follows links: the processor cannot start before it has the answer.
-    let mut at = 0;
-    let behind = |at: usize, clip: Option<Clip<'_>>| (at + clip.expect("a clip").slot() as usize) % CLIPS;
-    group.bench_function("find, by the id that the last answer leads to", |bencher| {
-        bencher.iter(|| at = behind(at + 1, bank.clip(ids[at])));
-    });
-    group.bench_function("find, by the key that the last answer leads to", |bencher| {
-        bencher.iter(|| at = behind(at + 1, bank.clip_by_key(&files[at].0)));
-    });
+    follow_links(&mut group, &bank, &ids, &files);
     let (patch, addition) = layers::over(&bytes, CLIPS).expect("two layers");
     let mut places = [DialogueFile::ABSENT; 3];
     let stack = Dialogue::open(&mut places, [&bytes, &patch, &addition].map(Vec::as_slice)).expect("patches that fit");
