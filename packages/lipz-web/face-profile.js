@@ -53,7 +53,7 @@ export class FaceProfile {
     this.name = memory.string(fields.name);
   }
 
-  /** Writes it into the memory of a dialogue and returns its address. In that of another one, it leads to nothing. */
+  /** Writes it into the memory of a dialogue and returns its address. In the memory of a different dialogue, it leads to nothing. */
   put(memory) {
     return memory.put(SECOND, c.lipz_face_profile, this.#fields);
   }

@@ -14,7 +14,7 @@ export async function read(file) {
   return url.protocol === "file:" ? readFile(url) : web.read(url);
 }
 
-/** The path or URL of the file with this name next to another one. */
+/** The path or URL of the file with this name next to a given file. */
 export function beside(file, fileName) {
   return hasUrl(file) ? web.beside(file, fileName) : join(dirname(file), fileName);
 }

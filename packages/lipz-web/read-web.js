@@ -7,7 +7,7 @@ export async function read(url) {
   return response.arrayBuffer();
 }
 
-/** The URL of the file with this name next to another one. */
+/** The URL of the file with this name next to a given file. */
 export function beside(url, fileName) {
   const page = globalThis.document?.baseURI ?? globalThis.location?.href;
   return new URL(encodeURIComponent(fileName), new URL(url, page)).href;

@@ -5,7 +5,7 @@ const VERBS = [
   undefined, "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does",
   "nods", "shakes", "breathes", "blinks", "looks away",
 ];
-/** The `bank` of a name where there is none. */
+/** The `bank` of a name that is missing. */
 const NO_NAME = 0;
 const NO_STRENGTH = 0xffffffff;
 

@@ -21,8 +21,8 @@ pub struct Clip<'a> {
     fps: Option<StoredFps>,
     /// The number of the viseme type; 0 if it is unspecified. It is not looked at before it is asked for.
     viseme_type: u8,
-    /// 1 if the texts of the clip are in its bank, too. A `bool` would be where an `Option` of a clip says that there is none,
-    /// and be looked at for each segment.
+    /// 1 if the texts of the clip are in its bank, too. Not a `bool`: an `Option` of a clip would store there that it is empty,
+    /// and each look-up of a segment would have to test it.
     has_texts: u8,
 }
 

@@ -70,7 +70,7 @@ error_kinds! {
     NotABank = 2, "the file is not a lipz bank";
     /// The first bytes are those of a bank after a line-ending conversion.
     TextMode = 3, "the bank was damaged by a copy in text mode (line endings were converted)";
-    /// The major format version is another one than this reader's.
+    /// The major format version differs from that of this reader.
     UnsupportedVersion = 4, "the bank has a format version that this reader does not know";
     /// The length in the header is not the length of the bytes.
     WrongLength = 5, "the file is not as long as its header says (cut off, or something was appended)";
@@ -150,6 +150,6 @@ error_kinds! {
     NotASet = 42, "the file is not the index of a set of banks";
     /// The index of a set has a name that is none, clips out of order, or as many banks as no set has.
     Set = 43, "what the index of a set says about its banks is not valid";
-    /// A bank of a set is not the one that its index names, or has clips that belong into another one.
+    /// A bank of a set is not the one that its index names, or has clips of a different bank.
     OtherBank = 44, "the banks are not those of the set, in their order";
 }

@@ -5,7 +5,7 @@ use crate::file::entries;
 use lipz_layout::{NO_RECORDING, RecordingRecord, Tag};
 
 /// What a bank says about the recording of a clip, so that a program can tell that the sound it is about to play is
-/// another one: a retake, say, for which the mouth shapes were not made again.
+/// a different one, such as a retake for which the visemes were not made again.
 ///
 /// ```
 /// use lipz_bank::Recording;

@@ -132,8 +132,8 @@ impl<'a> Segment<'a> {
 
     /// The events of the segment, if they are Character Event Syntax.
     ///
-    /// There are none where nothing happens, and where the event string is some other syntax, such as
-    /// a script: [`Segment::event`] has it.
+    /// The iterator is empty if nothing happens, and if the event string has a different syntax, such as
+    /// a script: [`Segment::event`] returns it.
     ///
     /// ```
     /// use lipz_bank::{Bank, Command};

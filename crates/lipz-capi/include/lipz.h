@@ -175,10 +175,6 @@
 // Words of a `lipz_file`.
 #define LIPZ_FILE_WORDS 80
 
-// For `lipz_dialogue_open`: verifies nothing. Queries are as safe as ever, but a damaged file may have wrong answers, and each
-// text is checked to be UTF-8 when it is asked for.
-#define LIPZ_UNVERIFIED 1
-
 // Kind of a file: a bank of a set that is not there yet.
 #define LIPZ_FILE_ABSENT 0
 
@@ -193,6 +189,10 @@
 
 // Kind of a file: the index of a set of banks.
 #define LIPZ_FILE_SET 4
+
+// For `lipz_dialogue_open`: verifies nothing. Queries are as safe as ever, but a damaged file may have wrong answers, and each
+// text is checked to be UTF-8 when it is asked for.
+#define LIPZ_UNVERIFIED 1
 
 // The `rate_hz` of a time in seconds.
 #define LIPZ_SECONDS 4294967295
@@ -217,6 +217,9 @@
 
 // The clip is the dub in a voice that the one that was asked for falls back to.
 #define LIPZ_OTHER_DUB 2
+
+// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
+#define LIPZ_BUILT_IN 4294967295
 
 // The `bank` where there is no name.
 #define LIPZ_NO_NAME 0
@@ -265,9 +268,6 @@
 
 // In place of a frame: the audio has not begun.
 #define LIPZ_WAITING 4294967294
-
-// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
-#define LIPZ_BUILT_IN 4294967295
 
 // The level of a voice that the program does not measure: three quarters, where all digits of the viewer's profile show, but not
 // at their widest.
@@ -335,28 +335,6 @@ typedef struct {
   size_t words[LIPZ_DIALOGUE_WORDS];
 } lipz_dialogue;
 
-// A place for an open file of a dialogue, which `lipz_dialogue_open` fills.
-typedef struct {
-  // Written by the library.
-  size_t words[LIPZ_FILE_WORDS];
-} lipz_file;
-
-// The contents of a file, at any address: a mapped file, ROM, memory.
-typedef struct {
-  // The first byte.
-  const uint8_t *data;
-  // Length of the file; 0 for a bank of a set that is not there yet.
-  size_t length_bytes;
-} lipz_bytes;
-
-// Which file is damaged or does not fit the others, and where.
-typedef struct {
-  // Its number, from 0.
-  uint32_t file;
-  // Bytes from its start.
-  uint32_t offset_bytes;
-} lipz_problem;
-
 // What a dialogue has.
 typedef struct {
   // Number of clips. Counted, if there are patches: that takes time in proportion.
@@ -383,6 +361,14 @@ typedef struct {
   uint32_t clip_count;
 } lipz_file_info;
 
+// The contents of a file, at any address: a mapped file, ROM, memory.
+typedef struct {
+  // The first byte.
+  const uint8_t *data;
+  // Length of the file; 0 for a bank of a set that is not there yet.
+  size_t length_bytes;
+} lipz_bytes;
+
 // What the index of a set says about a bank.
 typedef struct {
   // The name of its file, which is next to the index.
@@ -395,12 +381,26 @@ typedef struct {
   uint32_t clip_count;
 } lipz_set_bank;
 
+// A place for an open file of a dialogue, which `lipz_dialogue_open` fills.
+typedef struct {
+  // Written by the library.
+  size_t words[LIPZ_FILE_WORDS];
+} lipz_file;
+
+// Which file is damaged or does not fit the others, and where.
+typedef struct {
+  // Its number, from 0.
+  uint32_t file;
+  // Bytes from its start.
+  uint32_t offset_bytes;
+} lipz_problem;
+
 // One spoken line, in the version of the dialogue that it was found in. The fields are there to be read, and two pairs to be set
 // where they are 0.
 typedef struct {
   // Hash of the key: names the clip in every version.
   uint64_t id;
-  // The version of the dialogue: in a different one, queries of the clip give `LIPZ_NONE`.
+  // The version of the dialogue. In a different version, queries of the clip return `LIPZ_NONE`.
   uint32_t version;
   // The number of the file that it is in.
   uint32_t file;
@@ -443,7 +443,7 @@ typedef uint8_t lipz_viseme;
 typedef struct {
   // The clip.
   uint64_t clip_id;
-  // The version of the dialogue: in another one, queries of the segment give `LIPZ_NONE`.
+  // The version of the dialogue. In a different version, queries of the segment return `LIPZ_NONE`.
   uint32_t version;
   // The number of the file that the clip is in.
   uint32_t file;
@@ -523,7 +523,7 @@ typedef struct {
 typedef struct {
   // Who; no name for the speaker of the clip.
   lipz_name character;
-  // The emotion, target or action; no name where there is none.
+  // The emotion, target or action; without a name if the event has no object.
   lipz_name object;
   // `LIPZ_FEELS` and so on. Verbs are added; skip those that you do not know.
   uint32_t verb;
@@ -610,7 +610,7 @@ typedef struct {
   lipz_string name;
   // Number of keys, at least 1 in a verified bank.
   uint32_t key_count;
-  // The version of the dialogue: in another one, queries of the curve give `LIPZ_NONE`.
+  // The version of the dialogue. In a different version, queries of the curve return `LIPZ_NONE`.
   uint32_t version;
   // The number of the file that it is in.
   uint32_t file;
@@ -737,6 +737,18 @@ uint32_t lipz_version(void);
 // A status in one English sentence, without full stop; `LIPZ_NONE` for numbers that are no status.
 lipz_status lipz_status_message(lipz_status status, lipz_string *message);
 
+// What a dialogue has.
+lipz_status lipz_dialogue_info(const lipz_dialogue *dialogue, lipz_dialogue_info_t *info);
+
+// The file with this index: ask from 0 on until `LIPZ_NONE`.
+lipz_status lipz_dialogue_file_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_file_info *file);
+
+// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The
+// first call verifies the index, the others only open it. The contents of all banks go behind the index in `lipz_dialogue_open`, in this order.
+lipz_status lipz_set_bank_by_index(const lipz_bytes *contents,
+                                   uint32_t index,
+                                   lipz_set_bank *bank);
+
 // Opens the files whose contents are the `file_count` ones at `contents`, from the bottom to the top: the base first, a bank or
 // the index of a set with all of its banks behind it; then patches, each over those before it, and text banks, each behind
 // the bank of its clips. `files` has room for as many. Keep `files`, where they are, and the contents as long as you ask the
@@ -765,37 +777,6 @@ lipz_status lipz_dialogue_supply(lipz_dialogue *dialogue,
                                  const lipz_bytes *contents,
                                  uint32_t flags,
                                  lipz_problem *problem);
-
-// What a dialogue has.
-lipz_status lipz_dialogue_info(const lipz_dialogue *dialogue, lipz_dialogue_info_t *info);
-
-// The file with this index: ask from 0 on until `LIPZ_NONE`.
-lipz_status lipz_dialogue_file_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_file_info *file);
-
-// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The
-// first call verifies the index, the others only open it. The contents of all banks go behind the index in `lipz_dialogue_open`, in this order.
-lipz_status lipz_set_bank_by_index(const lipz_bytes *contents,
-                                   uint32_t index,
-                                   lipz_set_bank *bank);
-
-// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
-// clips as constants.
-lipz_status lipz_clip_id_of_key(const char *key, size_t key_length_bytes, uint64_t *id);
-
-// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
-// `file` of the clip is the number of the file to supply.
-lipz_status lipz_dialogue_clip(const lipz_dialogue *dialogue, uint64_t id, lipz_clip *clip);
-
-// The clip with this key, compared whole; as `lipz_dialogue_clip`.
-lipz_status lipz_dialogue_clip_by_key(const lipz_dialogue *dialogue, const char *key, size_t key_length_bytes, lipz_clip *clip);
-
-// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
-// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
-lipz_status lipz_dialogue_next_clip(const lipz_dialogue *dialogue,
-                                    const char *prefix,
-                                    size_t prefix_length_bytes,
-                                    uint64_t *position,
-                                    lipz_clip *clip);
 
 // The key of a clip: the path of its Lipz file below the source root, without extension.
 lipz_status lipz_clip_key(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_string *key);
@@ -842,6 +823,25 @@ lipz_status lipz_clip_in_voice(const lipz_dialogue *dialogue,
 // The voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` without dubs.
 lipz_status lipz_clip_voice(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_voice *voice);
 
+// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
+// clips as constants.
+lipz_status lipz_clip_id_of_key(const char *key, size_t key_length_bytes, uint64_t *id);
+
+// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
+// `file` of the clip is the number of the file to supply.
+lipz_status lipz_dialogue_clip(const lipz_dialogue *dialogue, uint64_t id, lipz_clip *clip);
+
+// The clip with this key, compared whole; as `lipz_dialogue_clip`.
+lipz_status lipz_dialogue_clip_by_key(const lipz_dialogue *dialogue, const char *key, size_t key_length_bytes, lipz_clip *clip);
+
+// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
+// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
+lipz_status lipz_dialogue_next_clip(const lipz_dialogue *dialogue,
+                                    const char *prefix,
+                                    size_t prefix_length_bytes,
+                                    uint64_t *position,
+                                    lipz_clip *clip);
+
 // The display text of a segment in a locale, or in the locale that it falls back to. `LIPZ_NONE` if neither has a text for this
 // clip, and for a locale of another version. A segment of an existing text may be empty.
 lipz_status lipz_segment_text(const lipz_dialogue *dialogue,
@@ -853,8 +853,8 @@ lipz_status lipz_segment_text(const lipz_dialogue *dialogue,
 // `LIPZ_NONE` if the file has no events.
 lipz_status lipz_segment_event_string(const lipz_dialogue *dialogue, const lipz_segment *segment, lipz_string *string);
 
-// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
-// event string is some other syntax, such as a script.
+// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. An event string in a
+// different syntax, such as a script, has no typed events.
 lipz_status lipz_segment_event(const lipz_dialogue *dialogue, const lipz_segment *segment, uint32_t index, lipz_event *event);
 
 // The locale with this tag, spelled as in the files; the default locale if `tag` is null. `LIPZ_ABSENT` if no bank of a set is
@@ -902,7 +902,7 @@ lipz_status lipz_cursor_finish(const lipz_dialogue *dialogue, lipz_cursor *curso
 // `LIPZ_NONE`: events that are not taken before the next move do not come again.
 lipz_status lipz_cursor_take_event(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_event *event);
 
-// Takes the next segment that is due, with all its events: for event strings in another syntax than that of
+// Takes the next segment that is due, with all its events: for event strings whose syntax differs from that of
 // `lipz_cursor_take_event`. `LIPZ_NONE` when all are taken.
 lipz_status lipz_cursor_take_segment(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_segment *segment);
 

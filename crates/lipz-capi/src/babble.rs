@@ -1,15 +1,14 @@
 //! Babble: mouths without a clip's shapes.
 
-use crate::dialogue::{Dialogue, of_project, reader};
-use crate::pointer::{answer, text};
+use crate::dialogue::{Dialogue, reader};
+use crate::handle::{LIPZ_BUILT_IN, profile_named};
+use crate::pointer::answer;
 use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
 use crate::string::{String, c_char};
 use crate::time::Time;
 use core::mem::MaybeUninit;
 use lipz_bank::babble::{Power, VoiceLevel};
 
-/// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
-pub const LIPZ_BUILT_IN: u32 = 0xFFFF_FFFF;
 /// The level of a voice that the program does not measure: three quarters, where all digits of the viewer's profile show, but not
 /// at their widest.
 pub const LIPZ_UNMEASURED: u32 = 0xC000;
@@ -48,15 +47,11 @@ pub unsafe extern "C" fn lipz_dialogue_babble(
     answer(babble, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let dialogue = unsafe { reader(dialogue) }?;
+        let (names, built_in) =
+            (dialogue.babbles().map(|profile| profile.name()), lipz_bank::babble::Babble::DEFAULT.name());
         // SAFETY: the same contract.
-        let asked = if name.is_null() { "default" } else { unsafe { text(name, name_length_bytes) }? };
-        let version = dialogue.version();
-        if let Some((index, found)) = (0..).zip(dialogue.babbles()).find(|(_, babble)| babble.name() == asked) {
-            return Ok(Babble { name: String::from_text(found.name()), index, version });
-        }
-        let built_in = Some(lipz_bank::babble::Babble::DEFAULT).filter(|_| name.is_null());
-        let built_in = of_project(dialogue, built_in)?;
-        Ok(Babble { name: String::from_text(built_in.name()), index: LIPZ_BUILT_IN, version })
+        let (name, index) = unsafe { profile_named(dialogue, name, name_length_bytes, names, built_in) }?;
+        Ok(Babble { name, index, version: dialogue.version() })
     })
 }
 

@@ -1,15 +1,15 @@
 //! Clips: finding them, their keys and frames.
 
-use crate::dialogue::{Dialogue, number, reader};
+use crate::dialogue::{Dialogue, reader};
 use crate::handle::Voice;
-use crate::pointer::{answer, text};
+use crate::pointer::answer;
 use crate::segment::Segment;
-use crate::status::{LIPZ_ABSENT, LIPZ_NONE, LIPZ_NULL_POINTER, LIPZ_OK, Status};
-use crate::string::{String, c_char};
+use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
+use crate::string::String;
 use crate::time::Time;
 use core::mem::MaybeUninit;
 use lipz_bank::playback::ConsonantHold;
-use lipz_bank::{ClipId, Fps, Spoken, VisemeType};
+use lipz_bank::{Fps, Spoken, VisemeType};
 
 /// Viseme type: Preston Blair's chart, `-AMOSWEFLU`.
 pub const LIPZ_BLAIR: u32 = 1;
@@ -32,7 +32,7 @@ pub const LIPZ_OTHER_DUB: u32 = 2;
 pub struct Clip {
     /// Hash of the key: names the clip in every version.
     pub id: u64,
-    /// The version of the dialogue: in a different one, queries of the clip give `LIPZ_NONE`.
+    /// The version of the dialogue. In a different version, queries of the clip return `LIPZ_NONE`.
     pub version: u32,
     /// The number of the file that it is in.
     pub file: u32,
@@ -128,96 +128,6 @@ pub struct VoicedClip {
     pub spoken: u32,
     /// 0.
     pub reserved: u32,
-}
-
-/// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
-/// clips as constants.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_clip_id_of_key(
-    key: *const c_char,
-    key_length_bytes: usize,
-    id: Option<&mut MaybeUninit<u64>>,
-) -> Status {
-    answer(id, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        Ok(ClipId::from_key(unsafe { text(key, key_length_bytes) }?).get())
-    })
-}
-
-/// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
-/// `file` of the clip is the number of the file to supply.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_dialogue_clip(
-    dialogue: Option<&Dialogue>,
-    id: u64,
-    clip: Option<&mut MaybeUninit<Clip>>,
-) -> Status {
-    let id = ClipId::from_u64(id);
-    // SAFETY: the contract of the crate, which the caller keeps.
-    found(unsafe { reader(dialogue) }, Ok(id), |dialogue| dialogue.clip(id), clip)
-}
-
-/// The clip with this key, compared whole; as `lipz_dialogue_clip`.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_dialogue_clip_by_key(
-    dialogue: Option<&Dialogue>,
-    key: *const c_char,
-    key_length_bytes: usize,
-    clip: Option<&mut MaybeUninit<Clip>>,
-) -> Status {
-    // SAFETY: the contract of the crate, which the caller keeps.
-    let (dialogue, key) = unsafe { (reader(dialogue), text(key, key_length_bytes)) };
-    found(dialogue, key.map(ClipId::from_key), |dialogue| dialogue.clip_by_key(key.ok()?), clip)
-}
-
-/// Writes the clip that was found, or which file would have it.
-fn found<'a>(
-    dialogue: Result<&'a lipz_bank::Dialogue<'a>, Status>,
-    id: Result<ClipId, Status>,
-    find: impl FnOnce(&'a lipz_bank::Dialogue<'a>) -> Option<lipz_bank::Clip<'a>>,
-    out: Option<&mut MaybeUninit<Clip>>,
-) -> Status {
-    let out = match out {
-        Some(out) => out.write(Clip::default()),
-        None => return LIPZ_NULL_POINTER,
-    };
-    let (dialogue, id) = match (dialogue, id) {
-        (Ok(dialogue), Ok(id)) => (dialogue, id),
-        (Err(status), _) | (_, Err(status)) => return status,
-    };
-    if let Some(clip) = find(dialogue) {
-        *out = Clip::from_reader(dialogue.version(), &clip);
-        return LIPZ_OK;
-    }
-    match dialogue.missing_bank(id) {
-        Some(file) => {
-            out.file = number(file);
-            LIPZ_ABSENT
-        }
-        None => LIPZ_NONE,
-    }
-}
-
-/// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
-/// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
-#[no_mangle]
-pub unsafe extern "C" fn lipz_dialogue_next_clip(
-    dialogue: Option<&Dialogue>,
-    prefix: *const c_char,
-    prefix_length_bytes: usize,
-    position: Option<&mut u64>,
-    clip: Option<&mut MaybeUninit<Clip>>,
-) -> Status {
-    answer(clip, || {
-        // SAFETY: the contract of the crate, which the caller keeps.
-        let dialogue = unsafe { reader(dialogue) }?;
-        // SAFETY: the same contract.
-        let prefix = if prefix_length_bytes == 0 { "" } else { unsafe { text(prefix, prefix_length_bytes) }? };
-        let position = position.ok_or(LIPZ_NULL_POINTER)?;
-        let (clip, behind) = dialogue.clip_behind(*position, prefix).ok_or(LIPZ_NONE)?;
-        *position = behind;
-        Ok(Clip::from_reader(dialogue.version(), &clip))
-    })
 }
 
 /// The key of a clip: the path of its Lipz file below the source root, without extension.

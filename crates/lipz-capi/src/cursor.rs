@@ -158,11 +158,11 @@ pub unsafe extern "C" fn lipz_cursor_new(
 ///
 /// # Safety
 /// The contract of the crate.
-unsafe fn moved(
-    dialogue: Option<&Dialogue>,
+unsafe fn moved<'a, T>(
+    dialogue: Option<&'a Dialogue>,
     cursor: Option<&mut Cursor>,
     how: Move,
-    to: impl FnOnce(&mut lipz_bank::Cursor, &lipz_bank::Clip<'_>),
+    to: impl FnOnce(&mut lipz_bank::Cursor, &lipz_bank::Clip<'a>) -> T,
 ) -> Status {
     let cursor = match cursor {
         Some(cursor) => cursor,
@@ -174,7 +174,8 @@ unsafe fn moved(
         Err(status) => return status,
     };
     let before = cursor.next_segment;
-    to(&mut inner, &clip);
+    // What is due is taken from the cursor.
+    let _ = to(&mut inner, &clip);
     [cursor.frame, cursor.mouth_frame, cursor.next_segment, cursor.flags] = inner.to_words();
     let count = clip.segment_count();
     let behind = cursor.next_segment.min(count);
@@ -196,11 +197,7 @@ pub unsafe extern "C" fn lipz_cursor_advance(
     time: Time,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe {
-        moved(dialogue, cursor, Move::On, |cursor, clip| {
-            let _ = cursor.advance_to(clip, time.to_reader());
-        })
-    }
+    unsafe { moved(dialogue, cursor, Move::On, |cursor, clip| cursor.advance_to(clip, time.to_reader())) }
 }
 
 /// The audio has jumped from its end to its start, and has reached `time` since: the segments that were left are due, then those
@@ -212,11 +209,7 @@ pub unsafe extern "C" fn lipz_cursor_loop(
     time: Time,
 ) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe {
-        moved(dialogue, cursor, Move::Around, |cursor, clip| {
-            let _ = cursor.loop_to(clip, time.to_reader());
-        })
-    }
+    unsafe { moved(dialogue, cursor, Move::Around, |cursor, clip| cursor.loop_to(clip, time.to_reader())) }
 }
 
 /// Jumps to `time`, forward or back. Nothing is due; the next advance starts with the segments that begin in the frame of this
@@ -236,11 +229,7 @@ pub unsafe extern "C" fn lipz_cursor_seek(
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_finish(dialogue: Option<&Dialogue>, cursor: Option<&mut Cursor>) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
-    unsafe {
-        moved(dialogue, cursor, Move::On, |cursor, clip| {
-            let _ = cursor.finish(clip);
-        })
-    }
+    unsafe { moved(dialogue, cursor, Move::On, |cursor, clip| cursor.finish(clip)) }
 }
 
 /// Takes the next event that is due: of the segments that have begun since the move before the last one, in order, each
@@ -263,7 +252,7 @@ pub unsafe extern "C" fn lipz_cursor_take_event(
     }
 }
 
-/// Takes the next segment that is due, with all its events: for event strings in another syntax than that of
+/// Takes the next segment that is due, with all its events: for event strings whose syntax differs from that of
 /// `lipz_cursor_take_event`. `LIPZ_NONE` when all are taken.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_take_segment(

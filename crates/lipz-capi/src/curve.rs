@@ -20,7 +20,7 @@ pub struct Curve {
     pub name: String,
     /// Number of keys, at least 1 in a verified bank.
     pub key_count: u32,
-    /// The version of the dialogue: in another one, queries of the curve give `LIPZ_NONE`.
+    /// The version of the dialogue. In a different version, queries of the curve return `LIPZ_NONE`.
     pub version: u32,
     /// The number of the file that it is in.
     pub file: u32,

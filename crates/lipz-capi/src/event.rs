@@ -36,7 +36,7 @@ pub const LIPZ_NO_STRENGTH: u32 = 0xFFFF_FFFF;
 pub struct Event {
     /// Who; no name for the speaker of the clip.
     pub character: Name,
-    /// The emotion, target or action; no name where there is none.
+    /// The emotion, target or action; without a name if the event has no object.
     pub object: Name,
     /// `LIPZ_FEELS` and so on. Verbs are added; skip those that you do not know.
     pub verb: u32,

@@ -1,10 +1,10 @@
 //! What a face shows: emotions, and lids, head and eyes that move by themselves. Angles are in thousandths of a degree: pitch is
 //! positive upwards, yaw to the left of the character, roll towards the left shoulder.
 
-use crate::babble::LIPZ_BUILT_IN;
 use crate::clip::{Clip, of_clip};
 use crate::dialogue::{Dialogue, of_project, reader};
-use crate::pointer::{answer, text};
+use crate::handle::{LIPZ_BUILT_IN, profile_named};
+use crate::pointer::answer;
 use crate::status::{LIPZ_NONE, Status};
 use crate::string::{String, c_char};
 use crate::time::Time;
@@ -146,15 +146,11 @@ pub unsafe extern "C" fn lipz_dialogue_face_profile(
     answer(profile, || {
         // SAFETY: the contract of the crate, which the caller keeps.
         let dialogue = unsafe { reader(dialogue) }?;
+        let (names, built_in) =
+            (dialogue.face_profiles().map(|profile| profile.name()), lipz_bank::face::FaceProfile::DEFAULT.name());
         // SAFETY: the same contract.
-        let asked = if name.is_null() { "default" } else { unsafe { text(name, name_length_bytes) }? };
-        let version = dialogue.version();
-        if let Some((index, found)) = (0..).zip(dialogue.face_profiles()).find(|(_, profile)| profile.name() == asked) {
-            return Ok(FaceProfile { name: String::from_text(found.name()), index, version });
-        }
-        let built_in = Some(lipz_bank::face::FaceProfile::DEFAULT).filter(|_| name.is_null());
-        let built_in = of_project(dialogue, built_in)?;
-        Ok(FaceProfile { name: String::from_text(built_in.name()), index: LIPZ_BUILT_IN, version })
+        let (name, index) = unsafe { profile_named(dialogue, name, name_length_bytes, names, built_in) }?;
+        Ok(FaceProfile { name, index, version: dialogue.version() })
     })
 }
 

@@ -6,6 +6,8 @@ use crate::status::{LIPZ_NONE, Status};
 use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 
+/// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
+pub const LIPZ_BUILT_IN: u32 = 0xFFFF_FFFF;
 /// The `bank` where there is no name.
 pub const LIPZ_NO_NAME: u32 = 0;
 
@@ -79,6 +81,28 @@ impl Name {
             let [bank, id] = name.to_words();
             Name { name: String::from_text(name.as_str()), bank, id }
         })
+    }
+}
+
+/// The profile with this name among `names`, with its index; if the name is null, that of the project, or the built-in one.
+///
+/// # Safety
+/// The contract of the crate.
+pub(crate) unsafe fn profile_named<'n>(
+    dialogue: &lipz_bank::Dialogue<'_>,
+    name: *const c_char,
+    name_length_bytes: usize,
+    names: impl Iterator<Item = &'n str>,
+    built_in: &'n str,
+) -> Result<(String, u32), Status> {
+    // SAFETY: the same contract.
+    let asked = if name.is_null() { "default" } else { unsafe { text(name, name_length_bytes) }? };
+    match (0..).zip(names).find(|(_, name)| *name == asked) {
+        Some((index, found)) => Ok((String::from_text(found), index)),
+        None => {
+            let built_in = of_project(dialogue, Some(built_in).filter(|_| name.is_null()))?;
+            Ok((String::from_text(built_in), LIPZ_BUILT_IN))
+        }
     }
 }
 

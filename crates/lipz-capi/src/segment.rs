@@ -15,7 +15,7 @@ use core::ptr;
 pub struct Segment {
     /// The clip.
     pub clip_id: u64,
-    /// The version of the dialogue: in another one, queries of the segment give `LIPZ_NONE`.
+    /// The version of the dialogue. In a different version, queries of the segment return `LIPZ_NONE`.
     pub version: u32,
     /// The number of the file that the clip is in.
     pub file: u32,
@@ -94,8 +94,8 @@ pub unsafe extern "C" fn lipz_segment_event_string(
     unsafe { of_segment(dialogue, segment, string, |segment| Ok(String::from_text(segment.event().ok_or(LIPZ_NONE)?))) }
 }
 
-/// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. There are none where the
-/// event string is some other syntax, such as a script.
+/// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. An event string in a
+/// different syntax, such as a script, has no typed events.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_segment_event(
     dialogue: Option<&Dialogue>,

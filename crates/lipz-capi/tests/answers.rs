@@ -313,19 +313,19 @@ fn babble_is_that_of_the_reader() {
         for (of_c_profile, profile) in std::iter::once((own, reader.default_babble())).chain(named) {
             let of_c_profile = Some(&of_c_profile);
             for us in (-50_000..900_000).step_by(33_333) {
-                let told = |weights: Weights| (weights.ooh, weights.aah);
+                let pair = |weights: Weights| (weights.ooh, weights.aah);
                 let of_reader = |weights: lipz_bank::babble::Weights| {
                     (u32::from(weights.ooh.ten_thousandths()), u32::from(weights.aah.ten_thousandths()))
                 };
                 at_all_times!(
                     us,
-                    |asked, time| ask(|out| unsafe { lipz_babble_at(of_c, of_c_profile, asked, 0.7, out) }).map(told),
+                    |asked, time| ask(|out| unsafe { lipz_babble_at(of_c, of_c_profile, asked, 0.7, out) }).map(pair),
                     Ok(of_reader(profile.at(time, 0.7)))
                 );
                 at_all_times!(
                     us,
                     |asked, time| ask(|out| unsafe { lipz_babble_at_level(of_c, of_c_profile, asked, 30_000, out) })
-                        .map(told),
+                        .map(pair),
                     Ok(of_reader(profile.at(time, lipz_bank::babble::VoiceLevel(30_000))))
                 );
             }

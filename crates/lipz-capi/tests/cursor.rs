@@ -101,9 +101,9 @@ fn it_does_what_the_readers_cursor_does() {
                 (ours.speaker_id, ours.speaker_bank) = (named.id, named.bank);
             }
             for _ in 0..60 {
-                let (due, told) = step(of_c, &mut ours, &given, &mut theirs, &mut random);
+                let (due, expected) = step(of_c, &mut ours, &given, &mut theirs, &mut random);
                 assert_eq!(segments(of_c, ours), due, "{}", found.key());
-                assert_eq!(events(of_c, &mut ours), told);
+                assert_eq!(events(of_c, &mut ours), expected);
                 same_mouth(of_c, &ours, &given, &theirs);
                 same_characters(of_c, &ours, &given, &theirs);
             }

@@ -44,13 +44,15 @@ const NAMES: [(&str, &str); 32] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 15] = [
+const FILES: [&str; 17] = [
     "version.rs",
     "status.rs",
     "string.rs",
     "dialogue.rs",
+    "open.rs",
     "time.rs",
     "clip.rs",
+    "find.rs",
     "segment.rs",
     "handle.rs",
     "event.rs",

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
-use support::shards::{objects, project};
+use support::shards::{drama, objects, project, variants};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// What is linked to a bank in memory, and to the same in a file.
@@ -40,27 +40,13 @@ fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usi
     assert_eq!(packed.reports, linked.reports, "{shards} shards");
 }
 
-fn drama() -> Vec<Input> {
-    support::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(key, bytes)).collect()
-}
-
 #[test]
 fn the_drama_in_any_number_of_shards() {
     let inputs = drama();
     let recordings = inputs.iter().step_by(5).map(|input| (input.key.clone(), Recording::new(1_000_000, 7)));
-    let variants = [
-        Options::new().default_locale("en-us").unwrap(),
-        Options::new().default_locale("en-us").unwrap().pseudo(true).strip(true),
-        Options::new()
-            .default_locale("en-us")
-            .unwrap()
-            .locales(["de-de", "fr-fr"])
-            .unwrap()
-            .fallback("fr-fr", ["de-de"])
-            .unwrap(),
-        Options::new().default_locale("en-us").unwrap().babble(BabbleProfiles::default()).recordings(recordings),
-    ];
-    for options in variants {
+    let with_profiles = Options::new().babble(BabbleProfiles::default()).recordings(recordings);
+    let with_profiles = with_profiles.default_locale("en-us").unwrap();
+    for options in variants().into_iter().chain([with_profiles]) {
         for (turn, shards) in [1, 2, 3, 7, 16, 64, 150].into_iter().enumerate() {
             assert_same(&Compiler::new(options.clone()), &inputs, shards, turn * 3);
         }

@@ -18,7 +18,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use support::shards::{objects, project};
+use support::shards::{drama, objects, project, variants};
 
 /// The names of the files in a folder.
 fn names(folder: &Path) -> BTreeSet<String> {
@@ -115,24 +115,9 @@ fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usi
     assert_answers(&index, &whole);
 }
 
-fn drama() -> Vec<Input> {
-    support::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(key, bytes)).collect()
-}
-
 #[test]
 fn the_drama_in_any_number_of_shards() {
-    let variants = [
-        Options::new().default_locale("en-us").unwrap(),
-        Options::new().default_locale("en-us").unwrap().pseudo(true).strip(true),
-        Options::new()
-            .default_locale("en-us")
-            .unwrap()
-            .locales(["de-de", "fr-fr"])
-            .unwrap()
-            .fallback("fr-fr", ["de-de"])
-            .unwrap(),
-    ];
-    for options in variants {
+    for options in variants() {
         for (turn, shards) in [1, 2, 7, 64].into_iter().enumerate() {
             assert_same(&Compiler::new(options.clone()), &drama(), shards, turn * 3);
         }

@@ -28,7 +28,7 @@ type View<'a> = lipz_bank::Dialogue<'a>;
 /// The value is one version of the files. A clone is the same version, and copies the paths alone: give one to each thread that reads.
 /// [`refresh`](Dialogue::refresh), [`add`](Dialogue::add) and [`remove`](Dialogue::remove) change this value only, all files or
 /// none; clones stay as they are. [`Locale`](lipz_bank::Locale), [`Voice`](lipz_bank::Voice) and names are those of a version:
-/// in another one they lead to nothing, so look them up again. A [`Cursor`](lipz_bank::Cursor) and a
+/// in a different version they lead to nothing, so look them up again. A [`Cursor`](lipz_bank::Cursor) and a
 /// [`ClipId`](lipz_bank::ClipId) count in every version.
 ///
 /// The banks of a set are verified when the first answer is from one of them. The clips of a damaged one are missing, and

@@ -8,7 +8,7 @@ use lipz_types::Position;
 /// Remembers where a curve was read last, so that the next picture finds its keys at once.
 ///
 /// It is one number, borrows nothing, and gives what [`Curve::value_at`] gives, whatever it was used for before: the time may
-/// jump, and the curve may be another one. It only saves the search.
+/// jump, and the curve may be a different one. It only saves the search.
 ///
 /// ```
 /// # use lipz_bank::{Clip, Micros};

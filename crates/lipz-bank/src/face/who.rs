@@ -31,7 +31,7 @@ impl<'name> From<&'name str> for Who<'name> {
 }
 
 impl Who<'_> {
-    /// What the curve with this name is for, without the character: `fear` for `mara.fear`. `None` if it is about another one.
+    /// What the curve with this name is for, without the character: `fear` for `mara.fear`. `None` if it is about a different character.
     pub(crate) fn purpose(self, curve: &[u8]) -> Option<&[u8]> {
         let behind =
             |character: &str| curve.strip_prefix(character.as_bytes()).and_then(|rest| rest.strip_prefix(b"."));

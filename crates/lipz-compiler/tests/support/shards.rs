@@ -24,6 +24,18 @@ pub(crate) fn objects(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, fo
     (0..shards).map(of_shard).collect()
 }
 
+/// The clips of the drama in the fixtures.
+pub(crate) fn drama() -> Vec<Input> {
+    super::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(key, bytes)).collect()
+}
+
+/// Options that change what a bank contains.
+pub(crate) fn variants() -> [Options; 3] {
+    let plain = Options::new().default_locale("en-us").unwrap();
+    let some_locales = plain.clone().locales(["de-de", "fr-fr"]).unwrap().fallback("fr-fr", ["de-de"]).unwrap();
+    [plain.clone(), plain.pseudo(true).strip(true), some_locales]
+}
+
 /// A clip with texts in some locales, events, and curves.
 fn file() -> impl Strategy<Value = String> {
     let text = "[a-zéß日{} ]{0,8}";
