@@ -231,7 +231,7 @@ export class Clip {
   /** The segment at `time`; undefined outside of the clip. */
   segmentAt(time: Time): Segment | undefined;
   /**
-   * The clip as it is played in `voice`: the dub in it; if there is none, the dub in a voice that this one falls back
+   * The clip as it is played in `voice`: the dub in it; without one, the dub in a voice that this one falls back
    * to (`other-dub`); otherwise the original.
    */
   inVoice(voice: Voice): { clip: Clip; spoken: "original" | "dub" | "other-dub" };
@@ -479,8 +479,8 @@ export class FaceProfile {
   /** As in the settings; `default` for that of the project. */
   readonly name: string;
   /**
-   * The face of a character who does not speak, at a time that counts from anywhere: the eyes blink and look. The seed,
-   * 0 by default, tells characters apart, so that they do not blink at the same time.
+   * The face of a character who does not speak, at a time that counts from anywhere: the eyes blink and look. The seed is
+   * 0 by default. Give each character a different one, so that they do not blink at the same time.
    */
   idleAt(time: Time, seed?: number | bigint, lookAt?: LookAt): Face;
 }

@@ -12,8 +12,8 @@ const UNVERIFIED = 1;
 const CHECK_PATH = "check the path and whether the file is there";
 const NAME_BANK = "name it after the index, or give the option `load`";
 
-/** The function `openDialogue` of a platform, whose `read` reads a file and whose `beside` names the one next to it. */
-export function openerWith({ read, beside }) {
+/** The function `openDialogue` of a platform, whose `read` reads a file, whose `beside` names the one next to it, and whose `nameOf` is its name without its folder. */
+export function openerWith({ read, beside, nameOf }) {
   let compiled;
 
   /** The contents of the file with this path or URL. */
@@ -49,6 +49,11 @@ export function openerWith({ read, beside }) {
     return { name: fileName, load: () => loadedBy(load, fileName) };
   }
 
+  /** The name of a file without its folder. */
+  function fileNameOf({ from, name }) {
+    return from === undefined ? name.split(/[/\\]/).at(-1) : nameOf(from);
+  }
+
   return async function openDialogue(files, { verify = true, load, wasm } = {}) {
     if (!Array.isArray(files)) throw new TypeError("the files are not an array: write openDialogue([file])");
     const sources = files.map(sourceOf);
@@ -59,7 +64,7 @@ export function openerWith({ read, beside }) {
     const all = index ? [index] : [];
     const { fileNames, isDamaged } = index ? setOf(memory, index) : { fileNames: [] };
     for (const fileName of fileNames) {
-      const place = others.findIndex(({ name }) => fileNameOf(name) === fileName);
+      const place = others.findIndex((source) => fileNameOf(source) === fileName);
       all.push(place < 0 ? absent(index, fileName, load) : others.splice(place, 1)[0]);
     }
     // Locales and profiles of a set are those of its first bank: if it came later, they would change.
@@ -93,16 +98,6 @@ function bytesOf(bytes) {
   return ArrayBuffer.isView(bytes)
     ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
     : new Uint8Array(bytes);
-}
-
-/** The last part of a path or URL, which spells some characters of a file's name as `%20`. */
-function fileNameOf(path) {
-  const name = path.replace(/[?#].*$/s, "").split(/[/\\]/).at(-1);
-  try {
-    return /^[a-z][a-z\d+.-]+:\/\//i.test(path) ? decodeURIComponent(name) : name;
-  } catch {
-    return name;
-  }
 }
 
 /** The bytes of a bank of a set, from the option of the program. */

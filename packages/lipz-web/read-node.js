@@ -1,7 +1,7 @@
 // Reading files in node: paths and `file:` URLs from disk, other URLs from a server.
 
 import { readFile } from "node:fs/promises";
-import { dirname, join } from "node:path";
+import { basename, dirname, join } from "node:path";
 import * as web from "./read-web.js";
 
 /** Whether a file has a URL, and not a path; `C:` is a drive. */
@@ -13,6 +13,9 @@ export async function read(file) {
   const url = new URL(file);
   return url.protocol === "file:" ? readFile(url) : web.read(url);
 }
+
+/** The name of the file with this path or URL. */
+export const nameOf = (file) => (hasUrl(file) ? web.nameOf(file) : basename(file));
 
 /** The path or URL of the file with this name next to a given file. */
 export function beside(file, fileName) {

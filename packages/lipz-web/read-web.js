@@ -7,8 +7,19 @@ export async function read(url) {
   return response.arrayBuffer();
 }
 
+/** The name of the file with this URL, which spells some characters as `%20`. */
+export function nameOf(url) {
+  try {
+    return decodeURIComponent(new URL(url, page()).pathname.split("/").at(-1));
+  } catch {
+    return String(url);
+  }
+}
+
 /** The URL of the file with this name next to a given file. */
 export function beside(url, fileName) {
-  const page = globalThis.document?.baseURI ?? globalThis.location?.href;
-  return new URL(encodeURIComponent(fileName), new URL(url, page)).href;
+  return new URL(encodeURIComponent(fileName), new URL(url, page())).href;
 }
+
+/** What relative URLs are relative to. */
+const page = () => globalThis.document?.baseURI ?? globalThis.location?.href;

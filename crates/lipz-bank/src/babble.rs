@@ -1,5 +1,6 @@
 //! Babble: a mouth that moves while somebody speaks whose mouth shapes nobody knows.
 
+use crate::file::profiles;
 use crate::{Bank, Fps, Time};
 use core::fmt;
 use lipz_layout::{BabbleRecord, Tag};
@@ -98,17 +99,6 @@ impl Babble<'static> {
 }
 
 impl<'data> Babble<'data> {
-    /// All profiles of a bank, if there is one.
-    pub(crate) fn all(bank: Option<&Bank<'data>>) -> impl Iterator<Item = Babble<'data>> + Clone {
-        let mut rest = bank.map_or(&[] as &[u8], |bank| bank.file.section(Tag::BABBLE));
-        core::iter::from_fn(move || {
-            // A damaged profile ends the iteration.
-            let (babble, behind) = Babble::split_first(rest)?;
-            rest = behind;
-            Some(babble)
-        })
-    }
-
     /// The profile that `bytes` start with, and what is behind it; `None` if they are damaged.
     pub(crate) fn split_first(bytes: &'data [u8]) -> Option<(Babble<'data>, &'data [u8])> {
         let (record, mut rest) = BabbleRecord::ref_from_prefix(bytes).ok()?;
@@ -208,6 +198,6 @@ impl<'data> Bank<'data> {
 
     /// All babble profiles of the bank, in the order of their names.
     pub fn babbles(&self) -> impl Iterator<Item = Babble<'data>> + Clone {
-        Babble::all(Some(self))
+        profiles(self.file.section(Tag::BABBLE), Babble::split_first)
     }
 }

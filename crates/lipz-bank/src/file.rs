@@ -184,3 +184,19 @@ fn check_header(bytes: &[u8]) -> Result<(), Error> {
 fn entry_offset(index: usize) -> u32 {
     (size_of::<Header>() + index * size_of::<DirectoryEntry>()) as u32
 }
+
+/// The first profile of a section, and the bytes after it; `None` if it is damaged.
+type First<'data, T> = Option<(T, &'data [u8])>;
+
+/// The profiles of a section, one after the other.
+pub(crate) fn profiles<'data, T: 'data>(
+    mut rest: &'data [u8],
+    split_first: fn(&'data [u8]) -> First<'data, T>,
+) -> impl Iterator<Item = T> + Clone + 'data {
+    core::iter::from_fn(move || {
+        // A damaged profile ends the iteration.
+        let (profile, behind) = split_first(rest)?;
+        rest = behind;
+        Some(profile)
+    })
+}

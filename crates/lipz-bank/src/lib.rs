@@ -45,7 +45,7 @@
 //! [`Dialogue::open`] and [`Bank::verify`] check every byte and every reference. Afterwards, no query fails for which the
 //! compiler stored data, and texts are returned without being checked again.
 //!
-//! [`Dialogue::open_unverified`] and [`Bank::open`] look at headers and directories only. After them, too, no call panics, reads
+//! [`Dialogue::open_unverified`], [`Dialogue::open_bank`] and [`Bank::open`] look at headers and directories only. After them, too, no call panics, reads
 //! out of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or rest.
 //!
 //! A [`Locale`] or a [`Voice`] of a different dialogue, or of a different version of it, leads to nothing: to no text, and to

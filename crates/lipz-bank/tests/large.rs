@@ -40,6 +40,16 @@ fn texts_that_are_not_there_or_too_long() {
     assert_eq!([kind(TEXT_HAS_LENGTH, b"\0\0\x02a"), kind(0, &[b'x'; TEXT_MAX_BYTES + 1])], [damage; 2]);
 }
 
+/// The same in front of the text of another clip, where no text ends with the pool.
+#[test]
+fn a_text_before_others_that_is_too_long() {
+    let kind = |length: usize| {
+        let clips = [clip("a", 0, vec![]), clip("b", 0, vec![])];
+        refusal(&bank(&clips, 1, &[0, length as u32], &vec![b'x'; length + 1])).map(Error::kind)
+    };
+    assert_eq!([TEXT_MAX_BYTES, TEXT_MAX_BYTES + 1].map(kind), [None, Some(ErrorKind::TextReference)]);
+}
+
 /// What `verify` wants of the texts of a clip.
 #[test]
 fn texts_are_all_of_one_kind() {

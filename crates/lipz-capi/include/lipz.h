@@ -9,7 +9,7 @@
  *
  * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
  * beside it says; that holds for the pointers in a lipz_bytes and a lipz_who, too. The words of a
- * lipz_dialogue and of its files are those that lipz_dialogue_open has written; the files, where they are,
+ * lipz_dialogue and of its files are those that the library has written; the files, where they are,
  * and their contents stay for as long as the dialogue and strings from it are used. Nobody writes to
  * any of them meanwhile, and answers do not overlap arguments.
  *
@@ -24,6 +24,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 // Damage: the file is shorter than the header of a bank.
 #define LIPZ_TOO_SHORT 1
@@ -328,7 +329,7 @@ typedef struct {
   size_t length_bytes;
 } lipz_string;
 
-// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. `lipz_dialogue_open` writes it,
+// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. The library writes it,
 // and no program reads or writes its words. It owns nothing: forget it when you no longer need it.
 typedef struct {
   // Written by the library.
@@ -381,7 +382,7 @@ typedef struct {
   uint32_t clip_count;
 } lipz_set_bank;
 
-// A place for an open file of a dialogue, which `lipz_dialogue_open` fills.
+// A place for an open file of a dialogue, which the library fills.
 typedef struct {
   // Written by the library.
   size_t words[LIPZ_FILE_WORDS];
@@ -469,7 +470,7 @@ typedef struct {
 typedef struct {
   // The locale of the voice: `de-de`.
   lipz_string tag;
-  // Tells the version of the dialogue apart from others.
+  // The version of the dialogue.
   uint32_t version;
   // Where it is in the dialogue.
   uint32_t place;
@@ -491,7 +492,7 @@ typedef struct {
 typedef struct {
   // Its tag, as in `text_en-us` of a Lipz file: `en-us`.
   lipz_string tag;
-  // Tells the version of the dialogue apart from others.
+  // The version of the dialogue.
   uint32_t version;
   // Where it is in the dialogue.
   uint32_t place;
@@ -513,7 +514,7 @@ typedef struct {
 typedef struct {
   // The name as it is spelled in the Lipz file.
   lipz_string name;
-  // Tells the bank that the name is of apart from others; `LIPZ_NO_NAME` if there is no name.
+  // Identifies the bank of the name; `LIPZ_NO_NAME` without a name.
   uint32_t bank;
   // Its number in that bank.
   uint32_t id;
@@ -762,9 +763,9 @@ lipz_status lipz_dialogue_open(lipz_dialogue *dialogue,
                                uint32_t flags,
                                lipz_problem *problem);
 
-// Opens a dialogue of the one bank whose contents these are, without verifying it: for firmware, whose bank was verified when it
-// was packed. A program that opens dialogues only in this way has no code for patches, sets, text banks and checks. `file` is
-// room for the bank, which stays where it is, as in `lipz_dialogue_open`.
+// Opens a dialogue of one bank without verifying it: for firmware whose bank was verified when it was packed. The library keeps the
+// opened bank in `file`. As for `lipz_dialogue_open`, keep `file` and the contents where they are. Patches, text banks and sets are
+// refused. Unless the status is `LIPZ_OK`, the dialogue is not opened.
 lipz_status lipz_dialogue_open_bank(lipz_dialogue *dialogue, lipz_file *file, const lipz_bytes *contents);
 
 // Puts a bank of a set into its place, with the number of its file, that was not there when the dialogue was opened. Handles
@@ -1001,7 +1002,7 @@ lipz_status lipz_clip_face_at(const lipz_dialogue *dialogue,
                               const lipz_look_at *look_at,
                               lipz_face *face);
 
-// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; `seed` tells characters apart,
+// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; Give each character a different `seed`,
 // so that they do not blink at the same time. The rest as for `lipz_clip_face_at`.
 lipz_status lipz_face_idle_at(const lipz_dialogue *dialogue,
                               lipz_time time,
@@ -1031,15 +1032,17 @@ static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
 
 // A time in seconds.
 static inline lipz_time lipz_time_seconds(double seconds) {
-  union { double seconds; int64_t bits; } value = {seconds};
-  lipz_time time = {value.bits, LIPZ_SECONDS, 0};
+  lipz_time time = {0, LIPZ_SECONDS, 0};
+  memcpy(&time.count, &seconds, sizeof seconds);
   return time;
 }
 
 // A time in seconds of a clock that has no more than a float.
 static inline lipz_time lipz_time_seconds_f32(float seconds) {
-  union { float seconds; uint32_t bits; } value = {seconds};
-  lipz_time time = {value.bits, LIPZ_SECONDS_F32, 0};
+  uint32_t bits;
+  lipz_time time = {0, LIPZ_SECONDS_F32, 0};
+  memcpy(&bits, &seconds, sizeof bits);
+  time.count = bits;
   return time;
 }
 

@@ -22,7 +22,7 @@ pub const LIPZ_FILE_TEXTS: u32 = 3;
 /// Kind of a file: the index of a set of banks.
 pub const LIPZ_FILE_SET: u32 = 4;
 
-/// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. `lipz_dialogue_open` writes it,
+/// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. The library writes it,
 /// and no program reads or writes its words. It owns nothing: forget it when you no longer need it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ pub struct Dialogue {
     pub words: [usize; LIPZ_DIALOGUE_WORDS],
 }
 
-/// A place for an open file of a dialogue, which `lipz_dialogue_open` fills.
+/// A place for an open file of a dialogue, which the library fills.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct FilePlace {
@@ -198,7 +198,7 @@ pub(crate) unsafe fn reader<'a>(dialogue: Option<&'a Dialogue>) -> Result<&'a Re
     if *first != OPENED {
         return Err(LIPZ_NOT_OPENED);
     }
-    // SAFETY: `lipz_dialogue_open` has written it, and the files and their contents are still there: the contract.
+    // SAFETY: the library has written it, and the files and their contents are still there: the contract.
     Ok(unsafe { &*words.as_ptr().cast::<Reader<'a>>() })
 }
 

@@ -176,7 +176,7 @@ pub unsafe extern "C" fn lipz_clip_face_at(
     }
 }
 
-/// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; `seed` tells characters apart,
+/// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; Give each character a different `seed`,
 /// so that they do not blink at the same time. The rest as for `lipz_clip_face_at`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_face_idle_at(

@@ -17,7 +17,7 @@ pub const LIPZ_NO_NAME: u32 = 0;
 pub struct Locale {
     /// Its tag, as in `text_en-us` of a Lipz file: `en-us`.
     pub tag: String,
-    /// Tells the version of the dialogue apart from others.
+    /// The version of the dialogue.
     pub version: u32,
     /// Where it is in the dialogue.
     pub place: u32,
@@ -31,7 +31,7 @@ pub struct Locale {
 pub struct Voice {
     /// The locale of the voice: `de-de`.
     pub tag: String,
-    /// Tells the version of the dialogue apart from others.
+    /// The version of the dialogue.
     pub version: u32,
     /// Where it is in the dialogue.
     pub place: u32,
@@ -45,7 +45,7 @@ pub struct Voice {
 pub struct Name {
     /// The name as it is spelled in the Lipz file.
     pub name: String,
-    /// Tells the bank that the name is of apart from others; `LIPZ_NO_NAME` if there is no name.
+    /// Identifies the bank of the name; `LIPZ_NO_NAME` without a name.
     pub bank: u32,
     /// Its number in that bank.
     pub id: u32,

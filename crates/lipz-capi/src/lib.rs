@@ -9,7 +9,7 @@
 //!
 //! * a pointer is null or leads to a value of its type, or to as many bytes as the length next to it
 //!   says; that holds for the pointers in a [`Bytes`] and a [`Who`], too;
-//! * the words of a [`Dialogue`] and of its files are those that [`lipz_dialogue_open`] has written; the files, where they are,
+//! * the words of a [`Dialogue`] and of its files are those that the library has written; the files, where they are,
 //!   and their contents are there for as long as the dialogue and the strings from it are used;
 //! * no thread writes to any of these meanwhile, and answers do not overlap arguments.
 //!

@@ -45,9 +45,9 @@ pub unsafe extern "C" fn lipz_dialogue_open(
     kept(dialogue, unsafe { open(files, contents, file_count, flags, problem) })
 }
 
-/// Opens a dialogue of the one bank whose contents these are, without verifying it: for firmware, whose bank was verified when it
-/// was packed. A program that opens dialogues only in this way has no code for patches, sets, text banks and checks. `file` is
-/// room for the bank, which stays where it is, as in `lipz_dialogue_open`.
+/// Opens a dialogue of one bank without verifying it: for firmware whose bank was verified when it was packed. The library keeps the
+/// opened bank in `file`. As for `lipz_dialogue_open`, keep `file` and the contents where they are. Patches, text banks and sets are
+/// refused. Unless the status is `LIPZ_OK`, the dialogue is not opened.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_open_bank(
     dialogue: Option<&mut MaybeUninit<Dialogue>>,

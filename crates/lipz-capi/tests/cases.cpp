@@ -1,5 +1,5 @@
-// The cases of fixtures/playback/cases.txt in C++17: cases <folder of the banks> [what it lacks]... < cases.txt. Writes the
-// file anew, with the answers of the library, and tells how many commands it has played and skipped.
+// The cases of fixtures/playback/cases.txt in C++17: cases <folder of the banks> [what it lacks]... < cases.txt. Prints the
+// file again, with the answers of the library, and reports how many commands it played and skipped.
 #include <lipz.hpp>
 
 #include <algorithm>

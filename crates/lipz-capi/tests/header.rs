@@ -75,7 +75,7 @@ const INTRODUCTION: &str = "/*
  *
  * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
  * beside it says; that holds for the pointers in a lipz_bytes and a lipz_who, too. The words of a
- * lipz_dialogue and of its files are those that lipz_dialogue_open has written; the files, where they are,
+ * lipz_dialogue and of its files are those that the library has written; the files, where they are,
  * and their contents stay for as long as the dialogue and strings from it are used. Nobody writes to
  * any of them meanwhile, and answers do not overlap arguments.
  *
@@ -106,15 +106,17 @@ static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
 
 // A time in seconds.
 static inline lipz_time lipz_time_seconds(double seconds) {
-  union { double seconds; int64_t bits; } value = {seconds};
-  lipz_time time = {value.bits, LIPZ_SECONDS, 0};
+  lipz_time time = {0, LIPZ_SECONDS, 0};
+  memcpy(&time.count, &seconds, sizeof seconds);
   return time;
 }
 
 // A time in seconds of a clock that has no more than a float.
 static inline lipz_time lipz_time_seconds_f32(float seconds) {
-  union { float seconds; uint32_t bits; } value = {seconds};
-  lipz_time time = {value.bits, LIPZ_SECONDS_F32, 0};
+  uint32_t bits;
+  lipz_time time = {0, LIPZ_SECONDS_F32, 0};
+  memcpy(&bits, &seconds, sizeof bits);
+  time.count = bits;
   return time;
 }
 
@@ -180,7 +182,7 @@ fn header() -> String {
         after_includes: Some(damage()),
         trailer: Some(TIMES.into()),
         no_includes: true,
-        sys_includes: vec!["stddef.h".into(), "stdint.h".into()],
+        sys_includes: vec!["stddef.h".into(), "stdint.h".into(), "string.h".into()],
         usize_is_size_t: true,
         documentation_style: DocumentationStyle::C99,
         line_length: 132,

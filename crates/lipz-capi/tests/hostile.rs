@@ -29,6 +29,10 @@ fn null_pointers_are_a_status() {
             lipz_dialogue_open(Some(&mut unopened), place.as_mut_ptr(), null.cast(), 1, 0, None),
             lipz_dialogue_open(Some(&mut unopened), place.as_mut_ptr(), &small, usize::MAX, 0, None),
             lipz_dialogue_open(Some(&mut unopened), place.as_mut_ptr(), &no_bytes, 1, 0, None),
+            lipz_dialogue_open_bank(None, None, Some(&small)),
+            lipz_dialogue_open_bank(Some(&mut unopened), None, Some(&small)),
+            lipz_dialogue_open_bank(Some(&mut unopened), Some(&mut MaybeUninit::uninit()), None),
+            lipz_dialogue_open_bank(Some(&mut unopened), Some(&mut MaybeUninit::uninit()), Some(&no_bytes)),
             lipz_dialogue_supply(None, place.as_mut_ptr(), 1, Some(&small), 0, None),
             ask::<SetBank>(|out| lipz_set_bank_by_index(None, 0, out)).unwrap_err(),
             ask::<DialogueInfo>(|out| lipz_dialogue_info(None, out)).unwrap_err(),
@@ -128,6 +132,42 @@ fn what_was_not_opened_answers_nothing() {
     let failed = unsafe { failed.assume_init() };
     let info: Result<DialogueInfo, _> = ask(|out| unsafe { lipz_dialogue_info(Some(&failed), out) });
     assert_eq!(info.err(), Some(LIPZ_NOT_OPENED), "a dialogue of before does not stay");
+}
+
+#[test]
+fn one_bank_is_opened_and_nothing_else() {
+    let open = |contents: &[u8]| {
+        let mut of_c = MaybeUninit::new(dialogue(&[SMALL]).of_c);
+        let file = Box::leak(Box::new(MaybeUninit::uninit()));
+        let status = unsafe { lipz_dialogue_open_bank(Some(&mut of_c), Some(file), Some(&bytes(contents))) };
+        (status, unsafe { of_c.assume_init() })
+    };
+    let (status, one) = open(DRAMA);
+    let info: DialogueInfo = ask(|out| unsafe { lipz_dialogue_info(Some(&one), out) }).unwrap();
+    let whole: DialogueInfo = ask(|out| unsafe { lipz_dialogue_info(Some(&dialogue(&[DRAMA]).of_c), out) }).unwrap();
+    assert_eq!((status, info.clip_count, info.locale_count), (LIPZ_OK, whole.clip_count, whole.locale_count));
+    for (contents, kind) in [
+        (GERMAN, ErrorKind::TextsOnly),
+        (PATCH, ErrorKind::OtherBase),
+        (SET, ErrorKind::NotABank),
+        (&DRAMA[..99], ErrorKind::WrongLength),
+        (&[], ErrorKind::TooShort),
+    ] {
+        let (status, refused) = open(contents);
+        assert_eq!(status, u32::from(kind.number()), "{kind:?}");
+        let info: Result<DialogueInfo, _> = ask(|out| unsafe { lipz_dialogue_info(Some(&refused), out) });
+        assert_eq!(info.err(), Some(LIPZ_NOT_OPENED), "a dialogue of before does not stay");
+    }
+}
+
+/// Without a bank, nothing says what the project's locale and profiles are.
+#[test]
+fn a_set_without_banks_is_absent() {
+    let of_c = opened(&[SET, &[], &[]], places(3), 0).unwrap();
+    let null = std::ptr::null();
+    let locale: Result<Locale, _> = ask(|out| unsafe { lipz_dialogue_locale(Some(&of_c), null, 0, out) });
+    let profile: Result<FaceProfile, _> = ask(|out| unsafe { lipz_dialogue_face_profile(Some(&of_c), null, 0, out) });
+    assert_eq!((locale.err(), profile.err()), (Some(LIPZ_ABSENT), Some(LIPZ_ABSENT)));
 }
 
 /// What a dialogue gives, another version of it does not take.

@@ -35,7 +35,7 @@ pub fn checksum(bytes: &[u8]) -> u64 {
     }
     let mut lanes = START;
     let mut left = bytes;
-    // Two at a time, where code is cheap: without moves from register to register.
+    // Two stripes per round where code is cheap: the lanes stay in their registers.
     if cfg!(target_pointer_width = "64") {
         let pairs = bytes.chunks_exact(STRIPE * 2);
         left = pairs.remainder();

@@ -119,7 +119,8 @@ impl PartialOrd for Fps {
     }
 }
 
-/// ⌈2⁶⁴ · `frames` / `micros`⌉ of a quotient below 1; `None` if nothing is to divide by. Small processors do not divide 128 bits.
+/// ⌈2⁶⁴ · `frames` / `micros`⌉ of a quotient below 1. `None` if `micros` is 0, which 32-bit processors do not check: callers pass
+/// a denominator that is not 0. Small processors do not divide 128 bits.
 const fn reciprocal(frames: u32, micros: u64) -> Option<u64> {
     if cfg!(target_pointer_width = "64") { divided(frames, micros) } else { Some(long_divided(frames, micros)) }
 }

@@ -19,7 +19,7 @@ pub trait Time: Copy + sealed::Sealed {
     #[doc(hidden)]
     fn has_begun(self) -> bool;
 
-    /// The time so much later: rounded up to the unit, and of floats to the nearest.
+    /// The time `us` microseconds later. Integer units round up, floats to the nearest.
     #[doc(hidden)]
     fn later(self, us: u32) -> Self;
 
@@ -197,11 +197,17 @@ impl Time for Seconds<f32> {
     }
 
     fn later(self, us: u32) -> Self {
-        let sum = self.parts().and_then(|(mantissa, shift)| later_float(mantissa, shift, us, f32::MANTISSA_DIGITS));
-        sum.map_or(self, |(mantissa, shift)| {
-            let exponent = 149_i32.wrapping_sub(shift) as u32;
-            Seconds(f32::from_bits((mantissa as u32).wrapping_add(exponent << 23)))
-        })
+        let digits = f32::MANTISSA_DIGITS;
+        let is_before = self.0.to_bits() > 1 << 31;
+        let parts = Seconds(f32::from_bits(self.0.to_bits() & u32::MAX >> 1)).parts();
+        match parts.and_then(|(mantissa, shift)| later_float(mantissa, shift, is_before, us, digits)) {
+            Some((0, _)) => Seconds(0.0),
+            Some((mantissa, shift)) => {
+                let exponent = 149_i32.wrapping_sub(shift) as u32;
+                Seconds(f32::from_bits((mantissa as u32).wrapping_add(exponent << 23)))
+            }
+            None => self,
+        }
     }
 
     fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
@@ -238,11 +244,17 @@ impl Time for Seconds<f64> {
     }
 
     fn later(self, us: u32) -> Self {
-        let sum = self.parts().and_then(|(mantissa, shift)| later_float(mantissa, shift, us, f64::MANTISSA_DIGITS));
-        sum.map_or(self, |(mantissa, shift)| {
-            let exponent = 1074_i32.wrapping_sub(shift) as u64;
-            Seconds(f64::from_bits(mantissa.wrapping_add(exponent << 52)))
-        })
+        let digits = f64::MANTISSA_DIGITS;
+        let is_before = self.0.to_bits() > 1 << 63;
+        let parts = Seconds(f64::from_bits(self.0.to_bits() & u64::MAX >> 1)).parts();
+        match parts.and_then(|(mantissa, shift)| later_float(mantissa, shift, is_before, us, digits)) {
+            Some((0, _)) => Seconds(0.0),
+            Some((mantissa, shift)) => {
+                let exponent = 1074_i32.wrapping_sub(shift) as u64;
+                Seconds(f64::from_bits(mantissa.wrapping_add(exponent << 52)))
+            }
+            None => self,
+        }
     }
 
     fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64) {
@@ -282,19 +294,27 @@ fn wide_frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i
     StoredFps::from_parts(1, fps.denominator(), 0)?.frame_at_units(frames, 1, frame_count)
 }
 
-/// The time `us` microseconds after `mantissa` · 2^−`shift` seconds, as a mantissa of so many digits and its shift. `None` if it is
-/// the same: from 2²³ seconds in single precision on, of which a unit in the last place is more than a second.
+/// The time `us` microseconds after `mantissa` · 2^−`shift` seconds, or after as long before the start, as a mantissa with this
+/// number of digits and its shift. `None` if nothing is added: `us` is 0, the sum is still before the start, or the time is so late
+/// (from 2²⁴ s in single precision) that its unit is two seconds or more; a longer lead is ignored there.
 ///
-/// Without floating point: small processors have none, or only half of it.
-fn later_float(mantissa: u64, shift: i32, us: u32, digits: u32) -> Option<(u64, i32)> {
+/// Uses integers only, because small processors have no floating-point unit, or one for single precision only.
+fn later_float(mantissa: u64, shift: i32, is_before: bool, us: u32, digits: u32) -> Option<(u64, i32)> {
     /// ⌈2⁹⁶ / 10⁶⌉
     const MICRO_Q96: u128 = (1_u128 << 96) / MICROS_PER_SECOND as u128 + 1;
     if shift < 0 || us == 0 {
         return None;
     }
     // In units of 2^−64 seconds: fewer than 118 bits, of which the lowest are rounded away.
-    let time = if shift < 128 { u128::from(mantissa) << 64 >> shift } else { 0 };
-    let sum = time.wrapping_add(u128::from(us).wrapping_mul(MICRO_Q96) >> 32);
+    let seconds = |mantissa: u64| if shift < 128 { u128::from(mantissa) << 64 >> shift } else { 0 };
+    let (time, added) = (seconds(mantissa), u128::from(us).wrapping_mul(MICRO_Q96) >> 32);
+    let sum = match added.checked_sub(time) {
+        _ if !is_before => time.wrapping_add(added),
+        Some(sum) => sum,
+        // The start, within the two units in the last place that frames allow for.
+        None if time.wrapping_sub(added) <= seconds(2) => 0,
+        None => return None,
+    };
     let excess = 128_i32.wrapping_sub(sum.leading_zeros() as i32).wrapping_sub(digits as i32);
     let rounded = match excess {
         1.. => (sum >> excess.wrapping_sub(1)).wrapping_add(1) >> 1,
@@ -317,9 +337,9 @@ fn rest_of_float(mantissa: u64, shift: i32, frame: u32, fps: StoredFps) -> (u64,
     ((shifted as u64).wrapping_sub(whole.wrapping_mul(u64::from(frame))), whole)
 }
 
-/// A time in a unit that is known only at run time: of an engine's clock, or from a program in another language.
+/// A time whose unit is known only at run time, such as one from an engine's clock or from a program in another language.
 ///
-/// It leads to the same frames as the time in it, through code that is there once for all units.
+/// It leads to the same frames as the time that it contains. The code of each unit is compiled once.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum AnyTime {
     /// Microseconds.

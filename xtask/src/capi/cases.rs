@@ -79,7 +79,7 @@ pub(crate) fn layouts() -> Result<PathBuf, Failure> {
     Ok(folder)
 }
 
-/// The program reads the cases, and prints the same. It tells how many commands it has played and skipped.
+/// The program reads the cases, and prints the same. It reports how many commands it played and skipped.
 fn answers(mut program: Command, name: &str, folder: &Path, lacking: &[&str]) -> Result<(), Failure> {
     let path = paths::workspace_root().join(CASES);
     let unreadable = |error| format!("`{CASES}`: {error}");

@@ -133,8 +133,8 @@ pub(super) const C_PROGRAMS: [Group; 10] = [
         budget_bytes: Some(29_365),
     },
     Group {
-        name: "C: + open any files, verified",
+        name: "C: + open any files, verified, and supply banks",
         parts: &[C_OPEN, C_MOUTHS, C_TEXTS, C_EVENTS, C_CURSOR, C_BABBLE, C_CURVES, C_EMOTIONS, C_FACE, C_OPEN_ANY],
-        budget_bytes: None,
+        budget_bytes: Some(56_500),
     },
 ];

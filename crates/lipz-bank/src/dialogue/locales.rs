@@ -52,8 +52,7 @@ impl<'a> Dialogue<'a> {
         self.base_levels().find_map(|level| self.handle_in(level, tag)).or(found)
     }
 
-    /// The default locale: that of the topmost file that says which one it is. Of a bank without locales, the text banks next to
-    /// it say it.
+    /// The default locale, from the topmost file that sets one. If a bank has no locales, its text banks set it.
     pub fn default_locale(&self) -> Option<Locale> {
         match self.answers {
             Answers::Alone(bank) => bank.default_locale(),
@@ -62,7 +61,7 @@ impl<'a> Dialogue<'a> {
     }
 
     pub(super) fn default_locale_in_files(&self) -> Option<Locale> {
-        let bank = self.that_says(LAYER_DEFAULT_LOCALE)?;
+        let bank = self.bank_with_in_files(LAYER_DEFAULT_LOCALE)?;
         let number = bank.number as usize;
         let level = Level { number, file: self.bank_file(number)?, layer: None };
         let tag = self.tables_of(level).find_map(|table| table.locales.tag(table.locales.default_index()?))?;

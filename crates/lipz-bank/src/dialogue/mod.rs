@@ -27,9 +27,6 @@ use core::fmt;
 use file::{BankFile, Contents, FilesRef};
 use lipz_layout::U64;
 
-/// Patches that a dialogue has room for.
-pub(crate) const MAX_PATCHES: usize = 15;
-
 /// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks.
 ///
 /// A game opens a dialogue and asks it; which files it is made of, and how many, changes nothing else. A patch, a download or a
@@ -59,9 +56,9 @@ pub struct Dialogue<'a> {
     answers: Answers<'a>,
     base: Base<'a>,
     /// The patch that is the nearest to the base, and so on.
-    patches: [Option<&'a BankFile<'a>>; MAX_PATCHES],
+    patches: [Option<&'a BankFile<'a>>; Dialogue::MAX_PATCHES],
     /// For each patch the bits of the ids that it says something about; nothing behind them.
-    filters: [&'a [U64]; MAX_PATCHES],
+    filters: [&'a [U64]; Dialogue::MAX_PATCHES],
     patch_count: usize,
     /// What the handles of this dialogue have.
     origin: Origin,
@@ -69,12 +66,18 @@ pub struct Dialogue<'a> {
     removes_locales: bool,
 }
 
-/// What answers queries.
+impl Dialogue<'_> {
+    /// The number of patches that a dialogue has room for.
+    pub const MAX_PATCHES: usize = 15;
+}
+
+/// Who answers the queries of a dialogue.
 #[derive(Clone, Copy)]
-pub(crate) enum Answers<'a> {
-    /// The bank that is the only file, by itself.
+enum Answers<'a> {
+    /// The only file, which is a bank.
     Alone(&'a Bank<'a>),
-    /// All files together. Their queries are in a table: a program that opens one bank has none of their code.
+    /// All files. The queries are in a table, so that a program that opens single banks on a 32-bit processor does not contain
+    /// their code.
     Together(&'static Queries),
 }
 
@@ -191,7 +194,7 @@ impl<'a> Dialogue<'a> {
     #[inline(always)] // a place in registers
     fn find(&self, id: ClipId) -> Option<Found<'a>> {
         match self.answers {
-            // Where code is cheap, without a question and a call.
+            // On 64-bit processors, search the files directly: that saves a branch and an indirect call, and code is cheap.
             _ if cfg!(target_pointer_width = "64") => self.find_in_files(id),
             Answers::Alone(bank) => Some(Found::new(bank, bank.find(id)?.0, true)),
             Answers::Together(queries) => (queries.find)(self, id),
@@ -249,7 +252,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// Whether the base is there: a set may be opened before any of its banks.
+    /// Whether the base, or at least one bank of a set, is loaded.
     pub fn has_bank(&self) -> bool {
         match self.answers {
             Answers::Alone(_) => true,
@@ -257,8 +260,8 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The number of the file that is not there and would have the clip with this id: of a bank of a set. `None` if no file could
-    /// have it.
+    /// The number of the missing bank of a set that would contain the clip with this ID. `None` if that bank is loaded, if a patch
+    /// removes the clip, or if the base is not a set.
     pub fn missing_bank(&self, id: ClipId) -> Option<usize> {
         match self.answers {
             Answers::Alone(_) => None,

@@ -2,7 +2,7 @@
 
 use super::file::{BankFile, Contents, FilesRef};
 use super::queries::QUERIES;
-use super::{Answers, Base, Dialogue, DialogueError, DialogueFile, Files, MAX_PATCHES};
+use super::{Answers, Base, Dialogue, DialogueError, DialogueFile, Files};
 use crate::origin::{Origin, add_checksum};
 use crate::verify::Utf8;
 use crate::{Bank, Error, ErrorKind};
@@ -37,8 +37,11 @@ impl<'a> Dialogue<'a> {
         Dialogue::open_each(files, contents, Some(utf8))
     }
 
-    /// Opens the one bank that fills `bytes`, without verifying it, and puts it into `file`: for firmware, whose bank was verified
-    /// when it was packed. A program that opens dialogues only in this way has no code for patches, sets, text banks and checks.
+    /// Opens the one bank that fills `bytes`, without verifying it, and puts it into `file`: for firmware whose bank was verified
+    /// when it was packed. On 32-bit processors, a program that opens only single banks does not contain the code for verifying,
+    /// patches, sets and text banks, unless it lists locales.
+    ///
+    /// `file` is room that need not be initialised: a place that is [absent](DialogueFile::ABSENT) would be copied from ROM first.
     ///
     /// # Errors
     /// As [`Bank::open`]; [`ErrorKind::OtherBase`] for a patch.
@@ -51,6 +54,7 @@ impl<'a> Dialogue<'a> {
             file.write(DialogueFile { contents: Contents::Bank(BankFile { bank, layer: None }) });
         match &file.contents {
             Contents::Bank(base) => Ok(Dialogue::alone(FilesRef::Slice(core::slice::from_ref(file)), base)),
+            // It was just written as a bank.
             _ => Err(Error::new(ErrorKind::OtherBase, 0)),
         }
     }
@@ -160,7 +164,7 @@ impl<'a> Dialogue<'a> {
 
     /// A dialogue without patches.
     fn with_base(files: FilesRef<'a>, answers: Answers<'a>, base: Base<'a>, origin: Origin) -> Dialogue<'a> {
-        let (patches, filters) = ([None; MAX_PATCHES], [&[] as &[U64]; MAX_PATCHES]);
+        let (patches, filters) = ([None; Dialogue::MAX_PATCHES], [&[] as &[U64]; Dialogue::MAX_PATCHES]);
         Dialogue { files, answers, base, patches, filters, patch_count: 0, origin, removes_locales: false }
     }
 

@@ -4,10 +4,11 @@ use super::{Answers, Dialogue};
 use crate::Bank;
 use crate::babble::Babble;
 use crate::face::FaceProfile;
-use lipz_layout::{LAYER_BABBLE, LAYER_FACES};
+use crate::file::profiles;
+use lipz_layout::{LAYER_BABBLE, LAYER_FACES, Tag};
 
 impl<'a> Dialogue<'a> {
-    /// The babble profile with this name, of the topmost file that says something about profiles.
+    /// The babble profile with this name, from the topmost file that sets babble profiles.
     pub fn babble(&self, name: &str) -> Option<Babble<'a>> {
         self.bank_of_babble()?.babble(name)
     }
@@ -19,10 +20,10 @@ impl<'a> Dialogue<'a> {
 
     /// All babble profiles, in the order of their names.
     pub fn babbles(&self) -> impl Iterator<Item = Babble<'a>> + Clone + '_ {
-        Babble::all(self.bank_of_babble())
+        profiles(section(self.bank_of_babble(), Tag::BABBLE), Babble::split_first)
     }
 
-    /// The face profile with this name, of the topmost file that says something about profiles.
+    /// The face profile with this name, from the topmost file that sets face profiles.
     pub fn face_profile(&self, name: &str) -> Option<FaceProfile<'a>> {
         self.bank_of_faces()?.face_profile(name)
     }
@@ -34,21 +35,26 @@ impl<'a> Dialogue<'a> {
 
     /// All face profiles, in the order of their names.
     pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'a>> + Clone + '_ {
-        FaceProfile::all(self.bank_of_faces())
+        profiles(section(self.bank_of_faces(), Tag::FACES), FaceProfile::split_first)
     }
 
     fn bank_of_babble(&self) -> Option<&'a Bank<'a>> {
-        self.bank_that_says(LAYER_BABBLE)
+        self.bank_with(LAYER_BABBLE)
     }
 
     fn bank_of_faces(&self) -> Option<&'a Bank<'a>> {
-        self.bank_that_says(LAYER_FACES)
+        self.bank_with(LAYER_FACES)
     }
 
-    fn bank_that_says(&self, flag: u32) -> Option<&'a Bank<'a>> {
+    fn bank_with(&self, flag: u32) -> Option<&'a Bank<'a>> {
         match self.answers {
             Answers::Alone(bank) => Some(bank),
-            Answers::Together(queries) => (queries.that_says)(self, flag),
+            Answers::Together(queries) => (queries.bank_with)(self, flag),
         }
     }
+}
+
+/// The section of a bank; nothing without one.
+fn section<'a>(bank: Option<&'a Bank<'a>>, tag: Tag) -> &'a [u8] {
+    bank.map_or(&[], |bank| bank.file.section(tag))
 }

@@ -1,4 +1,4 @@
-//! What a clip asks of the dialogue that it was found in.
+//! The queries that the files of a dialogue answer together.
 
 use super::{Answers, Dialogue, Found};
 use crate::event::NameKey;
@@ -20,11 +20,14 @@ pub(crate) struct Queries {
     pub(super) find_at: for<'a> fn(&Dialogue<'a>, u32, u32) -> Option<Found<'a>>,
     pub(super) locale: fn(&Dialogue<'_>, &str) -> Option<Locale>,
     pub(super) default_locale: fn(&Dialogue<'_>) -> Option<Locale>,
-    /// The bank that says what a flag of layers is about.
-    pub(super) that_says: for<'a> fn(&Dialogue<'a>, u32) -> Option<&'a Bank<'a>>,
+    /// The bank that sets the thing of a flag of layers.
+    pub(super) bank_with: for<'a> fn(&Dialogue<'a>, u32) -> Option<&'a Bank<'a>>,
     pub(super) has_bank: fn(&Dialogue<'_>) -> bool,
     pub(super) missing_bank: fn(&Dialogue<'_>, ClipId) -> Option<usize>,
     pub(super) event_name: for<'a> fn(&Dialogue<'a>, &str) -> Option<EventName<'a>>,
+    /// The voice after another one, or the first.
+    pub(super) next_voice: fn(&Dialogue<'_>, Option<Voice>) -> Option<Voice>,
+    pub(super) voice_tag: for<'a> fn(&Dialogue<'a>, Voice) -> &'a str,
     pub(super) locale_tag: for<'a> fn(&Dialogue<'a>, Locale) -> &'a str,
     /// The text of the segment with this index of a clip, which may have its texts in its bank.
     text: TextQuery,
@@ -40,14 +43,16 @@ pub(crate) struct Queries {
     pub(crate) original: for<'a> fn(&'a Dialogue<'a>, &Clip<'a>) -> Option<Clip<'a>>,
 }
 
-/// The only ones.
+/// The one table of queries.
 pub(super) static QUERIES: Queries = Queries {
     find: |dialogue, id| dialogue.find_in_files(id),
     find_at: |dialogue, file, slot| dialogue.find_at(file, slot),
-    that_says: |dialogue, flag| dialogue.that_says(flag),
-    has_bank: |dialogue| dialogue.banks().next().is_some(),
+    bank_with: |dialogue, flag| dialogue.bank_with_in_files(flag),
+    has_bank: |dialogue| dialogue.base_levels().next().is_some(),
     missing_bank: |dialogue, id| dialogue.missing_bank_in_files(id),
     event_name: |dialogue, name| dialogue.banks().find_map(|bank| bank.event_name(name)),
+    next_voice: |dialogue, before| dialogue.next_voice_in_files(before),
+    voice_tag: |dialogue, voice| dialogue.voice_tag_in_files(voice),
     locale: |dialogue, tag| dialogue.locale_in_files(tag),
     default_locale: |dialogue| dialogue.default_locale_in_files(),
     locale_tag: |dialogue, locale| {
@@ -63,7 +68,8 @@ pub(super) static QUERIES: Queries = Queries {
 
 impl<'a> Dialogue<'a> {
     /// The text of the segment with this index of a clip, which may have its texts in its bank.
-    #[inline(never)] // out of the way of clips of a bank
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn text(
         &'a self,
         bank: &'a Bank<'a>,
@@ -72,13 +78,14 @@ impl<'a> Dialogue<'a> {
         locale: Locale,
     ) -> Option<Text<'a>> {
         match self.answers {
-            Answers::Alone(bank) => bank.text_of(record, segment.0, locale)?.text(),
+            Answers::Alone(own) => own.text_of(record, segment.0, locale)?.text(),
             Answers::Together(queries) => (queries.text)(self, bank, record, segment, locale),
         }
     }
 
     /// The same, not checked to be UTF-8.
-    #[inline(never)]
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn find_text(
         &'a self,
         bank: &'a Bank<'a>,
@@ -87,7 +94,7 @@ impl<'a> Dialogue<'a> {
         locale: Locale,
     ) -> Option<FoundText<'a>> {
         match self.answers {
-            Answers::Alone(bank) => bank.text_of(record, segment.0, locale),
+            Answers::Alone(own) => own.text_of(record, segment.0, locale),
             Answers::Together(queries) => (queries.find_text)(self, bank, record, segment, locale),
         }
     }

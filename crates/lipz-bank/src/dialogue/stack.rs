@@ -1,7 +1,7 @@
 //! The stack of a dialogue: which files fit over which, and where a clip is.
 
 use super::file::{BankFile, TextFile};
-use super::{Base, Dialogue, DialogueError, Found, Layer, MAX_PATCHES};
+use super::{Base, Dialogue, DialogueError, Found, Layer};
 use crate::set_index::SetIndex;
 use crate::{Bank, ClipId, Error, ErrorKind};
 use lipz_layout::{U64, shard_of};
@@ -49,7 +49,7 @@ impl<'a> Dialogue<'a> {
             }
             _ => return Err(failed(ErrorKind::LayerCount)),
         }
-        self.patch_count = self.patch_count.saturating_add(1).min(MAX_PATCHES);
+        self.patch_count = self.patch_count.saturating_add(1).min(Dialogue::MAX_PATCHES);
         self.removes_locales |= layer.removed_locales().next().is_some();
         Ok(())
     }
@@ -217,8 +217,8 @@ impl<'a> Dialogue<'a> {
         if self.bank(number).is_none() { Some(number) } else { None }
     }
 
-    /// The topmost patch with this flag, or the base, of a set the first bank that is there.
-    pub(super) fn that_says(&self, flag: u32) -> Option<&'a Bank<'a>> {
+    /// The bank that sets the thing of a flag of layers: the topmost patch with the flag, or the base, of a set the first bank that is there.
+    pub(super) fn bank_with_in_files(&self, flag: u32) -> Option<&'a Bank<'a>> {
         let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
         match patches.find(|level| level.layer.map_or(false, |layer| layer.has(flag))) {
             Some(level) => Some(&level.file.bank),

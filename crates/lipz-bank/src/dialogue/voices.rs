@@ -1,7 +1,7 @@
 //! The voices of a dialogue: which clips are dubs of which others.
 
 use super::stack::Level;
-use super::{Base, Dialogue, Layer};
+use super::{Answers, Base, Dialogue, Layer};
 use crate::{Bank, Clip, ClipId, Spoken, Voice, VoicedClip};
 use lipz_layout::{DUB_OF, LAYER_DUB, LAYER_DUB_OF, LAYER_NO_DUB, LAYER_OTHER_DUB, LayerDubRecord, NO_DUB, OTHER_DUB};
 
@@ -38,11 +38,22 @@ impl<'a> Dialogue<'a> {
     ///
     /// They are those that the files list, from the topmost one on whose list is complete.
     pub fn voices(&self) -> impl Iterator<Item = Voice> + '_ {
-        let original = self.original_voice();
-        let dubs = core::iter::successors(original.and_then(|_| self.voice_behind("")), move |before| {
-            self.voice_behind(self.voice_tag(*before))
-        });
-        original.into_iter().chain(dubs)
+        let (alone, queries) = match self.answers {
+            Answers::Alone(bank) => (Some(bank), None),
+            Answers::Together(queries) => (None, Some(queries)),
+        };
+        let next = move |before| (queries?.next_voice)(self, before);
+        let together = core::iter::successors(next(None), move |before| next(Some(*before)));
+        alone.into_iter().flat_map(Bank::voices).chain(together)
+    }
+
+    /// The voice after another one, or the first.
+    pub(super) fn next_voice_in_files(&self, before: Option<Voice>) -> Option<Voice> {
+        match before {
+            None => self.original_voice(),
+            Some(voice) if Some(voice) == self.original_voice() => self.voice_behind(""),
+            Some(voice) => self.voice_behind(self.voice_tag(voice)),
+        }
     }
 
     /// The voice of dubs with the first tag behind this one.
@@ -55,6 +66,13 @@ impl<'a> Dialogue<'a> {
 
     /// The locale of a voice: `de-de`. Empty for a voice of another dialogue, and in a damaged file.
     pub fn voice_tag(&self, voice: Voice) -> &'a str {
+        match self.answers {
+            Answers::Alone(bank) => bank.voice_tag(voice),
+            Answers::Together(queries) => (queries.voice_tag)(self, voice),
+        }
+    }
+
+    pub(super) fn voice_tag_in_files(&self, voice: Voice) -> &'a str {
         let find = || {
             let file = self.bank_file(usize::from(voice.file)).filter(|_| voice.origin == self.origin)?;
             let layer = if self.is_base(usize::from(voice.file)) { None } else { file.layer.as_ref() };

@@ -2,6 +2,7 @@
 
 use super::Emotion;
 use crate::Bank;
+use crate::file::profiles;
 use core::fmt;
 use lipz_layout::{FaceRecord, Tag};
 use zerocopy::FromBytes;
@@ -49,17 +50,6 @@ impl FaceProfile<'static> {
 }
 
 impl<'data> FaceProfile<'data> {
-    /// All profiles of a bank, if there is one.
-    pub(crate) fn all(bank: Option<&Bank<'data>>) -> impl Iterator<Item = FaceProfile<'data>> + Clone {
-        let mut rest = bank.map_or(&[] as &[u8], |bank| bank.file.section(Tag::FACES));
-        core::iter::from_fn(move || {
-            // A damaged profile ends the iteration.
-            let (profile, behind) = FaceProfile::split_first(rest)?;
-            rest = behind;
-            Some(profile)
-        })
-    }
-
     /// The profile that `bytes` start with, and what is behind it; `None` if they are cut off.
     pub(crate) fn split_first(bytes: &'data [u8]) -> Option<(FaceProfile<'data>, &'data [u8])> {
         let (record, rest) = FaceRecord::ref_from_prefix(bytes).ok()?;
@@ -184,6 +174,6 @@ impl<'data> Bank<'data> {
 
     /// All face profiles of the bank, in the order of their names.
     pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'data>> + Clone {
-        FaceProfile::all(Some(self))
+        profiles(self.file.section(Tag::FACES), FaceProfile::split_first)
     }
 }

@@ -28,7 +28,7 @@ impl<'a, 'data> TextCheck<'a, 'data> {
         for _ in self.table.records {
             let starts = self.table.starts.get(first..=first.wrapping_add(count));
             let fault = match starts {
-                // What nearly all clips have; only where code is cheap.
+                // Nearly all clips pass this test. Only where code is cheap.
                 Some(starts) if cfg!(target_pointer_width = "64") && self.has_plain_texts(starts) => None,
                 Some(starts) => self.fault(starts),
                 None => self.table.starts.first(),
@@ -41,7 +41,8 @@ impl<'a, 'data> TextCheck<'a, 'data> {
         Ok(())
     }
 
-    /// Whether a clip has texts of one kind without counts, one behind the other. Others may be right, too.
+    /// Whether the texts of a clip are of one kind, have no counts and follow each other in the pool. If not, they may still be
+    /// valid.
     #[inline(always)]
     fn has_plain_texts(&self, starts: &[U32]) -> bool {
         let pool = self.table.texts.bytes();

@@ -207,7 +207,7 @@ fn whole(named: &DialogueFiles, reporter: &mut Reporter) -> Result<Vec<u8>, Abor
     let dialogue = named.dialogue(&files, reporter)?;
     match named.bytes() {
         Some(bytes) => Ok(bytes.to_vec()),
-        None => Stack::of(&dialogue).map(Stack::into_bank).map_err(|report| reporter.fail(report)),
+        None => Stack::of(&named.name, &dialogue).map(Stack::into_bank).map_err(|report| reporter.fail(report)),
     }
 }
 
