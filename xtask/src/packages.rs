@@ -82,8 +82,9 @@ pub(crate) fn unpack(packages: &[Package], folder: &Path) -> Result<Vec<PathBuf>
         if unpacked.exists() {
             fs::remove_dir_all(&unpacked).map_err(|error| format!("`{}`: {error}", unpacked.display()))?;
         }
+        // `m`: packages have the same times whatever they contain, and cargo compiles only files with new times.
         let mut tar = Command::new("tar");
-        tar.arg("-xzf").arg(folder.join("package").join(format!("{name}.crate"))).arg("-C").arg(folder);
+        tar.arg("-xzmf").arg(folder.join("package").join(format!("{name}.crate"))).arg("-C").arg(folder);
         succeed(&mut tar, "tar").map(|()| unpacked)
     };
     packages.iter().map(unpack).collect()

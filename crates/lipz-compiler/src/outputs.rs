@@ -208,45 +208,63 @@ impl Outputs {
             return self.deliver_voices(bank, replace);
         }
         let whole = WholeBank::open(bank)?;
-        let waiting = Replacements::default();
-        let write = |path: &Path, bytes: &[u8]| {
-            let is_new = replace.is_due(path, bytes);
-            if is_new {
-                waiting.replace(path, bytes)?;
-            }
-            Ok::<OutputFile, Report>(OutputFile { is_new, ..OutputFile::new(path, bytes.len()) })
-        };
+        let staged = Staged::new(replace);
         let mut files = Vec::new();
         // One at a time: together they would take as much memory as the bank.
         for locale in whole.locales() {
             let path = self.bank.with_extension(format!("{}{TEXTS_EXTENSION}", whole.tag(locale)));
-            files.push(write(&path, &whole.text_bank(locale)?)?);
+            files.push(staged.add(&path, &whole.text_bank(locale)?)?);
         }
         let stale = stale(&self.bank, TEXTS_EXTENSION, &files);
-        let texts_of_locales = waiting.finish();
-        if let Some(report) = texts_of_locales.into_iter().next() {
-            return Err(report);
-        }
-        files.insert(0, OutputFile::write(&self.bank, &whole.base()?, replace)?);
+        files.insert(0, staged.add(&self.bank, &whole.base()?)?);
+        staged.finish()?;
         Ok(Delivered { files, stale })
     }
 
     /// Writes the banks of voices, and last of all the bank below them.
     fn deliver_voices(&self, bank: &[u8], replace: Replace) -> Result<Delivered, Report> {
         let split = VoiceBanks::from_bytes(bank)?;
-        let write = |path: &Path, bytes: &[u8]| {
+        let staged = Staged::new(replace);
+        let add = |path: &Path, bytes: &[u8]| {
             let clip_count = Bank::open(bytes).ok().map(|bank| bank.clip_count());
-            Ok::<OutputFile, Report>(OutputFile { clip_count, ..OutputFile::write(path, bytes, replace)? })
+            Ok::<OutputFile, Report>(OutputFile { clip_count, ..staged.add(path, bytes)? })
         };
         let mut files = Vec::new();
         for (tag, bytes) in &split.voices {
-            files.push(write(&self.bank.with_extension(format!("{tag}{VOICES_EXTENSION}")), bytes)?);
+            files.push(add(&self.bank.with_extension(format!("{tag}{VOICES_EXTENSION}")), bytes)?);
         }
         let is_locale = |name: &str| split_tag(name).is_some();
         let mut stale = stale(&self.bank, VOICES_EXTENSION, &files);
         stale.retain(|path| path.file_stem().and_then(OsStr::to_str).is_some_and(is_locale));
-        files.insert(0, write(&self.bank, &split.base)?);
+        files.insert(0, add(&self.bank, &split.base)?);
+        staged.finish()?;
         Ok(Delivered { files, stale })
+    }
+}
+
+/// The files of a split bank, which are written next to those that they replace before the first is renamed: they fit each
+/// other only.
+struct Staged {
+    files: Replacements,
+    replace: Replace,
+}
+
+impl Staged {
+    fn new(replace: Replace) -> Staged {
+        Staged { files: Replacements::default(), replace }
+    }
+
+    fn add(&self, path: &Path, bytes: &[u8]) -> Result<OutputFile, Report> {
+        let is_new = self.replace.is_due(path, bytes);
+        if is_new {
+            self.files.replace(path, bytes)?;
+        }
+        Ok(OutputFile { is_new, ..OutputFile::new(path, bytes.len()) })
+    }
+
+    /// Renames them in the order in which they were added.
+    fn finish(self) -> Result<(), Report> {
+        self.files.finish().into_iter().next().map_or(Ok(()), Err)
     }
 }
 
@@ -314,6 +332,21 @@ mod tests {
         let base = fs::read(&path).unwrap();
         let texts = fs::read(folder.path().join("b.en-us.lipztexts")).unwrap();
         assert!(Bank::open(&base).unwrap().verify().unwrap().open_texts(&texts).is_ok());
+    }
+
+    /// Text banks fit one bank only, so none is replaced if that cannot be.
+    #[test]
+    fn the_files_of_a_split_bank_are_replaced_together_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("b.lipzbank");
+        let texts = folder.path().join("b.en-us.lipztexts");
+        fs::write(&texts, "old").unwrap();
+        fs::create_dir(&path).unwrap();
+        let refused = Outputs::new(&path).split_locales(true).deliver(&bank(&["en-us"]), Replace::Always).unwrap_err();
+        assert!(refused.to_string().contains("b.lipzbank"), "{refused}");
+        assert_eq!(fs::read(&texts).unwrap(), b"old");
+        let names = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+        assert_eq!(names.filter(|name| name.to_string_lossy().ends_with("tmp")).count(), 0);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use crate::hashed::hash;
 use crate::output::failed;
 use crate::temporary::{Leftovers, TemporaryFile, distinct, sync_folders, sync_temporary};
 use lipz_diagnostics::{Code, Diagnostic, Report};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, PoisonError};
 
@@ -98,6 +99,10 @@ impl Replacements {
     }
 
     fn stage(&self, path: &Path, bytes: &[u8], change: Option<Change>) -> Result<(), Report> {
+        // Found before other files are renamed.
+        if path.is_dir() {
+            return Err(failed(path, &io::ErrorKind::IsADirectory.into()));
+        }
         let temporary = TemporaryFile::beside(path, bytes).map_err(|error| failed(path, &error))?;
         self.wait(path, temporary, change);
         Ok(())
@@ -112,7 +117,7 @@ impl Replacements {
         name: &str,
         path: &Path,
         bytes: &[u8],
-    ) -> std::io::Result<()> {
+    ) -> io::Result<()> {
         let temporary = crate::temporary::FileBelow::new(folder, name, bytes)?;
         self.wait(path, TemporaryFile::Below(temporary), None);
         Ok(())

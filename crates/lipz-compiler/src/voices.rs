@@ -175,7 +175,7 @@ mod tests {
     fn voices_are_checked_where_they_are_set() {
         assert_eq!(
             Voices::new("english").unwrap_err().to_string(),
-            "`english` is not a BCP 47 language tag: name a language, and where it matters a script and a region: en-us, es-419, zh-hant"
+            "`english` is not a BCP 47 language tag: name a language, with a script and a region where needed: en-us, es-419, zh-hant"
         );
         let voices = Voices::new("en_US").unwrap();
         assert_eq!(voices.original.as_deref(), Some("en-us"));

@@ -1,4 +1,4 @@
-//! A file has the same diagnostics behind a clean one: from the second file on, the fast pass over clean files reads files first.
+//! A file has the same diagnostics after a clean file as alone. The fast pass over clean files runs from the second file on.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_compiler::{Compiler, Input, Options};

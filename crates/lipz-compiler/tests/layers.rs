@@ -303,7 +303,7 @@ fn text_banks_serve_in_a_stack() {
         };
         assert_eq!([text("a"), text("b")], [Some("Ja.".to_owned()), None]);
         // Merged, it has all of them.
-        let whole = Stack::of(dialogue).unwrap().into_bank();
+        let whole = Stack::of("base", dialogue).unwrap().into_bank();
         assert_same(dialogue, &open(&whole));
     });
 }

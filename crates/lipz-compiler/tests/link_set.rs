@@ -5,11 +5,11 @@
 mod support;
 
 use lipz_bank::files::SetIndex;
-use lipz_bank::{Bank, Dialogue, ErrorKind};
+use lipz_bank::{Bank, ClipId, Dialogue, ErrorKind};
 use lipz_compiler::diff::diff;
 use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::shard::{Link, LinkedSet};
-use lipz_compiler::{Compiler, Documents, Input, MinCoverage, Options, Stack, Voices, coverage, voice_coverage};
+use lipz_compiler::{Compiler, Documents, Input, MinCoverage, Options, Over, Stack, Voices, coverage, voice_coverage};
 use lipz_file::write;
 use lipz_testkit::dialogues::{self, with};
 use proptest::prelude::*;
@@ -83,7 +83,7 @@ fn assert_answers(index: &Path, whole: &[u8]) {
             let has_all = own.locales().map(|locale| own.locale_tag(locale)).eq(tags.iter().copied());
             assert!(has_all, "each bank has all locales");
         }
-        assert!(Stack::of(set).unwrap().bank() == whole, "the merged set is another bank");
+        assert!(Stack::of("set", set).unwrap().bank() == whole, "the merged set is another bank");
         with(&[whole], |whole| {
             assert_eq!(coverage(set), coverage(whole));
             assert_eq!(voice_coverage(set), voice_coverage(whole));
@@ -248,4 +248,27 @@ proptest! {
     fn a_set_answers_as_one_bank((options, inputs) in project(), shards in 1..=20_u16, turn in 0..20_usize) {
         assert_same(&Compiler::new(options), &inputs, shards, turn);
     }
+}
+
+/// Without any of its banks, a set with a patch says which bank to load, unless the patch removes the clip.
+#[test]
+fn a_removed_clip_is_in_no_missing_bank() {
+    let folder = tempfile::tempdir().unwrap();
+    let index = folder.path().join("d.lipzset");
+    let compiler = Compiler::new(Options::new().default_locale("en-us").unwrap());
+    let inputs = drama();
+    linked(&compiler, &inputs, 4, 0, &index).files.unwrap();
+    let (index, banks) = read(&index);
+    let set = [&index].into_iter().chain(&banks).map(|bytes| ("set", bytes));
+    let patch = compiler.compile_over(&inputs[1..], &Over::new(Stack::open(set).unwrap())).bank.unwrap();
+    let contents: Vec<&[u8]> = [index.as_slice(), &[], &[], &[], &[], &patch].into();
+    with(&contents, |dialogue| {
+        let missing = |input: &Input| dialogue.missing_bank(ClipId::from_key(&input.key));
+        assert!(!dialogue.has_bank(), "a patch is no base");
+        assert_eq!(missing(&inputs[0]), None, "the patch removes it");
+        for input in &inputs[1..] {
+            let number = dialogue.set_index().unwrap().bank_of(ClipId::from_key(&input.key)) + 1;
+            assert_eq!(missing(input), Some(number));
+        }
+    });
 }

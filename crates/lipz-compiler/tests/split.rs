@@ -47,7 +47,7 @@ fn what_was_split_is_joined_again() {
     let files: Vec<&[u8]> =
         std::iter::once(&split.base).chain(split.texts.iter().map(|(_, texts)| texts)).map(Vec::as_slice).collect();
     let whole = Bank::open(&whole).unwrap().verify().unwrap();
-    let joined = with(&files, Stack::of).unwrap().into_bank();
+    let joined = with(&files, |dialogue| Stack::of("base", dialogue)).unwrap().into_bank();
     let joined = Bank::open(&joined).unwrap().verify().unwrap();
     let locales = |bank: &Bank<'_>| {
         let locale = |at| (bank.locale_tag(at).to_owned(), bank.default_locale() == Some(at));
@@ -66,7 +66,7 @@ fn what_was_split_is_joined_again() {
         }
     }
     assert!(fallbacks > 50, "{fallbacks}");
-    let some = with(&files[..2], Stack::of).unwrap().into_bank();
+    let some = with(&files[..2], |dialogue| Stack::of("base", dialogue)).unwrap().into_bank();
     let some = Bank::open(&some).unwrap().verify().unwrap();
     assert!(some.locales().map(|locale| some.locale_tag(locale)).eq([split.texts[0].0.as_str()]));
 }

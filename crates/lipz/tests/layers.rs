@@ -125,10 +125,35 @@ fn what_does_not_fit_is_told() {
 }
 
 #[test]
+fn a_stack_that_no_program_opens_is_not_packed() {
+    let scene = scene();
+    scene.prepare(&PACK_PATCH);
+    let twice = lipz(scene.path(), ["verify", "base.lipzbank+patch.lipzbank+patch.lipzbank"]);
+    assert_eq!((twice.code, twice.stderr.contains("in the stack twice")), (1, true), "{}", twice.stderr);
+    let alone = lipz(scene.path(), ["pack", "new", "--over", "patch.lipzbank", "-o", "p.lipzbank", "--quiet"]);
+    assert!(alone.code == 1 && alone.stderr.contains("--> patch.lipzbank"), "{}", alone.stderr);
+    let mut below = vec!["base.lipzbank".to_owned()];
+    for number in 1..=16 {
+        scene.write("new/yes.lipz", format!(r#"{{ "visemes": "EE", "text_en-us": "Yes, {number}." }}"#));
+        let name = format!("{number}.lipzbank");
+        let over = below.iter().flat_map(|bank| ["--over", bank.as_str()]);
+        let pack = ["pack", "new", "-o", name.as_str(), "--quiet", "--default-locale", "en-us"];
+        let packed = lipz(scene.path(), pack.into_iter().chain(over));
+        assert_eq!(packed.code, i32::from(number > 15), "{number}: {}", packed.stderr);
+        below.push(name);
+    }
+    assert!(!scene.path().join("16.lipzbank").exists());
+    scene.prepare(&["verify", &below[..16].join("+")]);
+}
+
+#[test]
 fn files_are_not_mixed_up() {
     let scene = scene();
     let before = tree(scene.path());
-    let refused: [&[&str]; 5] = [
+    let refused: [&[&str]; 8] = [
+        &["ids", "base.lipzbank", "--lang", "c", "-o", "base.lipzbank"],
+        &["pack", "new", "--over", "base.lipzbank", "-o", "p.lipzbank", "--depfile", "base.lipzbank"],
+        &["pack", "new", "--over", "base.lipzbank", "base.lipzbank", "-o", "p.lipzbank"],
         &["merge", "base.lipzbank", "-o", "whole.lipzbank"],
         &["pack", "new", "--over", "base.lipzbank", "-o", "base.lipzbank"],
         &["pack", "new", "--over", "base.lipzbank", "-o", "p.lipzbank", "--split-locales"],

@@ -203,11 +203,32 @@ fn no_bank_of_a_set_is_overwritten_by_what_is_made_of_it() {
     let bank = banks(&scene).remove(0);
     let before = fs::read(&bank).unwrap();
     let output = bank.to_str().unwrap();
-    for made in [&["merge"][..], &["pack", "--over"]] {
+    for made in [&["merge"][..], &["pack", "--over"], &["ids", "--lang", "c"]] {
         let merged = lipz(scene.path(), made.iter().copied().chain(["out/dialogue.lipzset", "-o", output]));
         assert_eq!((merged.code, merged.stderr.contains("are one file")), (2, true), "{}", merged.stderr);
     }
+    let arguments = ["pack", "--over", "out/dialogue.lipzset", "-o", "new.lipzbank", "--depfile", output];
+    let packed = lipz(scene.path(), arguments);
+    assert_eq!((packed.code, packed.stderr.contains("are one file")), (2, true), "{}", packed.stderr);
     assert!(fs::read(&bank).unwrap() == before);
+}
+
+#[test]
+fn a_summary_looks_at_every_bank() {
+    let scene = scene();
+    pack(&scene);
+    scene.prepare(&LINK);
+    let missing = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "no/such"]);
+    assert!(missing.code != 0 && missing.stderr.contains("--> out/dialogue.lipzset"), "{}", missing.stderr);
+    let bank = banks(&scene).remove(2);
+    let mut bytes = fs::read(&bank).unwrap();
+    *bytes.last_mut().unwrap() ^= 1;
+    fs::write(&bank, bytes).unwrap();
+    let damaged = lipz(scene.path(), ["inspect", "out/dialogue.lipzset"]);
+    assert_eq!((damaged.code, damaged.stdout.as_str()), (1, ""), "{}", damaged.stderr);
+    fs::remove_file(&bank).unwrap();
+    let absent = lipz(scene.path(), ["inspect", "out/dialogue.lipzset"]);
+    assert_eq!((absent.code, absent.stderr.contains("does not exist")), (2, true), "{}", absent.stderr);
 }
 
 #[test]

@@ -41,6 +41,33 @@ fn coverage_is_that_of_the_whole() {
     assert!(by_pattern.code == 0 && by_pattern.stdout.contains("  de-de "), "{by_pattern:?}");
     let short = lipz(scene.path(), [&["coverage", "split.lipzbank", "--min-coverage", "90"][..], &TEXTS].concat());
     assert_eq!(short.code, 1, "German is at 50 %");
+    for minimum in ["90", "de-de=90"] {
+        let nothing = lipz(scene.path(), ["coverage", "split.lipzbank", "--min-coverage", minimum]);
+        assert_eq!((nothing.code, nothing.stderr.contains("--texts")), (1, true), "{}", nothing.stderr);
+    }
+    let json = lipz(scene.path(), ["coverage", "split.lipzbank", "--json"]);
+    assert!(json.stdout.trim() == "[]" && json.stderr.contains("no clip has a text"), "{}", json.stderr);
+}
+
+#[test]
+fn a_bank_and_its_texts_are_merged() {
+    let scene = scene();
+    scene.prepare(&[&["merge", "split.lipzbank", "-o", "merged.lipzbank", "--quiet"][..], &TEXTS].concat());
+    let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    let shown = |bank: &str, command: &[&str]| lipz(scene.path(), [command, &[bank]].concat()).stdout.replace(bank, "");
+    for command in [&["coverage", "--json"][..], &["ids", "--lang", "json"], &["inspect", "--list"]] {
+        assert_eq!(shown("merged.lipzbank", command), shown("whole.lipzbank", command));
+    }
+    for bank in ["merged", "whole"] {
+        scene.prepare(&["unpack", &format!("{bank}.lipzbank"), "-o", bank, "--quiet"]);
+    }
+    assert_eq!(tree(&scene.path().join("merged")), tree(&scene.path().join("whole")));
+    let [whole, split] = both(&scene, "ids", &["--lang", "json"]);
+    assert_eq!(whole.stdout, split.stdout);
+    let depfile = ["pack", "voices", "--split-locales", "-o", "d.lipzbank", "--depfile", "d.de-de.lipztexts"];
+    let refused = lipz(scene.path(), depfile.into_iter().chain(["--default-locale", "en-us"]));
+    assert_eq!((refused.code, refused.stderr.contains("are one file")), (2, true), "{}", refused.stderr);
+    assert!(read("d.de-de.lipztexts") == read("split.de-de.lipztexts"), "it is the text bank");
 }
 
 #[test]

@@ -50,8 +50,8 @@ impl<'d> Texts<'d> {
         own.sort_unstable();
         let shown = firsts.iter().enumerate().map(|(locale, first)| match first {
             None => Shown::Nothing,
-            Some(text) if !text.is_fallback() => Shown::Own,
-            Some(text) => match own.binary_search_by_key(&place(text, locale), |(place, _)| *place) {
+            Some(first) if !first.is_fallback() => Shown::Own,
+            Some(first) => match own.binary_search_by_key(&place(first, locale), |(place, _)| *place) {
                 Ok(found) => Shown::Fallback(own[found].1),
                 Err(_) => Shown::Borrowed,
             },
@@ -68,6 +68,20 @@ impl<'d> Texts<'d> {
     /// The texts of a clip in these locales of its bank or dialogue.
     pub(super) fn of(clip: &Clip<'d>, locales: &[Locale]) -> Texts<'d> {
         Texts::new(locales.len(), clip.segment_count(), |locale, segment| clip.segment(segment)?.text(locales[locale]))
+    }
+
+    /// Makes copies of own texts fallbacks: a text bank contains the text of a different locale again.
+    pub(super) fn without_copies(mut self) -> Texts<'d> {
+        for locale in 0..self.shown.len() {
+            let is_same = |other: &usize| self.shown[*other] == Shown::Own && self.texts[*other] == self.texts[locale];
+            let of_copy =
+                (self.shown[locale] == Shown::Borrowed).then(|| (0..self.shown.len()).find(is_same)).flatten();
+            if let Some(other) = of_copy {
+                self.shown[locale] = Shown::Fallback(other);
+                self.texts[locale].clear();
+            }
+        }
+        self
     }
 
     /// Whether the clip has a text for this locale and no other one.

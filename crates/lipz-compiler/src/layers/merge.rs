@@ -17,11 +17,16 @@ pub(super) fn merge(dialogue: &Dialogue<'_>) -> Result<Vec<u8>, Report> {
 }
 
 /// The same of the clips that `keeps` chooses: with a dub, its original.
-pub(super) fn merge_of(dialogue: &Dialogue<'_>, keeps: &dyn Fn(&Clip<'_>) -> bool) -> Result<Vec<u8>, Report> {
+pub(super) fn merge_of<'d>(dialogue: &'d Dialogue<'d>, keeps: &dyn Fn(&Clip<'_>) -> bool) -> Result<Vec<u8>, Report> {
     let all = clips_by_key(dialogue);
     let locales = locales_by_tag(dialogue);
     // Of all clips, so that banks of voices have the locales of the whole bank: fallback goes by clip.
-    let is_used = used(&all, &locales);
+    let has_text_banks = dialogue::texts_bytes(dialogue) > 0;
+    let texts = |clip: &Clip<'d>, locales: &[TaggedLocale<'_>]| {
+        let texts = texts(clip, locales);
+        if has_text_banks { texts.without_copies() } else { texts }
+    };
+    let is_used = used(&all, &locales, &texts);
     let locales: Vec<TaggedLocale<'_>> =
         std::iter::zip(locales, is_used).filter(|(_, is_used)| *is_used).map(|(locale, _)| locale).collect();
     let column = |locale: &TaggedLocale<'_>| LocaleColumn::new(locale.tag, locale.is_default);
@@ -61,7 +66,11 @@ fn texts<'d>(clip: &Clip<'d>, locales: &[TaggedLocale<'_>]) -> Texts<'d> {
 }
 
 /// For each locale whether a clip has a text in it, and not only that of another locale.
-fn used(clips: &[Clip<'_>], locales: &[TaggedLocale<'_>]) -> Vec<bool> {
+fn used<'d>(
+    clips: &[Clip<'d>],
+    locales: &[TaggedLocale<'_>],
+    texts: &dyn Fn(&Clip<'d>, &[TaggedLocale<'_>]) -> Texts<'d>,
+) -> Vec<bool> {
     let mut is_used = vec![false; locales.len()];
     for clip in clips {
         let unknown: Vec<usize> = (0..locales.len()).filter(|&locale| !is_used[locale]).collect();

@@ -6,7 +6,7 @@ use super::keep::Kept;
 use super::stack::Stack;
 use crate::compile::{Run, verify};
 use crate::{Compiled, Compiler, Input, Options};
-use lipz_bank::Bank;
+use lipz_bank::{Bank, Dialogue};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 
 /// What a layer is packed over, and what becomes of clips that its sources do not have.
@@ -38,6 +38,13 @@ impl Compiler<'_> {
     /// source records, a layer has none, either.
     pub fn compile_over(&self, inputs: &[Input], over: &Over) -> Compiled {
         self.run(|options| {
+            if over.stack.checksums.len() > Dialogue::MAX_PATCHES {
+                let message =
+                    format!("there are {} layers already, and a program takes no more", Dialogue::MAX_PATCHES);
+                let diagnostic = Diagnostic::new(Code::LayerMisfit, message);
+                let help = "make one bank of some of them with `lipz merge`, or pack over the base alone";
+                return Compiled::refused(Report::about("", diagnostic.help(help)));
+            }
             let old = match Bank::open(&over.stack.whole).and_then(Bank::verify) {
                 Ok(old) => old,
                 Err(error) => {

@@ -53,16 +53,16 @@ impl Stack {
         }
     }
 
-    /// The same of a dialogue, which is verified and may have text banks.
+    /// The same of a dialogue, which is verified and may have text banks. Messages call its base `name`.
     ///
     /// # Errors
     /// When its base is a patch, when a bank of its set is not there, and when it is too large for one bank.
-    pub fn of(dialogue: &Dialogue<'_>) -> Result<Stack, Report> {
-        refuse_part("", dialogue)?;
+    pub fn of(name: &str, dialogue: &Dialogue<'_>) -> Result<Stack, Report> {
+        refuse_part(name, dialogue)?;
         let is_there = |number| dialogue.file(number).is_some_and(|file| file.kind() != FileKind::Absent);
         if !(0..dialogue.file_count()).all(is_there) {
             let diagnostic = Diagnostic::new(Code::BankRefused, "a bank of the set is not there");
-            return Err(Report::about("", diagnostic.help("open the set with all of its banks")));
+            return Err(Report::about(name, diagnostic.help("open the set with all of its banks")));
         }
         Stack::new(merge::merge(dialogue)?, dialogue)
     }

@@ -9,13 +9,13 @@ use std::fmt;
 pub struct LocaleError {
     tag: String,
     /// Whether the project has extended locales.
-    extended: bool,
+    is_extended: bool,
 }
 
 impl LocaleError {
     /// The canonical form of a tag, of the form `ll-cc`, or with `extended` of any BCP 47 language tag.
     pub(crate) fn check(tag: &str, extended: bool) -> Result<String, LocaleError> {
-        canonical_tag(tag, extended).ok_or_else(|| LocaleError { tag: tag.to_owned(), extended })
+        canonical_tag(tag, extended).ok_or_else(|| LocaleError { tag: tag.to_owned(), is_extended: extended })
     }
 
     /// The tag that was refused.
@@ -29,13 +29,13 @@ impl LocaleError {
     }
 
     fn message(&self) -> String {
-        let form = if self.extended { "BCP 47 language tag" } else { "locale of the form ll-cc" };
+        let form = if self.is_extended { "BCP 47 language tag" } else { "locale of the form ll-cc" };
         format!("{} is not a {form}", escape::quoted(&self.tag))
     }
 
     fn help(&self) -> &'static str {
-        if self.extended {
-            "name a language, and where it matters a script and a region: en-us, es-419, zh-hant"
+        if self.is_extended {
+            "name a language, with a script and a region where needed: en-us, es-419, zh-hant"
         } else if canonical_tag(&self.tag, true).is_some() {
             "name a language and a country: en-us; or accept other tags first: `extended_locales(true)`"
         } else {
@@ -78,7 +78,7 @@ mod tests {
         let extended = options.clone().extended_locales(true);
         assert_eq!(
             message(extended.clone().default_locale("-")),
-            "`-` is not a BCP 47 language tag: name a language, and where it matters a script and a region: en-us, es-419, zh-hant"
+            "`-` is not a BCP 47 language tag: name a language, with a script and a region where needed: en-us, es-419, zh-hant"
         );
         let set = extended.default_locale("es-419").unwrap().fallback("zh_Hant", ["zh-TW"]).unwrap();
         assert_eq!(set.get_default_locale(), Some("es-419"));

@@ -7,6 +7,8 @@ use crate::shared::bank_or_sources::packed;
 use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::output_file;
 use crate::shared::sources::Sources;
+use crate::shared::stack;
+use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
 use lipz_compiler::ids::{Language, generate};
@@ -31,6 +33,9 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Ids {
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    texts: TextBanks,
 
     /// The language to write
     #[arg(short, long, value_name = "LANGUAGE")]
@@ -92,7 +97,7 @@ impl Run for Ids {
         }
         match self.sources.paths() {
             [bank] if is_bank_file(bank) => {
-                let files = DialogueFiles::open(bank, reporter)?;
+                let files = DialogueFiles::open(bank, reporter)?.with_texts(&self.texts.texts, reporter)?;
                 write(&files.name, &files, self, reporter)
             }
             sources => of_sources(sources, self, reporter),
@@ -100,8 +105,10 @@ impl Run for Ids {
     }
 }
 
-/// Whether a path is that of a bank or a set: by its name, or whatever it is called, by how it begins.
+/// Whether a path is that of a bank or a set, or of a stack of banks: by its name, or whatever it is called, by how it begins.
 fn is_bank_file(path: &Path) -> bool {
+    let first = stack::paths(path).into_iter().next().unwrap_or_default();
+    let path = first.as_path();
     let is_bank =
         |extension: &OsStr| ["lipzbank", SET_EXTENSION].iter().any(|known| extension.eq_ignore_ascii_case(known));
     let is_named = path.extension().is_some_and(is_bank);
@@ -118,10 +125,14 @@ fn of_sources(sources: &[PathBuf], arguments: &Ids, reporter: &mut Reporter) -> 
     let project = arguments.sources.project(reporter)?;
     let file = packed(&project.settings, arguments.sources.is_quiet(), reporter)?;
     let source = sources.first().map(|path| console::path(path)).unwrap_or_default();
-    write(&source, &DialogueFiles::one(file), arguments, reporter)
+    let files = DialogueFiles::one(file).with_texts(&arguments.texts.texts, reporter)?;
+    write(&source, &files, arguments, reporter)
 }
 
 fn write(source: &str, named: &DialogueFiles, arguments: &Ids, reporter: &mut Reporter) -> Ended {
+    if let Some(output) = &arguments.output {
+        named.refuse_output(("a bank that is read", "the file of ids"), output, reporter)?;
+    }
     let files = named.verified(reporter)?;
     let dialogue = named.dialogue(&files, reporter)?;
     let text = generate(&dialogue, arguments.lang.into(), arguments.prefix.as_deref())

@@ -5,6 +5,7 @@ use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::set_file::SetFile;
+use crate::shared::text_banks::TextBanks;
 use crate::shared::{output_file, patterns, stack, stdio};
 use crate::{Outcome, console};
 use clap::Args;
@@ -13,7 +14,7 @@ use lipz_compiler::Stack;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
-/// Make one bank of a base and the layers over it, or of a set.
+/// Make one bank of a base, the layers over it and its text banks, or of a set.
 ///
 /// The bank is that of the changed sources, byte for byte, as if it had been packed in one go.
 #[derive(Args, Debug)]
@@ -30,6 +31,9 @@ pub(crate) struct Merge {
     #[arg(short, long, value_name = "BANK")]
     output: PathBuf,
 
+    #[command(flatten)]
+    texts: TextBanks,
+
     /// Show no summary
     #[arg(short, long)]
     quiet: bool,
@@ -43,7 +47,7 @@ impl Run for Merge {
     fn run(&self, reporter: &mut Reporter) -> Ended {
         let banks: Vec<PathBuf> = patterns::files(&self.banks).iter().flat_map(|path| stack::paths(path)).collect();
         let is_set = matches!(banks.as_slice(), [path] if SetFile::open(path, reporter)?.is_some());
-        if banks.len() < 2 && !is_set {
+        if banks.len() < 2 && !is_set && self.texts.texts.is_empty() {
             return Err(reporter.usage("one bank is merged with nothing", "name the base, then its layers"));
         }
         let is_printed = stdio::is_meant(&self.output);
@@ -51,13 +55,13 @@ impl Run for Merge {
             return Err(reporter.usage("a bank is not for a terminal", "name a file, or send standard output to one"));
         }
         output_file::refuse_source(&self.output, reporter)?;
-        let named = DialogueFiles::open_all(&banks, reporter)?;
+        let named = DialogueFiles::open_all(&banks, reporter)?.with_texts(&self.texts.texts, reporter)?;
         if !is_printed {
             named.refuse_output(("a bank to be merged", "the output"), &self.output, reporter)?;
         }
         let files = named.verified(reporter)?;
         let dialogue = named.dialogue(&files, reporter)?;
-        let whole = Stack::of(&dialogue).map_err(|report| reporter.refuse(vec![report]))?.into_bank();
+        let whole = Stack::of(&named.name, &dialogue).map_err(|report| reporter.refuse(vec![report]))?.into_bank();
         if is_printed {
             reporter.print_bytes(&whole)?;
             return Ok(Outcome::Clean);

@@ -57,6 +57,17 @@ impl Files {
     }
 }
 
+/// What still waits is given up, as after an error: no temporary file is left.
+impl Drop for Files {
+    fn drop(&mut self) {
+        self.0.abandon();
+        let mut waiting = WAITING.lock().unwrap_or_else(PoisonError::into_inner);
+        if waiting.as_ref().is_some_and(|files| Arc::ptr_eq(files, &self.0)) {
+            *waiting = None;
+        }
+    }
+}
+
 /// Ends the process when it is asked to; waits for files that are being written.
 pub(crate) fn listen() {
     on_request(|| {
@@ -105,4 +116,19 @@ fn end() -> ! {
     }
     console::remark_below_progress("interrupted\n");
     process::exit(EXIT_CODE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_leaves_no_temporary_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = Files::new();
+        files.replace(&folder.path().join("a"), b"new").unwrap();
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+        drop(files);
+        assert_eq!(folder.path().read_dir().unwrap().count(), 0);
+    }
 }

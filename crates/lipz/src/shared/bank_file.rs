@@ -17,6 +17,9 @@ const LONGEST_BANK: u64 = u32::MAX as u64;
 
 const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` packs one from Lipz files";
 
+/// Not all commands read texts.
+const NAME_TEXTS: &str = "name the bank that it belongs to; commands that read texts take this file with --texts";
+
 const NAME_SET_FIRST: &str = "name the index of a set first, before the banks that were packed over it";
 
 const LINK_AGAIN: &str = "copy all files of the set again, or link it again: lipz link";
@@ -120,7 +123,7 @@ pub(crate) fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
         ErrorKind::NotABank if bytes.starts_with(&SET_MAGIC) => diagnostic.help(NAME_SET_FIRST),
         ErrorKind::NotABank => diagnostic.help(NAME_A_BANK),
         ErrorKind::TooShort if !bytes.starts_with(&MAGIC) => diagnostic.help(NAME_A_BANK),
-        ErrorKind::TextsOnly => diagnostic.help("name the bank that it belongs to, and this file with --texts"),
+        ErrorKind::TextsOnly => diagnostic.help(NAME_TEXTS),
         ErrorKind::OtherClips => diagnostic.help("use the texts that were packed with this bank, or pack both again"),
         ErrorKind::OtherBank => diagnostic.help(LINK_AGAIN),
         ErrorKind::TextMode => diagnostic.help("copy it again in binary mode"),

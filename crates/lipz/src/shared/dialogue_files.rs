@@ -58,6 +58,11 @@ impl DialogueFiles {
         DialogueFiles { name: file.name.clone(), files: vec![file], texts_start: 1 }
     }
 
+    /// The same, under the name that the user knows: of a bank of a set, that of the index.
+    pub(crate) fn named(self, name: &str) -> DialogueFiles {
+        DialogueFiles { name: name.to_owned(), ..self }
+    }
+
     /// The same with text banks. Reports which of them cannot be read.
     pub(crate) fn with_texts(mut self, paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
         for path in patterns::files(paths) {
@@ -87,7 +92,17 @@ impl DialogueFiles {
         reporter: &mut Reporter,
     ) -> Result<Dialogue<'f>, Abort> {
         let names: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
-        dialogue_of(&names, files).map_err(|report| reporter.refuse(vec![report]))
+        let dialogue = dialogue_of(&names, files).map_err(|report| reporter.refuse(vec![report]))?;
+        let mut patches = BTreeSet::new();
+        let is_again = |file: &DialogueFile<'_>| file.kind() == FileKind::Patch && !patches.insert(file.checksum());
+        match files.iter().position(is_again) {
+            Some(number) => {
+                let diagnostic = Diagnostic::new(Code::LayerMisfit, "the layer is in the stack twice");
+                let report = Report::about(names[number], diagnostic.help("name each bank once"));
+                Err(reporter.refuse(vec![report]))
+            }
+            None => Ok(dialogue),
+        }
     }
 
     /// Refuses an output that is one of the files, also one that only the index of a set names.
@@ -117,13 +132,17 @@ impl DialogueFiles {
         let Some(bank) = banks.iter().find_map(DialogueFile::bank).filter(|_| !texts.is_empty()) else { return Ok(()) };
         let own = bank.locales().map(|locale| bank.locale_tag(locale).to_owned());
         let of_texts = self.files.iter().skip(self.texts_start).flat_map(|file| tags_of(file, banks));
+        let own: BTreeSet<String> = own.collect();
         let mut seen = BTreeSet::new();
-        for tag in own.chain(of_texts) {
-            if let Some(tag) = seen.replace(tag) {
-                let message = format!("the texts in `{}` are named twice", escape::text(&tag));
-                let tip = "name one text bank for each locale that the bank itself does not have";
-                return Err(reporter.usage(message, tip));
-            }
+        for tag in of_texts {
+            let shown = escape::text(&tag).into_owned();
+            let message = match (own.contains(&tag), seen.insert(tag)) {
+                (true, _) => format!("the bank itself has the texts in `{shown}`"),
+                (false, false) => format!("the texts in `{shown}` are named twice"),
+                (false, true) => continue,
+            };
+            let tip = "name one text bank for each locale that the bank itself does not have";
+            return Err(reporter.usage(message, tip));
         }
         Ok(())
     }

@@ -18,7 +18,13 @@ pub(crate) fn paths(path: &Path) -> Vec<PathBuf> {
         // The shortest name of a file that is there; what is not there has no `+` in its name.
         let mut joined = (1..=rest.len()).map(|count| (count, PathBuf::from(rest[..count].join("+"))));
         let there = joined.find(|(_, path)| path.is_file());
-        let (count, file) = there.unwrap_or_else(|| (1, PathBuf::from(rest[0])));
+        let (count, file) = there.unwrap_or_else(|| {
+            // A slip in a name, in a folder that has a `+` in its own.
+            let whole = PathBuf::from(rest.join("+"));
+            let folder = whole.parent().filter(|folder| folder.is_dir());
+            let has_plus = folder.and_then(Path::to_str).is_some_and(|folder| folder.contains(BETWEEN));
+            if has_plus { (rest.len(), whole) } else { (1, PathBuf::from(rest[0])) }
+        });
         files.push(file);
         rest = &rest[count..];
     }
@@ -40,6 +46,7 @@ mod tests {
         [&one, &two].into_iter().for_each(|file| std::fs::write(file, "").unwrap());
         let stack = format!("{}+{}+nowhere+{}", one.display(), two.display(), one.display());
         assert_eq!(paths(Path::new(&stack)), [one.clone(), two, "nowhere".into(), one]);
+        assert_eq!(paths(&path("d+e/typo")), [path("d+e/typo")]);
         assert_eq!(paths(Path::new("x/a+y/b+c")), ["x/a", "y/b", "c"].map(PathBuf::from));
         for one in ["a", "+", "a+", "+a", "a++b"] {
             assert_eq!(paths(Path::new(one)), [PathBuf::from(one)]);

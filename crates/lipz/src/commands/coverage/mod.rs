@@ -15,7 +15,7 @@ use crate::shared::locales::choose;
 use crate::shared::project_flags::{parse_locale, refuse_locales};
 use clap::Args;
 use lipz_compiler::{Coverage, MinCoverage, VoiceCoverage, Voices, coverage, shortfalls, voice_coverage_of};
-use lipz_diagnostics::{Report, escape};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_texts::{LocaleWork, Progress, Work, page};
 use std::collections::BTreeSet;
 use voices::Look;
@@ -124,7 +124,16 @@ impl Run for CoverageArguments {
             return Err(reporter.usage("what translations are made from is not known here", tip));
         }
         self.print(&file.name, &found, &dubs, work.as_ref(), reporter)?;
-        let shortfalls = shortfalls(&found, &wanted);
+        let mut shortfalls = shortfalls(&found, &wanted);
+        let has_texts = found.iter().any(|coverage| coverage.own_count > 0);
+        if found.is_empty() && (is_table || self.html) {
+            reporter.remark(&format!("{}\n", table::NO_TEXTS));
+        }
+        let is_wanted = !wanted.get_locales().is_empty() || wanted.get_all().is_some();
+        if !has_texts && is_wanted && shortfalls.is_empty() {
+            let diagnostic = Diagnostic::new(Code::LowCoverage, "no clip has a text, and a minimum is required");
+            shortfalls.push(diagnostic.help("name the text banks of a split bank with --texts"));
+        }
         if shortfalls.is_empty() {
             return Ok(Outcome::Clean);
         }

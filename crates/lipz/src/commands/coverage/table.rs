@@ -8,10 +8,13 @@ use lipz_texts::{Amount, LocaleWork, Progress, Work, cost_of};
 use serde::Serialize;
 use std::fmt::Write;
 
+/// What is said of a bank without locales.
+pub(super) const NO_TEXTS: &str = "no clip has a text; those of a split bank are in its text banks (--texts)";
+
 /// How much of a bank is translated.
 pub(super) fn of_bank(name: &str, found: &[Coverage]) -> String {
     let Some(first) = found.first() else {
-        return format!("{name}: no clip has a text; those of a split bank are in its text banks (--texts)\n");
+        return format!("{name}: {NO_TEXTS}\n");
     };
     let clips = console::counted(first.clip_count, "clip");
     let mut text = format!("{name}: {clips} with texts\n\n");

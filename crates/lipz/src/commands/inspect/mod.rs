@@ -72,7 +72,7 @@ impl Run for Inspect {
                 (Some(key), _) => {
                     let number = set.index(reporter)?.bank_of(ClipId::from_key(key));
                     let file = set.bank(number, reporter)?;
-                    (DialogueFiles::one(file), None)
+                    (DialogueFiles::one(file).named(set.name()), None)
                 }
                 (None, Some(_)) => self.files(reporter)?,
                 (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),

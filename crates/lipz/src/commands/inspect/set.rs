@@ -30,9 +30,13 @@ struct BankOfSet<'d> {
     fingerprint: String,
 }
 
-/// Shows what the index of a set says.
+/// Shows what the index of a set says, after verifying its banks.
 pub(super) fn inspect(set: &SetFile, json: bool, reporter: &mut Reporter) -> Ended {
     let index = set.index(reporter)?;
+    for number in 0..index.bank_count() {
+        let file = set.bank(number, reporter)?;
+        set.verify_bank(number, &file, reporter)?;
+    }
     summary(&SetSummary::new(&index), set.name(), reporter.wants_json(json), reporter)
 }
 

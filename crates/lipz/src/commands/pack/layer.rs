@@ -39,9 +39,12 @@ pub(super) fn destination(
     if !is_printed {
         named.refuse_output(("the bank below", "the layer"), output, reporter)?;
     }
+    if let Some(depfile) = &arguments.depfile {
+        named.refuse_output(("the bank below", "the depfile"), depfile, reporter)?;
+    }
     let files = named.verified(reporter)?;
     let dialogue = named.dialogue(&files, reporter)?;
-    let stack = Stack::of(&dialogue).map_err(|report| reporter.refuse(vec![report]))?;
+    let stack = Stack::of(&named.name, &dialogue).map_err(|report| reporter.refuse(vec![report]))?;
     let over = Over::new(stack).keep_others(arguments.keep_others);
     Ok(Destination::Layer((!is_printed).then(|| output.to_owned()), Box::new(over)))
 }

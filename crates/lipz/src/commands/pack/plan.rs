@@ -149,7 +149,9 @@ impl Plan {
             _ => None,
         };
         let delivered = self.destination.deliver(made, replace, reporter)?;
-        let outcome = remembered.and(self.write_depfile(&run.inputs, replace, reporter));
+        let written = self.refuse_depfile(&delivered, reporter);
+        let written = written.and_then(|()| self.write_depfile(&run.inputs, replace, reporter));
+        let outcome = remembered.and(written);
         let Compiled { recalled, phases, .. } = &run.compiled;
         Ok(Packed {
             clip_count: run.inputs.len(),
@@ -160,6 +162,15 @@ impl Plan {
             discover: run.discover,
             phases: *phases,
         })
+    }
+
+    /// Refuses a depfile that is one of the files that were packed: which they are depends on the locales and the voices.
+    fn refuse_depfile(&self, delivered: &Delivered, reporter: &mut Reporter) -> Result<(), Abort> {
+        let Some(depfile) = &self.depfile else { return Ok(()) };
+        for file in &delivered.files {
+            output_file::refuse_same(&[("a packed file", &file.path), ("the depfile", depfile)], reporter)?;
+        }
+        Ok(())
     }
 
     /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
