@@ -1,10 +1,10 @@
-//! How long a patch is that changes this and that: the table of docs/LAYERS.md.
+//! How long a patch is that changes this and that: the table of docs/guides/patches.md.
 #![allow(clippy::expect_used, clippy::panic, reason = "tests")]
 
 use lipz_benches::files;
 use lipz_compiler::{Compiler, Input, Options, Over, Stack};
 
-const PAGE: &str = include_str!("../../docs/LAYERS.md");
+const PAGE: &str = include_str!("../../docs/guides/patches.md");
 const CLIPS: usize = 2_000;
 const LOCALES: usize = 5;
 
@@ -40,7 +40,7 @@ fn a_patch_is_as_long_as_its_change() {
             assert!(many < 13 * few, "{name}: {one} {ten} {hundred} {thousand}");
         }
         let row = format!("| {name} so many clips | {one} | {ten} | {hundred} | {thousand} |");
-        assert!(PAGE.contains(&row), "docs/LAYERS.md lacks\n{row}");
+        assert!(PAGE.contains(&row), "docs/guides/patches.md lacks\n{row}");
     }
-    assert!(PAGE.contains(&format!("a bank of {} bytes", bank.len())), "docs/LAYERS.md: {} bytes", bank.len());
+    assert!(PAGE.contains(&format!("a bank of {} bytes", bank.len())), "docs/guides/patches.md: {} bytes", bank.len());
 }

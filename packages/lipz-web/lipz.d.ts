@@ -324,7 +324,7 @@ export interface CursorSettings {
 
 /**
  * Where a clip is while it is played. Once per rendered frame, call `advanceTo` with the position of the audio, and
- * draw what the other members return. docs/PLAYBACK.md has a table of what happens when time goes on, stands still,
+ * draw what the other members return. docs/guides/playback.md has a table of what happens when time goes on, stands still,
  * jumps, loops and ends.
  */
 export class Cursor {

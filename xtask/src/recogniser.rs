@@ -1,5 +1,5 @@
 //! `cargo xtask recogniser`: the neural network that hears phones, for the machine of whoever runs this. Its licence is
-//! not settled (docs/LIP-SYNC.md), so it stays below `target`, and is in no crate and no package.
+//! not settled (docs/guides/lip-sync.md), so it stays below `target`, and is in no crate and no package.
 
 use crate::tools::succeed;
 use crate::{Failure, cargo, paths, wheel};

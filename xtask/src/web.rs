@@ -132,7 +132,7 @@ fn assemble(package: &Path, built: &Path, layouts: &Path) -> std::io::Result<()>
     copy_files(&root.join(BANKS), &package.join("test/banks"))?;
     copy_files(&root.join(SETS), &package.join("test/sets"))?;
     copy_folders(layouts, &package.join("test/layouts"))?;
-    fs::copy(root.join("docs/FACE.md"), package.join("test/FACE.md"))?;
+    fs::copy(root.join("docs/guides/faces.md"), package.join("test/faces.md"))?;
     copy_files(&root.join(PICTURES), &package.join("test/pictures"))?;
     Ok(())
 }

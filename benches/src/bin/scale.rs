@@ -1,4 +1,4 @@
-//! `cargo xtask scale`: how processor time and memory of the steps of docs/SCALE.md grow with clips.
+//! `cargo xtask scale`: how processor time and memory of the steps of docs/guides/many-machines.md grow with clips.
 //!
 //! Each step runs in a process of its own, on one thread, so that its time and its peak memory are its own. Processor time is
 //! taken: a busy machine does not change it. The clips are those of the generator.

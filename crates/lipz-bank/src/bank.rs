@@ -300,7 +300,7 @@ impl<'data> Bank<'data> {
     }
 
     /// The sections of the bank in the order of its directory, known or not: tag, such as `*b"CLIP"`, and
-    /// contents. For tools; `docs/FORMAT.md` says what is in them.
+    /// contents. For tools; `docs/reference/bank-format.md` says what is in them.
     pub fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.file.sections()
     }

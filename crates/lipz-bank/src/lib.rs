@@ -33,7 +33,7 @@
 //! # }
 //! ```
 //!
-//! [DESIGN.md](https://github.com/lipz/lipz/blob/main/docs/DESIGN.md) gives the reasons for this API.
+//! [design.md](https://github.com/lipz/lipz/blob/main/docs/inside/design.md) gives the reasons for this API.
 //!
 //! # Features
 //!

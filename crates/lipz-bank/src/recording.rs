@@ -33,7 +33,7 @@ impl Recording {
         self.length_us
     }
 
-    /// XXH3-64 of all bytes of its file: equal for equal files. `docs/FORMAT.md` says how to compute it.
+    /// XXH3-64 of all bytes of its file: equal for equal files. `docs/reference/bank-format.md` says how to compute it.
     pub const fn content_hash(self) -> u64 {
         self.content_hash
     }

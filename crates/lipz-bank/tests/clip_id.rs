@@ -6,7 +6,7 @@
 use lipz_bank::ClipId;
 use std::collections::HashSet;
 
-/// Also in `docs/FORMAT.md`, for readers in other languages.
+/// Also in `docs/reference/bank-format.md`, for readers in other languages.
 #[test]
 fn vectors() {
     let vectors: [(&str, u64); 8] = [

@@ -154,7 +154,7 @@ fn checksum() {
 fn clip_records() {
     use ErrorKind::*;
     let (clip, key) = (record_of(SMALL, "act1/blair"), key_record_of(SMALL, "act1/blair"));
-    // The places of the fields are those of docs/FORMAT.md.
+    // The places of the fields are those of docs/reference/bank-format.md.
     let of_key = |at: usize, new: &[u8]| found(|bank| put(bank, key + at, new));
     assert_eq!(of_key(0, &[0; 8]), (ClipIndex, key), "id");
     assert_eq!(of_key(8, &u32::MAX.to_le_bytes()), (ClipKey, key), "key offset");

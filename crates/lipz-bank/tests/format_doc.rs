@@ -1,4 +1,4 @@
-//! `docs/FORMAT.md` says what the code does: its tables and vectors are compared with it.
+//! `docs/reference/bank-format.md` says what the code does: its tables and vectors are compared with it.
 // Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
@@ -13,7 +13,7 @@ use lipz_testkit::golden::{DRAMA, SMALL, section, verified};
 use std::mem::{size_of, size_of_val};
 use zerocopy::FromBytes;
 
-static PAGE: &str = include_str!("../../../docs/FORMAT.md");
+static PAGE: &str = include_str!("../../../docs/reference/bank-format.md");
 
 /// The cells of all rows of the first table with these columns behind `heading`.
 fn table(heading: &str, columns: &str) -> Vec<Vec<&'static str>> {
@@ -181,7 +181,10 @@ fn sections() {
     assert!(PAGE.contains(&format!("`{}`", magic.join(" "))));
     for (tag, bytes) in Tag::OPTIONAL {
         let tag = String::from_utf8(tag.0.to_vec()).expect("ASCII");
-        assert!(PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")), "docs/FORMAT.md has no row for the section {tag}");
+        assert!(
+            PAGE.contains(&format!("\n| `{tag}` | {bytes} | ")),
+            "docs/reference/bank-format.md has no row for the section {tag}"
+        );
     }
 }
 
@@ -257,7 +260,7 @@ fn errors() {
     let described = table("## Errors", "| number | kind | message |");
     let described: Vec<_> = described.iter().map(|row| (number(row[0]) as u8, row[1].to_owned(), row[2])).collect();
     let kinds = ErrorKind::ALL.iter().map(|&kind| (kind as u8, format!("{kind:?}"), kind.message()));
-    assert_eq!(described, kinds.collect::<Vec<_>>(), "the table of docs/FORMAT.md and the kinds");
+    assert_eq!(described, kinds.collect::<Vec<_>>(), "the table of docs/reference/bank-format.md and the kinds");
 }
 
 #[test]

@@ -119,7 +119,7 @@ proptest! {
         }
     }
 
-    /// Ticks, jumps, loops and ends against the table of docs/PLAYBACK.md, in plain words.
+    /// Ticks, jumps, loops and ends against the table of docs/guides/playback.md, in plain words.
     #[test]
     fn jumps_do_what_the_page_says(steps in steps()) {
         let banks = [verified(SMALL), verified(DRAMA)];

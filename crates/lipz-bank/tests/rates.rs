@@ -13,7 +13,7 @@ use lipz_testkit::golden::{SMALL, changed, put, record_of, section};
 const RATE: usize = 12;
 const FIRST_RECORD: u16 = lipz_layout::MAX_INTEGER_FPS + 1;
 
-/// What docs/PLAYBACK.md does with the rate of a clip.
+/// What docs/guides/playback.md does with the rate of a clip.
 fn play_as_documented(bytes: &[u8], key: &str) -> Option<Fps> {
     let bank = Bank::open(bytes).expect("the header is whole");
     let clip = bank.clip_by_key(key).expect("a clip");

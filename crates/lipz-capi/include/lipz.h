@@ -2,7 +2,7 @@
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
  *
  * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
- * docs/C.md has a first program, and a page of what each struct has.
+ * docs/guides/c.md has a first program, and a page of what each struct has.
  *
  * Arguments come in one order: the dialogue, the value that is asked, the time, who, the profile, options,
  * and the answer last.
@@ -536,7 +536,7 @@ typedef struct {
 // rendered frame, move it to the position of the audio, take the events that are due, and draw what it shows.
 //
 // It remains right when a new version of the dialogue replaces the old one: it continues at the same time. For another line,
-// start another cursor. docs/PLAYBACK.md has a table of what happens when time goes on, stands still, jumps and loops.
+// start another cursor. docs/guides/playback.md has a table of what happens when time goes on, stands still, jumps and loops.
 typedef struct {
   // Size of this struct where it was started; each function looks at it.
   uint32_t size_bytes;

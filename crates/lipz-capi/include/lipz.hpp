@@ -1,5 +1,5 @@
 // lipz.hpp - lipz.h for C++17: a dialogue that owns its files, std::string_view, std::optional and ranges.
-// https://github.com/lipz/lipz, MIT OR Apache-2.0. docs/C.md shows how to use it.
+// https://github.com/lipz/lipz, MIT OR Apache-2.0. docs/guides/c.md shows how to use it.
 //
 // Header only. Opening allocates, and throws lipz::Error; nothing else does. Strings are views into the files of the dialogue.
 // Clips, segments and curves point to the dialogue that gave them, which outlives them; a cursor does not, and goes on in

@@ -21,7 +21,7 @@ pub const LIPZ_WAITING: u32 = 0xFFFF_FFFE;
 /// rendered frame, move it to the position of the audio, take the events that are due, and draw what it shows.
 ///
 /// It remains right when a new version of the dialogue replaces the old one: it continues at the same time. For another line,
-/// start another cursor. docs/PLAYBACK.md has a table of what happens when time goes on, stands still, jumps and loops.
+/// start another cursor. docs/guides/playback.md has a table of what happens when time goes on, stands still, jumps and loops.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Cursor {

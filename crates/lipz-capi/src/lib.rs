@@ -1,7 +1,7 @@
 //! C ABI of the reader of lipz banks, which `include/lipz.h` declares.
 //!
 //! Every function takes plain structs by pointer, gives its answer through its last pointers and
-//! returns a [`Status`]. `docs/C.md` shows how they are used.
+//! returns a [`Status`]. `docs/guides/c.md` shows how they are used.
 //!
 //! # Contract
 //!

@@ -68,7 +68,7 @@ const INTRODUCTION: &str = "/*
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
  *
  * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
- * docs/C.md has a first program, and a page of what each struct has.
+ * docs/guides/c.md has a first program, and a page of what each struct has.
  *
  * Arguments come in one order: the dialogue, the value that is asked, the time, who, the profile, options,
  * and the answer last.
@@ -154,13 +154,13 @@ const OPAQUE: [&str; 3] = ["lipz_dialogue", "lipz_file", "lipz_time"];
 
 #[test]
 fn the_page_names_every_field() {
-    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/C.md")).unwrap();
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guides/c.md")).unwrap();
     let header = header();
     let (mut fields, mut count) = (Vec::new(), 0);
     for line in header.lines() {
         if let Some(name) = line.strip_prefix("} ").and_then(|rest| rest.strip_suffix(';')) {
             let row = format!("| `{name}` | {} |", fields.join(", "));
-            assert!(OPAQUE.contains(&name) || page.contains(&row), "docs/C.md has no {row}");
+            assert!(OPAQUE.contains(&name) || page.contains(&row), "docs/guides/c.md has no {row}");
             count += 1;
         } else if line.starts_with("typedef struct {") {
             fields.clear();

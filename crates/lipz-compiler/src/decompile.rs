@@ -124,7 +124,7 @@ impl<'d> Documents<'d> {
     }
 
     /// Key and document of each clip. Documents that are longer than a Lipz file may be, or all together much longer
-    /// than the banks (docs/FORMAT.md, "Source records"), are errors.
+    /// than the banks (docs/reference/bank-format.md, "Source records"), are errors.
     pub fn iter(&self) -> impl Iterator<Item = Result<(&'d str, Document<'d>), Report>> + '_ {
         let mut left = budget_bytes(self.dialogue);
         self.clips.iter().map(move |clip| {

@@ -1,5 +1,5 @@
 //! How results are written as JSON, where that differs from their fields. Fields are only ever added
-//! (docs/VERSIONING.md).
+//! (docs/reference/versions.md).
 #![cfg_attr(
     not(all(feature = "diff", feature = "inspect", feature = "stats")),
     allow(dead_code, reason = "each feature uses a part of this")

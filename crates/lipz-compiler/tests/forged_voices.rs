@@ -1,4 +1,4 @@
-//! Voices and dubs of banks that somebody changed: `verify` refuses what is not as FORMAT.md says, and without it no query
+//! Voices and dubs of banks that somebody changed: `verify` refuses what is not as docs/reference/bank-format.md says, and without it no query
 //! leads astray.
 #![allow(clippy::unwrap_used, reason = "tests")]
 

@@ -64,8 +64,8 @@
 //! it over the old one, and a map of the old file stays whole until it is dropped. *Windows* refuses to replace a file that is
 //! mapped.
 //!
-//! [HOST.md](https://github.com/lipz/lipz/blob/main/docs/HOST.md) is the manual, and
-//! [DESIGN.md](https://github.com/lipz/lipz/blob/main/docs/DESIGN.md) gives the reasons for this API.
+//! [dialogue-files.md](https://github.com/lipz/lipz/blob/main/docs/guides/dialogue-files.md) is the manual, and
+//! [design.md](https://github.com/lipz/lipz/blob/main/docs/inside/design.md) gives the reasons for this API.
 //!
 //! # Features
 //!

@@ -1,4 +1,4 @@
-//! Round trips as docs/INTEROP.md states them.
+//! Round trips as docs/guides/other-tools.md states them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;

@@ -5,7 +5,7 @@
 //! change of the reader.
 //!
 //! Every structure has alignment 1 and little-endian fields, so that any `&[u8]` can be read in
-//! place. `docs/FORMAT.md` carries the same tables for people; a test compares the two.
+//! place. `docs/reference/bank-format.md` carries the same tables for people; a test compares the two.
 
 #![no_std]
 #![forbid(unsafe_code)]

@@ -12,7 +12,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 /// The page of all rules.
-const PAGE: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/DIAGNOSTICS.md");
+const PAGE: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/reference/diagnostics.md");
 
 /// What is wrong with an open file.
 pub(crate) fn of_document(document: &Document) -> Vec<Shown> {
@@ -82,6 +82,6 @@ mod tests {
         assert_eq!(shown.message, "`Z` is no code (here)\nnote: a note\nhelp: do it");
         assert_eq!(shown.related_information.as_ref().unwrap()[0].location.range.start.character, 1);
         let href = shown.code_description.as_ref().unwrap().href.as_str();
-        assert!(href.ends_with("/docs/DIAGNOSTICS.md#lz0401-foreign-code"), "{href}");
+        assert!(href.ends_with("/docs/reference/diagnostics.md#lz0401-foreign-code"), "{href}");
     }
 }

@@ -17,7 +17,7 @@ const BLOCK_BYTES: usize = 1 << 16;
 pub struct Facts {
     /// Length in microseconds.
     pub length_us: u64,
-    /// XXH3-64 of all bytes of the file, as `docs/FORMAT.md` describes it.
+    /// XXH3-64 of all bytes of the file, as `docs/reference/bank-format.md` describes it.
     pub content_hash: u64,
 }
 

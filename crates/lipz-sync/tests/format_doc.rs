@@ -1,11 +1,11 @@
-//! The content hashes that docs/FORMAT.md shows, whose numbers are those of xxHash's own library.
+//! The content hashes that docs/reference/bank-format.md shows, whose numbers are those of xxHash's own library.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_sync::content_hash;
 
 #[test]
 fn the_content_hash_is_that_of_the_page() {
-    let page = include_str!("../../../docs/FORMAT.md");
+    let page = include_str!("../../../docs/reference/bank-format.md");
     let (_, table) = page.split_once("| bytes | content hash |\n|---|---|\n").unwrap();
     let rows: Vec<&str> = table.lines().take_while(|line| line.starts_with('|')).collect();
     let bytes = |cell: &str| match cell {

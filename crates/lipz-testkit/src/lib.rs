@@ -35,21 +35,21 @@ pub mod tools;
 
 /// The programs on pages of `docs/` compile.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/PLAYBACK.md")]
-#[doc = include_str!("../../../docs/FACE.md")]
-#[doc = include_str!("../../../docs/HOST.md")]
-#[doc = include_str!("../../../docs/LAYERS.md")]
-#[doc = include_str!("../../../docs/LOCALISATION.md")]
+#[doc = include_str!("../../../docs/guides/playback.md")]
+#[doc = include_str!("../../../docs/guides/faces.md")]
+#[doc = include_str!("../../../docs/guides/dialogue-files.md")]
+#[doc = include_str!("../../../docs/guides/patches.md")]
+#[doc = include_str!("../../../docs/guides/localisation.md")]
 struct Pages;
 
 /// The programs of the page on lip sync compile.
 #[cfg(all(doctest, feature = "tools"))]
-#[doc = include_str!("../../../docs/LIP-SYNC.md")]
+#[doc = include_str!("../../../docs/guides/lip-sync.md")]
 struct LipSync;
 
 /// The build scripts compile. The program on the page is that of `examples/dialogue-player/examples`.
 #[cfg(all(doctest, feature = "tools"))]
-#[doc = include_str!("../../../docs/BUILD-SCRIPTS.md")]
+#[doc = include_str!("../../../docs/guides/build-scripts.md")]
 struct BuildScripts;
 
 /// The example of the project's README, run as a test.

@@ -1,4 +1,4 @@
-//! The worst that a query costs on a hostile bank, as docs/FORMAT.md states it: counted in instructions,
+//! The worst that a query costs on a hostile bank, as docs/reference/bank-format.md states it: counted in instructions,
 //! because time proves nothing on a shared machine. Needs valgrind, on which it runs itself.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]

@@ -1,4 +1,4 @@
-//! Names of the curves that move a face besides its mouth and its emotions (`docs/FACE.md`, "Specials").
+//! Names of the curves that move a face besides its mouth and its emotions (`docs/guides/faces.md`, "Specials").
 
 /// A curve with a name that the reader knows: it moves eyes, head or brows, or says how deep somebody breathes.
 ///

@@ -1,4 +1,4 @@
-//! The hash behind clip ids, the clip index and fingerprints (`docs/FORMAT.md`, "Clip ids").
+//! The hash behind clip ids, the clip index and fingerprints (`docs/reference/bank-format.md`, "Clip ids").
 
 /// Odd 64-bit multiplier with no structure: the fractional part of the golden ratio.
 pub const STEP: u64 = 0x9E37_79B9_7F4A_7C15;

@@ -23,7 +23,7 @@ impl ClipId {
     /// extension.
     ///
     /// The function is FNV-1a widened to eight bytes a step, with the high half folded down after
-    /// each multiplication; `docs/FORMAT.md`, "Clip ids", gives it in words and with test vectors.
+    /// each multiplication; `docs/reference/bank-format.md`, "Clip ids", gives it in words and with test vectors.
     #[inline]
     pub const fn from_key(key: &str) -> ClipId {
         let mut rest = key.as_bytes();

@@ -34,7 +34,7 @@ impl Strength {
     }
 
     /// The strength that is written as digits, with a point and up to three more digits if it is not whole; `None` for
-    /// anything else (`docs/LIPZ-FILES.md`, "Gestures").
+    /// anything else (`docs/reference/lipz-files.md`, "Gestures").
     pub fn parse(text: &[u8]) -> Option<Strength> {
         let mut value = 0_u32;
         // How many digits have come behind the point.

@@ -1,4 +1,4 @@
-//! Memory and work are in proportion to the input, whatever is in it: docs/PERFORMANCE.md has figures. Counted are bytes
+//! Memory and work are in proportion to the input, whatever is in it: docs/inside/performance.md has figures. Counted are bytes
 //! and allocations, not seconds.
 #![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(unsafe_code, reason = "an allocator that counts")]

@@ -21,20 +21,20 @@ fn first_cells(page: &str) -> Vec<&str> {
 
 #[test]
 fn rules_about_lipz_files_are_in_lipz_files_md() {
-    let page = read("docs/LIPZ-FILES.md");
+    let page = read("docs/reference/lipz-files.md");
     // Elements, rates and types, visemes, texts, segments, events. The others are about reading and writing.
     let codes = Code::ALL.iter().filter(|code| ("LZ0200".."LZ0800").contains(&code.number()));
     let missing: Vec<&str> = codes.map(|code| code.number()).filter(|number| !page.contains(number)).collect();
-    assert!(missing.is_empty(), "docs/LIPZ-FILES.md does not mention {missing:?}: add a row");
+    assert!(missing.is_empty(), "docs/reference/lipz-files.md does not mention {missing:?}: add a row");
 }
 
 #[test]
 fn formats_of_other_tools_are_in_interop_md() {
-    let page = read("docs/INTEROP.md");
+    let page = read("docs/guides/other-tools.md");
     let cells = first_cells(&page);
     let is_missing = |name: &&str| !cells.iter().any(|cell| cell.contains(&format!("`{name}`")));
     let missing: Vec<&str> = formats::ALL.iter().map(|format| format.name).filter(is_missing).collect();
-    assert!(missing.is_empty(), "docs/INTEROP.md has no row for {missing:?}: add one to its first table");
+    assert!(missing.is_empty(), "docs/guides/other-tools.md has no row for {missing:?}: add one to its first table");
 }
 
 #[test]

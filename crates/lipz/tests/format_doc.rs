@@ -1,4 +1,4 @@
-//! The examples of docs/FORMAT.md: the bytes that the page shows are those that `lipz pack` writes.
+//! The examples of docs/reference/bank-format.md: the bytes that the page shows are those that `lipz pack` writes.
 //! (`crates/lipz-bank/tests/format_doc.rs` compares its tables.)
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
@@ -40,7 +40,7 @@ fn section(bank: &[u8], tag: &[u8; 4]) -> Range<usize> {
 
 #[test]
 fn the_bank_that_the_page_walks_through() {
-    let page = fs::read_to_string(repository().join("docs/FORMAT.md")).unwrap();
+    let page = fs::read_to_string(repository().join("docs/reference/bank-format.md")).unwrap();
     let bank = pack(&block(&page, "json bank"), &["--strip"]);
     let mut end = 0;
     for line in block(&page, "text bank").lines().filter(|line| !line.starts_with('#')) {
@@ -58,7 +58,7 @@ fn the_bank_that_the_page_walks_through() {
 
 #[test]
 fn the_source_record_that_the_page_shows() {
-    let page = fs::read_to_string(repository().join("docs/FORMAT.md")).unwrap();
+    let page = fs::read_to_string(repository().join("docs/reference/bank-format.md")).unwrap();
     let bank = pack(&block(&page, "json source"), &["--quiet"]);
     let shown: Vec<u8> = block(&page, "text source").lines().flat_map(bytes).collect();
     assert_eq!(&bank[section(&bank, b"SRCE")], shown);

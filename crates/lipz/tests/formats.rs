@@ -102,7 +102,7 @@ fn rules_are_counted() {
 #[test]
 fn every_field_of_the_json_is_documented() {
     let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
-    let page = fs::read_to_string(repository().join("docs/DIAGNOSTICS.md")).unwrap();
+    let page = fs::read_to_string(repository().join("docs/reference/diagnostics.md")).unwrap();
     let fixed =
         list(&json, "/diagnostics").iter().find(|found| !found["fix"].is_null() && !found["span"].is_null()).unwrap();
     for object in [&json, fixed, &fixed["fix"], &fixed["span"], &fixed["span"]["start"]] {

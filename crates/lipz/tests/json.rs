@@ -1,5 +1,5 @@
 //! The JSON of results, byte for byte, as `fixtures/json` has it. `LIPZ_BLESS=1` writes it anew; fields may be
-//! added, never changed (docs/VERSIONING.md).
+//! added, never changed (docs/reference/versions.md).
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;

@@ -1,4 +1,4 @@
-//! The most memory that packing takes, in units of the bank: docs/PERFORMANCE.md states it. Measured is what the system
+//! The most memory that packing takes, in units of the bank: docs/inside/performance.md states it. Measured is what the system
 //! counts for the process; the program itself, and what does not grow with the clips, is taken off.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "tests")]

@@ -148,7 +148,7 @@ fn the_diagnostic_in_the_readme_is_that_of_its_file() {
 
 #[test]
 fn the_commands_for_the_first_hour_lead_to_a_face() {
-    let page = std::fs::read_to_string(repository().join("docs/GETTING-STARTED.md")).unwrap();
+    let page = std::fs::read_to_string(repository().join("docs/start/getting-started.md")).unwrap();
     assert!(page.lines().count() <= 40, "it is for one sitting");
     let scene = Scene::new();
     let mut folder = scene.path().to_owned();

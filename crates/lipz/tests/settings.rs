@@ -387,11 +387,12 @@ fn the_page_shows_every_setting_and_lint() {
         };
         made += &format!("| {code} | `{}` | {level} | {} |\n", code.name(), code.summary());
     }
-    let page = fs::read_to_string(repository().join("docs/SETTINGS.md")).unwrap();
+    let page = fs::read_to_string(repository().join("docs/reference/settings.md")).unwrap();
     let (before, rest) = page.split_once("cargo test -p lipz -->\n").unwrap();
     let (_, after) = rest.split_once("<!-- end -->").unwrap();
     let mut comparison = Comparison::default();
-    comparison.compare("docs/SETTINGS.md", &format!("{before}cargo test -p lipz -->\n{made}\n<!-- end -->{after}"));
+    comparison
+        .compare("docs/reference/settings.md", &format!("{before}cargo test -p lipz -->\n{made}\n<!-- end -->{after}"));
     comparison.finish(1);
 }
 

@@ -200,7 +200,7 @@ fn each_voice_has_its_recordings_text_and_language() {
     assert!(record.contains("de/otto.lipz"), "{record}");
 }
 
-/// The content hash of a recording, as docs/FORMAT.md describes it.
+/// The content hash of a recording, as docs/reference/bank-format.md describes it.
 fn hash(bytes: &[u8]) -> u64 {
     lipz_sync::content_hash(bytes).unwrap()
 }

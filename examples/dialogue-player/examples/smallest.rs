@@ -1,4 +1,4 @@
-//! The program on docs/BUILD-SCRIPTS.md: `cargo run -p dialogue-player --example smallest`.
+//! The program on docs/guides/build-scripts.md: `cargo run -p dialogue-player --example smallest`.
 
 use lipz_bank::Dialogue;
 use lipz_bank::files::{DialogueError, DialogueFile};

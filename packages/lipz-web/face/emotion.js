@@ -3,7 +3,7 @@
 //
 // As on the rig of "Talking Heads", each attribute has a pose at 5 and one at 10, and is neutral at 0. Poses are added. Which
 // muscles an emotion moves is that of Ekman and Friesen's Facial Action Coding System (EMFACS); for pain, Prkachin and Solomon.
-// docs/FACE.md has the table with its sources.
+// docs/guides/faces.md has the table with its sources.
 
 import { mixed } from "./colour.js";
 

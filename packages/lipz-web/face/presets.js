@@ -1,5 +1,5 @@
 // What single words feel like: those of the Lipz specification and of Fallout, in the attributes of emotion. The table is that of
-// docs/FACE.md, which a test compares.
+// docs/guides/faces.md, which a test compares.
 
 import { EMOTION_COLOURS } from "./emotion.js";
 

@@ -68,8 +68,8 @@ test("each emotion has a face and a colour of its own, which grow", () => {
   assert.ok(Math.abs(weightsOf({ anger: 5, joy: 5 }).flush - 0.4) < 1e-9, "they are added");
 });
 
-test("words are the emotions that FACE.md says", async () => {
-  const page = await readFile(new URL("FACE.md", import.meta.url), "utf8");
+test("words are the emotions that faces.md says", async () => {
+  const page = await readFile(new URL("faces.md", import.meta.url), "utf8");
   const rows = Array.from(page.matchAll(/^\| ((?:`\w+`(?:, )?)+) \| (none|(?:\w+(?: \d+|, usual value)(?:, )?)+) \|/gm));
   const told = rows.flatMap(([, words, attributes]) => {
     const pairs = Array.from(attributes.matchAll(/(\w+)(?: (\d+)|, usual value)/g), ([, name, value]) => [name, Number(value ?? 5)]);

@@ -15,7 +15,7 @@ const SHARDS = ["dubbed.0-of-2.51e62ffc7e3d30e7.lipzbank", "dubbed.1-of-2.2372b0
 /** The bank of `aye`, which is not the first. */
 const [FIRST, OTHER] = SHARDS;
 
-/** Where the headers of files have their checksum and their format version (docs/FORMAT.md). */
+/** Where the headers of files have their checksum and their format version (docs/reference/bank-format.md). */
 const CHECKSUM_OFFSET = 8;
 const FORMAT_MAJOR_OFFSET = 20;
 

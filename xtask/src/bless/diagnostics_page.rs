@@ -1,10 +1,10 @@
-//! docs/DIAGNOSTICS.md, made from the rules.
+//! docs/reference/diagnostics.md, made from the rules.
 
 use super::rules::Rule;
 use crate::Failure;
 use std::fmt::Write;
 
-pub(super) const PATH: &str = "docs/DIAGNOSTICS.md";
+pub(super) const PATH: &str = "docs/reference/diagnostics.md";
 
 const INTRODUCTION: &str = r#"<!-- Written by `cargo xtask bless` from crates/lipz-diagnostics/rules: change it there. -->
 

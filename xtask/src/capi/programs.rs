@@ -38,7 +38,7 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
 }
 
 /// The page about C, and the ends of fences of its programs.
-const PAGE: &str = "docs/C.md";
+const PAGE: &str = "docs/guides/c.md";
 /// What the lines of the page in C++ need.
 const BEFORE: &str =
     "#include <iostream>\nvoid draw(char);\nvoid rig(std::string_view, std::optional<std::int32_t>);\n";

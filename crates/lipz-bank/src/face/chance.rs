@@ -105,7 +105,7 @@ mod tests {
         }
     }
 
-    /// docs/FACE.md has the same numbers, for other implementations.
+    /// docs/guides/faces.md has the same numbers, for other implementations.
     #[test]
     fn draws_of_the_page() {
         let draws = [(0, 0), (0, 1), (1, 0)].map(|(seed, index)| draw(seed, Stream::PoseTime, 0, index));

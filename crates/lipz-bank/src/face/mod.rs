@@ -1,4 +1,4 @@
-//! The whole face at a time: what is generated, and the curves that win over it (`docs/FACE.md`, "Specials").
+//! The whole face at a time: what is generated, and the curves that win over it (`docs/guides/faces.md`, "Specials").
 
 mod blink;
 mod chance;

@@ -33,7 +33,7 @@ pub struct FaceProfile<'data> {
 }
 
 impl FaceProfile<'static> {
-    /// What is usual (`docs/FACE.md` says why), which needs no bank.
+    /// What is usual (`docs/guides/faces.md` says why), which needs no bank.
     pub const DEFAULT: FaceProfile<'static> = FaceProfile {
         name: b"default",
         // Sadness, anger, joy, fear, disgust, surprise, shock, perplexed, asleep, pain, exertion, shout.

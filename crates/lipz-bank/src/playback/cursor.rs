@@ -57,7 +57,7 @@ use lipz_types::StoredFps;
 /// those that it has fired, by their numbers. If the new clip is divided into different segments, [`seek`](Cursor::seek) to
 /// the time of the audio. With a clip of a different ID the cursor does the same, so start a new one for a new line.
 ///
-/// `docs/PLAYBACK.md` has a table of what happens when time goes on, stands still, jumps, loops and ends.
+/// `docs/guides/playback.md` has a table of what happens when time goes on, stands still, jumps, loops and ends.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Cursor {
     /// For clips that have none: looked up again, a clip does not know what it was given.

@@ -1,4 +1,4 @@
-//! What a bank has no room for in one clip: too many segments, and texts that are too long (docs/FORMAT.md, "Limits").
+//! What a bank has no room for in one clip: too many segments, and texts that are too long (docs/reference/bank-format.md, "Limits").
 
 use super::elements::Roles;
 use crate::strings::Strings;

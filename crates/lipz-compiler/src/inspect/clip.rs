@@ -167,7 +167,7 @@ const KEY_BYTES: usize = 24;
 const EVENT_BYTES: usize = 64;
 
 impl<'d> ClipDetails<'d> {
-    /// Whether what the clip shows fits the budget of the files of `dialogue` (docs/FORMAT.md, "Source records"). Segments
+    /// Whether what the clip shows fits the budget of the files of `dialogue` (docs/reference/bank-format.md, "Source records"). Segments
     /// share events and texts, so that a forged bank of a megabyte can show terabytes: ask before you read or show a
     /// clip of a bank that may be a stranger's. Takes time in proportion to the segments and locales.
     pub fn is_bounded(dialogue: &Dialogue<'_>, clip: &Clip<'_>, locales: &[Locale]) -> bool {

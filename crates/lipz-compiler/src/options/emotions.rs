@@ -4,7 +4,7 @@ use lipz_bank::face::Emotion;
 use lipz_file::emotion::{self, Blend};
 use std::collections::BTreeMap;
 
-/// How emotions in texts and events become curves (docs/FACE.md).
+/// How emotions in texts and events become curves (docs/guides/faces.md).
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct EmotionOptions {

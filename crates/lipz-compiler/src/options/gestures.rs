@@ -1,6 +1,6 @@
 //! What faces do while something is said or heard.
 
-/// How gestures become curves (docs/FACE.md).
+/// How gestures become curves (docs/guides/faces.md).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Gestures {

@@ -101,8 +101,10 @@ impl Reading<'_> {
         let help = match nearest(name, SETTINGS.map(|setting| setting.name).into_iter().chain(of_project)) {
             Some(known) if known == name => "it is one for all characters: write it in [face]".to_owned(),
             Some(known) => format!("did you mean `{known}`?"),
-            None => "docs/FACE.md lists them: blink, head and others; a profile with a name is a table, [face.NAME]"
-                .to_owned(),
+            None => {
+                "docs/guides/faces.md lists them: blink, head and others; a profile with a name is a table, [face.NAME]"
+                    .to_owned()
+            }
         };
         self.diagnostics.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
     }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # Settings of a lipz project. Lines that start with `#` and a blank are explanations; remove the `#`
 # of a setting to change it. Values here win over defaults, flags of the command line over values.
-# Paths count from the folder of this file. docs/SETTINGS.md describes every setting.
+# Paths count from the folder of this file. docs/reference/settings.md describes every setting.
 ";
 
 /// Columns of an explanation.

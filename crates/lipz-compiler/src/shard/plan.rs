@@ -21,7 +21,7 @@ pub(super) const VERSION: u32 = 1;
 pub(super) const MAKER: &str = env!("CARGO_PKG_VERSION");
 
 /// The shards of a project. The files of each are in a [`ShardPlan`] of its own, so that a step reads no more than what it
-/// is about. `docs/SCALE.md` has the JSON of both.
+/// is about. `docs/guides/many-machines.md` has the JSON of both.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]

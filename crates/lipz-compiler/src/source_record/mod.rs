@@ -2,7 +2,7 @@
 //!
 //! A record lists the elements in file order. Values that the bank holds anyway are not repeated:
 //! a file without padding, meta and unknown elements costs a few bytes, and equal records are
-//! stored once. `docs/FORMAT.md`, "Source records", describes the encoding.
+//! stored once. `docs/reference/bank-format.md`, "Source records", describes the encoding.
 
 mod recorder;
 

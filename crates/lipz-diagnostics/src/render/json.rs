@@ -1,4 +1,4 @@
-//! Diagnostics as one JSON document. Fields are only ever added (docs/VERSIONING.md).
+//! Diagnostics as one JSON document. Fields are only ever added (docs/reference/versions.md).
 
 use super::places::Places;
 use crate::Label;

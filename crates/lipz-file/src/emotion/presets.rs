@@ -6,7 +6,7 @@ use lipz_types::Emotion;
 pub type Feeling = [(Emotion, Option<i32>)];
 
 /// What the words of other sources mean: the eleven emotions of the Lipz specification, the three moods of Fallout's talking
-/// heads, and `calm` and `lying`. A choice, not a fact: the sources only name them. `docs/FACE.md` shows the table.
+/// heads, and `calm` and `lying`. A choice, not a fact: the sources only name them. `docs/guides/faces.md` shows the table.
 pub const PRESETS: [(&str, &Feeling); 15] = [
     ("neutral", &[]),
     ("calm", &[]),

@@ -1,7 +1,7 @@
 //! Fallout 2: LIP files of its talking heads, and what belongs to them.
 //!
 //! [`lip`] has the files exactly as they are, [`units`] what their markers count, [`msg`] the texts of the
-//! game, [`heads`] the pictures. docs/FALLOUT.md describes all of them.
+//! game, [`heads`] the pictures. docs/guides/fallout-and-second-life.md describes all of them.
 
 pub(crate) mod clip;
 pub mod heads;

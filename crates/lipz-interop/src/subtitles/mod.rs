@@ -1,7 +1,7 @@
 //! Subtitle files: SubRip (`.srt`) and WebVTT (`.vtt`), to and from the texts and segments of clips.
 //!
 //! A segment with a text in a locale is a [`Cue`], as both formats call what shows from one time to another.
-//! `docs/INTEROP.md` says what is kept in which direction.
+//! `docs/guides/other-tools.md` says what is kept in which direction.
 
 mod clip;
 mod join;

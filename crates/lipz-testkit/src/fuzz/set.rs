@@ -37,7 +37,7 @@ static FILES: LazyLock<(Vec<u8>, Vec<Vec<u8>>)> = LazyLock::new(|| {
     (index(&banks, &moved), banks)
 });
 
-/// The index of these banks, as FORMAT.md says.
+/// The index of these banks, as docs/reference/bank-format.md says.
 fn index(banks: &[Vec<u8>], moved: &[(ClipId, u16)]) -> Vec<u8> {
     let (mut records, mut names) = (Vec::new(), String::new());
     for (number, bytes) in banks.iter().enumerate() {

@@ -14,7 +14,7 @@ use std::io::{self, BufReader, IsTerminal};
 /// Serve an editor: diagnostics while you write, fixes, completion, hover, formatting, rename.
 ///
 /// Editors start this command and talk with it by the Language Server Protocol. Projects and settings are found
-/// beside and above the files that are open, as by `lipz check`. docs/EDITORS.md sets up Visual Studio Code, Neovim
+/// beside and above the files that are open, as by `lipz check`. docs/guides/editors.md sets up Visual Studio Code, Neovim
 /// and others.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
@@ -33,7 +33,7 @@ impl Run for Lsp {
 
     fn run(&self, reporter: &mut Reporter) -> Ended {
         if !self.stdio && io::stdin().is_terminal() {
-            let tip = "docs/EDITORS.md says how; `lipz check` is for people";
+            let tip = "docs/guides/editors.md says how; `lipz check` is for people";
             return Err(reporter.usage("an editor starts `lipz lsp` and talks with it, and this is a terminal", tip));
         }
         match serve(BufReader::new(io::stdin()), io::stdout().lock(), check) {

@@ -8,7 +8,7 @@ use clap::Args;
 
 /// Print the JSON Schema of Lipz files, for editors.
 ///
-/// docs/EDITORS.md shows how to make an editor use it.
+/// docs/guides/editors.md shows how to make an editor use it.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:
   lipz schema > lipz.schema.json")]

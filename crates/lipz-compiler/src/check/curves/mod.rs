@@ -95,7 +95,7 @@ fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnos
         (Some(_), _) => (format!("{} is not a registered curve", escape::quoted(name)), near),
     };
     let diagnostic = Diagnostic::at(Code::UnknownCurve, curve.name.span(), message);
-    Some(diagnostic.note("known are the emotions, the curves of docs/FACE.md, the 52 blend shapes of ARKit and the registered curves").help(
+    Some(diagnostic.note("known are the emotions, the curves of docs/guides/faces.md, the 52 blend shapes of ARKit and the registered curves").help(
         match near {
             Some(near) => format!(
                 "did you mean {}? If it is a curve of your own, register it: `curves` in `[registry]`",

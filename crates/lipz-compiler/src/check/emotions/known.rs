@@ -52,7 +52,9 @@ impl<'o> Known<'o> {
         let message = format!("{} is not a known emotion", escape::quoted(term.name.text));
         Diagnostic::at(Code::UnknownEmotion, span, message).help(match self.nearest(term.name.text) {
             Some(near) => format!("did you mean {}?", escape::quoted(near)),
-            None => "docs/FACE.md lists the emotions; a project adds its own in [emotions] of lipz.toml".to_owned(),
+            None => {
+                "docs/guides/faces.md lists the emotions; a project adds its own in [emotions] of lipz.toml".to_owned()
+            }
         })
     }
 

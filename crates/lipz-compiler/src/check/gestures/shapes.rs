@@ -1,4 +1,4 @@
-//! What a gesture does to which curve, and when. docs/FACE.md has these numbers with their sources.
+//! What a gesture does to which curve, and when. docs/guides/faces.md has these numbers with their sources.
 
 use lipz_bank::face::FaceCurve;
 

@@ -120,7 +120,7 @@ pub const TABLES: &[Table] = &[
     },
     Table {
         name: "face",
-        about: "How faces move by themselves (docs/FACE.md): the project's own profile, and others in [face.NAME]. `blink` is \
+        about: "How faces move by themselves (docs/guides/faces.md): the project's own profile, and others in [face.NAME]. `blink` is \
                 the seconds from blink to blink on a calm face, `blink-anger` and so on while that emotion leads (in \
                 proportion to `blink`, if you leave it out), 0 for never; `blink-length` the seconds that one takes. `double-blinks` is a percentage of the blinks, `glances` \
                 one of the time. `head` is the degrees that it moves while the mouth does, with one `pose` in so many \
@@ -135,7 +135,7 @@ pub const TABLES: &[Table] = &[
 const EMOTIONS: Map = Map {
     name: "NAME",
     flat_name: "",
-    default: "the presets of docs/FACE.md",
+    default: "the presets of docs/guides/faces.md",
     examples: &["curves = \"values\"", "value = 5", "over = 0.4", "smug = \"joy 2 + disgust 1\""],
     read: |name, value, to| to.emotions(name, value),
 };
@@ -180,7 +180,7 @@ const LINTS: Map = Map {
 const FACE: Map = Map {
     name: "SETTING",
     flat_name: "",
-    default: "the profile of docs/FACE.md",
+    default: "the profile of docs/guides/faces.md",
     examples: &[
         "keys = \"words\"",
         "nods = 4",

@@ -42,7 +42,7 @@ impl Rule {
             short_description: Message::new(code.summary()),
             full_description: Message::new(what(code)),
             help: Help { text: code.page().replace(STRONG, ""), markdown: code.page() },
-            help_uri: format!("{}/blob/main/docs/DIAGNOSTICS.md#{anchor}", env!("CARGO_PKG_REPOSITORY")),
+            help_uri: format!("{}/blob/main/docs/reference/diagnostics.md#{anchor}", env!("CARGO_PKG_REPOSITORY")),
             default_configuration: Configuration { level: code.default_severity().to_string() },
         }
     }

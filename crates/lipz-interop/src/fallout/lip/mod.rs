@@ -1,7 +1,7 @@
 //! LIP files of version 2, exactly: every byte is kept, also those that mean nothing to the game.
 //!
 //! The layout is that of "A Description of the LIP File Format v2 Used in Fallout 2", which does not
-//! say that every word is big-endian. docs/FALLOUT.md has it as lipz reads it.
+//! say that every word is big-endian. docs/guides/fallout-and-second-life.md has it as lipz reads it.
 
 mod oddities;
 mod read;

@@ -26,7 +26,7 @@ use voices::Look;
 /// another locale, or none. A folder is compiled in memory, with the same flags as for `lipz pack`.
 ///
 /// Of Lipz files, also the segments and words that are to be translated from the default locale: missing ones, and those
-/// that are older than their source (docs/LOCALISATION.md).
+/// that are older than their source (docs/guides/localisation.md).
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz coverage [BANK] [OPTIONS]")]
 #[command(after_help = "Examples:

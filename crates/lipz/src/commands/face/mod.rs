@@ -24,7 +24,7 @@ use std::path::PathBuf;
 
 /// Write the curves that lipz makes of texts and events into the Lipz files, to be edited there.
 ///
-/// A bank has them anyway: emotions, and with `keys` in `[face]` what heads, brows and breath do (docs/FACE.md). What a
+/// A bank has them anyway: emotions, and with `keys` in `[face]` what heads, brows and breath do (docs/guides/faces.md). What a
 /// file has wins, so a curve that is in it already is never changed, and one that is written no longer follows the
 /// texts. To have it made again, remove it from the file.
 ///

@@ -25,7 +25,7 @@ pub(super) fn destination(
         return Err(reporter.usage("a layer is not split by locale", tip));
     }
     if split.voices {
-        let tip = "pack the originals and each voice over its own banks, with `--split-voices=false`: docs/LAYERS.md shows it";
+        let tip = "pack the originals and each voice over its own banks, with `--split-voices=false`: docs/guides/patches.md shows it";
         return Err(reporter.usage("a layer is not split by voice", tip));
     }
     let is_printed = stdio::is_meant(output);

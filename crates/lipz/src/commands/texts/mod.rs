@@ -16,7 +16,7 @@ use lipz_texts::{Division, Progress, Shape};
 /// Write the texts of clips for translators, and read their translations: PO (gettext), XLIFF, CSV, XLSX, JSON.
 ///
 /// Each clip is an entry, with what helps to translate it: who speaks, when, for how long, with which events.
-/// docs/LOCALISATION.md shows the way there and back.
+/// docs/guides/localisation.md shows the way there and back.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz texts export po voices --locale de-de -o de-de.po
