@@ -1,4 +1,4 @@
-//! Parsing and packing in memory, beside serde_json parsing the same files.
+//! Parsing and packing in memory, compared with serde_json on the same files.
 #![allow(
     missing_docs,
     clippy::expect_used,

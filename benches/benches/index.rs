@@ -1,4 +1,5 @@
-//! Ways to find a clip by its id, and ways to make an id of a key: why the bank has those that it has.
+//! Compares ways to find a clip by its id, and to hash a key to an id. The results explain the choices in the bank
+//! format.
 #![allow(
     missing_docs,
     clippy::cast_possible_truncation,
@@ -18,14 +19,14 @@ use std::time::Duration;
 use twox_hash::XxHash3_64;
 use zerocopy::FromBytes;
 
-/// Questions of one round: so many that at 100,000 clips no cache near the processor holds what they touch.
+/// The queries per round: enough that at 100,000 clips their data exceeds the processor's caches.
 const QUESTIONS: usize = 1 << 17;
 
-/// What is found: a record as long as the bank's, in a place that stands for the clip.
+/// The result of a look-up: a record of the bank's length, with a number for the clip.
 #[derive(Clone, Copy, Default)]
 struct Record {
     id: u64,
-    /// What else a clip is found by. Read by nobody here, but it takes up room.
+    /// The rest of the record. It is not read here, but takes up space.
     _rest: u64,
 }
 
@@ -35,12 +36,12 @@ impl Record {
     }
 }
 
-/// A way to find the place of a record by its id.
+/// A way to find a record by its id.
 trait Index {
     fn find(&self, id: u64) -> Option<usize>;
 }
 
-/// That of the bank.
+/// The index of the bank.
 struct Perfect<'b> {
     seed: u64,
     pilots: &'b [U32],
@@ -51,7 +52,7 @@ impl<'b> Perfect<'b> {
     fn new(bank: &Bank<'b>) -> Perfect<'b> {
         let section = |tag: Tag| bank.sections().find(|(found, _)| *found == tag.0).map_or(&[][..], |(_, bytes)| bytes);
         Perfect {
-            seed: 0, // unless keys were chosen to meet it
+            seed: 0, // 0 unless keys were chosen to collide
             pilots: <[U32]>::ref_from_bytes(section(Tag::PILOTS)).expect("pilots"),
             records: <[KeyRecord]>::ref_from_bytes(section(Tag::KEYS)).expect("key records"),
         }
@@ -68,7 +69,7 @@ impl Index for Perfect<'_> {
     }
 }
 
-/// Open addressing with linear probing, the records inside: at most two thirds of the places are taken.
+/// Open addressing with linear probing, with the records inside. At most two thirds of the entries are used.
 struct OpenAddressing(Vec<Record>);
 
 impl OpenAddressing {
@@ -101,9 +102,9 @@ impl Index for OpenAddressing {
     }
 }
 
-/// Groups of eight records with a tag of a byte each, which are compared at once: seven eighths are taken at most.
+/// Groups of eight records with one-byte tags, which are compared at once. At most seven eighths are used.
 struct Tagged {
-    /// The tags of a group; a place that is free has the tag 0.
+    /// The tags of a group; an unused entry has the tag 0.
     tags: Vec<u64>,
     records: Vec<[Record; 8]>,
 }
@@ -129,12 +130,12 @@ impl Tagged {
         Tagged { tags, records }
     }
 
-    /// The upper bits of the id, and one that says that the place is taken.
+    /// Returns the upper bits of the id, and a bit for a used entry.
     fn tag(id: u64) -> u8 {
         (id >> 56) as u8 | 0x80
     }
 
-    /// The upper bit of each byte that is 0 (and of some above such a byte, which a look at the id sorts out).
+    /// Returns the upper bit of each byte that is 0, and of some bytes above it, which the comparison of ids rejects.
     fn zeros(bytes: u64) -> u64 {
         bytes.wrapping_sub(ONES) & !bytes & (ONES << 7)
     }
@@ -199,7 +200,7 @@ impl Index for Eytzinger {
         while let Some(record) = self.0.get(node) {
             node = 2 * node + usize::from(record.id < id);
         }
-        // Back up to where the search last went left.
+        // Go back up to the node where the search last went left.
         let found = node >> (node.trailing_ones() + 1);
         (self.0[found].id == id).then_some(found)
     }
@@ -230,7 +231,7 @@ fn indexes(criterion: &mut Criterion) {
     }
 }
 
-/// Asks for ids that are there, and for those of other keys.
+/// Looks up existing ids, and the ids of other keys.
 fn time(criterion: &mut Criterion, group: &str, name: &str, index: &impl Index, questions: &[(&str, Vec<u64>); 2]) {
     let [(_, found), (_, missing)] = questions;
     let is_there = |id: &u64| index.find(*id).is_some();

@@ -1,5 +1,5 @@
-//! What an editor waits for: the answers to a keystroke in a Lipz file of a megabyte, which is checked whole, and to what it asks
-//! besides.
+//! The latency of an editor: responses to a keystroke in a Lipz file of one megabyte, which is checked as a whole, and
+//! to other requests.
 #![allow(
     missing_docs,
     clippy::expect_used,
@@ -8,19 +8,19 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use lipz_benches::files;
-use lipz_lsp::{Checked, serve};
+use lipz_lsp::{CheckedProject, serve};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, PipeReader, PipeWriter, Read, Write, pipe};
 use std::thread;
 
-/// Clips of the generator that are joined; those of one viseme type have a megabyte with five locales.
+/// The generator's clips to join. Those of one viseme type are one megabyte long with five locales.
 const CLIPS: usize = 2600;
 const LOCALES: usize = 5;
-/// Segments of the file of emotions.
+/// The number of segments in the file with emotions.
 const EMOTIONAL_SEGMENTS: usize = 8000;
 
-/// A file whose segments are those of many clips.
+/// Returns a file with the segments of many clips.
 fn large_file() -> String {
     let mut joined: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for (_, json) in files(CLIPS, LOCALES) {
@@ -42,7 +42,7 @@ fn large_file() -> String {
     format!("{{\n  {}\n}}\n", elements.join(",\n  "))
 }
 
-/// A file in which every segment has an emotion, in its event and in its texts.
+/// Returns a file in which every segment has an emotion, in its event and in its texts.
 fn emotional_file() -> String {
     let repeated = |part: &str| vec![part; EMOTIONAL_SEGMENTS].join("|");
     let parts = [
@@ -55,7 +55,7 @@ fn emotional_file() -> String {
     format!("{{\n  \"fps\": 24, \"viseme_type\": \"blair\",\n  {}\n}}\n", elements.join(",\n  "))
 }
 
-/// An editor with this file open.
+/// An editor with an open file.
 struct Editor {
     to: PipeWriter,
     from: BufReader<PipeReader>,
@@ -65,7 +65,7 @@ struct Editor {
 impl Editor {
     fn open(text: &str) -> Editor {
         let ((input, to), (from, output)) = (pipe().expect("a pipe"), pipe().expect("a pipe"));
-        thread::spawn(move || serve(BufReader::new(input), output, |_, _| Checked::default()));
+        thread::spawn(move || serve(BufReader::new(input), output, |_, _| CheckedProject::default()));
         let mut editor = Editor { to, from: BufReader::new(from), version: 0 };
         editor.say(&json!({ "jsonrpc": "2.0", "id": 1, "method": "initialize", "params": { "capabilities": {} } }));
         editor.hear();
@@ -76,7 +76,7 @@ impl Editor {
         editor
     }
 
-    /// Types a letter into the first segment, or takes it back, and waits for what is wrong with the file now.
+    /// Types a letter into the first segment, or deletes it, and waits for the diagnostics.
     fn type_letter(&mut self, line: usize) {
         self.version += 1;
         let (end, text) = if self.version % 2 == 1 { (20, "x") } else { (21, "") };
@@ -91,7 +91,7 @@ impl Editor {
         self.wait_for_diagnostics();
     }
 
-    /// Asks, and waits for the answer.
+    /// Sends a request, and waits for the response.
     fn ask(&mut self, method: &str, params: &Value) -> Value {
         self.say(&json!({ "jsonrpc": "2.0", "id": 7, "method": method, "params": params }));
         loop {
@@ -148,7 +148,7 @@ fn keystroke(criterion: &mut Criterion) {
     }
 }
 
-/// What editors ask beside that: at the pointer or the cursor, and when somebody stops typing.
+/// Other requests of editors: at the pointer or the cursor, and after a pause in typing.
 fn requests(criterion: &mut Criterion) {
     let text = large_file();
     let lines: Vec<&str> = text.lines().collect();

@@ -1,4 +1,4 @@
-//! Queries of the reader beside the specification's own way, on the same clips.
+//! Queries of the reader, compared with the specification's own algorithm on the same clips.
 #![allow(
     missing_docs,
     clippy::expect_used,
@@ -17,7 +17,7 @@ use std::hint::black_box;
 
 const CLIPS: usize = 10_000;
 const LOCALES: usize = 5;
-/// Microseconds between two frames of a display.
+/// The microseconds between two frames of a display.
 const TICK_US: i64 = 16_667;
 
 fn bank(files: &[(String, String)]) -> Vec<u8> {
@@ -47,7 +47,7 @@ fn queries(criterion: &mut Criterion) {
     let clips: Vec<_> = files.iter().filter_map(|(key, _)| Some((bank.clip_by_key(key)?, rival.clip(key)?))).collect();
     assert_eq!(clips.len(), CLIPS);
 
-    // Both give the same answers, or there is nothing to compare.
+    // Both must return the same answers to be comparable.
     for (clip, value) in clips.iter().step_by(97) {
         for time_us in (0..12_500_000).step_by(133_337) {
             let seconds = time_us as f64 / 1e6;
@@ -110,7 +110,7 @@ fn queries(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Lines with seven curves, one of them with a key in each frame.
+/// Lines with seven curves, one of which has a key in each frame.
 fn curves_and_faces(criterion: &mut Criterion) {
     let bytes = faces::bank(DEFAULT_SEED, 100).expect("lines without errors");
     let bank = Bank::open(&bytes).and_then(Bank::verify).expect("a bank without fault");

@@ -1,5 +1,5 @@
-//! Lip sync: how long a second of sound takes. Criterion's "elements per second" are milliseconds of sound per second: 40,000
-//! are 40 times real time.
+//! Lip sync: the time per second of audio. Criterion's "elements per second" are milliseconds of audio per second:
+//! 40,000 are 40 times real time.
 
 #![allow(missing_docs, clippy::unwrap_used, reason = "a bench")]
 

@@ -1,9 +1,9 @@
-//! Instruction counts, which do not depend on how busy the machine is.
+//! Instruction counts, which do not depend on the load of the machine.
 
 use std::path::Path;
 use std::process::Command;
 
-/// The instructions that a program executes, as valgrind's callgrind counts them.
+/// Returns the instructions that a program executes, as counted by valgrind's callgrind.
 ///
 /// # Errors
 /// If valgrind is not installed, or the program fails.
@@ -13,8 +13,8 @@ pub fn instructions(program: &Command) -> Result<u64, String> {
     count.ok_or_else(|| format!("valgrind gave no count:\n{messages}"))
 }
 
-/// The instructions of each of the `calls` calls of `function`, its path with the name of the crate, that a program
-/// makes. Callgrind's files go into `folder`.
+/// Returns the instructions of each of a program's `calls` calls of `function`, a path including the name of the crate.
+/// Callgrind's files are written to `folder`.
 ///
 /// # Errors
 /// If valgrind is not installed, or the program fails, or makes fewer calls.
@@ -33,7 +33,7 @@ pub fn instructions_of_calls(
             &format!("--callgrind-out-file={}", file.display()),
         ],
     )?;
-    // The files of the calls have numbers; what is left when the program ends goes into the one that has none.
+    // The files of the calls have numbers. The rest, after the last call, is in a file without one.
     let count = |call: usize| {
         let dump = std::fs::read_to_string(file.with_extension(call.to_string())).ok()?;
         dump.lines().find_map(|line| line.strip_prefix("totals: ")?.parse().ok())
@@ -42,7 +42,7 @@ pub fn instructions_of_calls(
     counts.ok_or_else(|| format!("valgrind gave no count for each call of `{function}`:\n{messages}"))
 }
 
-/// Runs a program under callgrind; returns what valgrind has to say.
+/// Runs a program under callgrind. Returns the output of valgrind.
 fn run(program: &Command, options: &[&str]) -> Result<String, String> {
     let mut valgrind = Command::new("valgrind");
     valgrind.arg("--tool=callgrind").args(options).arg(program.get_program()).args(program.get_args());

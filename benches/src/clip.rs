@@ -1,4 +1,4 @@
-//! One made-up clip as JSON.
+//! One generated clip as JSON.
 
 use crate::random::Random;
 use crate::texts::{self, LOCALES};
@@ -6,9 +6,9 @@ use lipz_bank::VisemeType;
 
 /// Weights of 1, 2, … 6 segments.
 const SEGMENT_WEIGHTS: [usize; 6] = [34, 29, 17, 10, 6, 4];
-/// Segments of a hundred with an event.
+/// Percentage of segments with an event.
 const EVENT_PERCENT: usize = 30;
-/// Segments of a hundred whose texts start with `{meta}`.
+/// Percentage of segments whose texts start with `{meta}`.
 const META_PERCENT: usize = 3;
 
 const FPS: [usize; 3] = [24, 25, 30];
@@ -19,7 +19,7 @@ const EMOTIONS: [&str; 10] =
 const PROPS: [&str; 8] = ["door", "letter", "window", "lamp", "map", "sword", "boat", "key"];
 const ACTIONS: [&str; 8] = ["nod", "shrug", "wave", "bow", "sigh", "laugh", "step_back", "cross_arms"];
 
-/// Clip number `index` of `seed`, with the first `locales` of the locales.
+/// Returns clip number `index` of `seed`, with the first `locales` of the locales.
 pub(crate) fn json(seed: u64, index: usize, locales: usize) -> String {
     let mut random = Random::new(seed, index as u64);
     let fps = FPS[random.weighted(&[50, 30, 20])];
@@ -38,7 +38,7 @@ pub(crate) fn json(seed: u64, index: usize, locales: usize) -> String {
         delimit(&mut json, segment);
         visemes(&mut random, &mut json, length, viseme_type);
     }
-    // The same segments have meta in every language: translators keep it.
+    // The same segments have meta in every language, because translators keep it.
     let metas: Vec<&str> =
         lengths.iter().map(|_| if random.chance(META_PERCENT) { random.one_of(&METAS) } else { "" }).collect();
     for locale in LOCALES.iter().take(locales) {
@@ -67,7 +67,7 @@ fn delimit(json: &mut String, segment: usize) {
     }
 }
 
-/// Frames of each segment. None is shorter than about half a second.
+/// Returns the number of frames of each segment, at least about half a second.
 fn segment_lengths(random: &mut Random, frame_count: usize, duration_ms: usize) -> Vec<usize> {
     let count = (random.weighted(&SEGMENT_WEIGHTS) + 1).min(duration_ms / 1000);
     let shares: Vec<usize> = (0..count).map(|_| random.between(50, 150)).collect();
@@ -80,8 +80,7 @@ fn segment_lengths(random: &mut Random, frame_count: usize, duration_ms: usize) 
     lengths
 }
 
-/// Codes of one segment: mouth shapes held for one to four frames, now and then a pause, and rest at
-/// both ends.
+/// Writes the codes of one segment: mouth shapes held for one to four frames, sometimes a pause, and rest at both ends.
 fn visemes(random: &mut Random, json: &mut String, length: usize, viseme_type: VisemeType) {
     let shapes = viseme_type.codes().trim_start_matches('-').as_bytes();
     let end_rest = random.between(2, 10).min(length / 3);
@@ -102,7 +101,7 @@ fn visemes(random: &mut Random, json: &mut String, length: usize, viseme_type: V
     json.extend(std::iter::repeat_n('-', end_rest));
 }
 
-/// Character Event Syntax, sometimes two at once.
+/// Returns Character Event Syntax, sometimes with two events.
 fn event(random: &mut Random) -> String {
     let mut event = one_event(random);
     if random.chance(10) {

@@ -1,13 +1,13 @@
-//! A bank of lines with faces: emotions, gestures, and a jaw that has a key in each frame.
+//! A bank of lines with faces: emotions, gestures, and a jaw with a key in each frame.
 
 use crate::random::Random;
 use lipz_compiler::{Compiler, Input, Options};
 use std::fmt::Write;
 
 const FPS: usize = 24;
-/// Frames of each line: twelve seconds, as long as those of the generator at most.
+/// The number of frames in each line: twelve seconds, like the longest of the generator.
 const FRAMES: usize = 12 * FPS;
-/// Curves with a key in each second, and how far they go, in tenths.
+/// Curves with a key in each second, and their range, in tenths.
 const SLOW: [(&str, [usize; 2]); 6] = [
     ("anger", [0, 50]),
     ("fear", [0, 50]),
@@ -17,10 +17,10 @@ const SLOW: [(&str, [usize; 2]); 6] = [
     ("brows", [0, 10]),
 ];
 
-/// Packs so many lines.
+/// Packs this many lines.
 ///
 /// # Errors
-/// If the compiler finds a fault in them.
+/// If the compiler reports an error in them.
 pub fn bank(seed: u64, lines: usize) -> Result<Vec<u8>, String> {
     let inputs: Vec<Input> =
         (0..lines).map(|index| Input::from_bytes(crate::clip_key(index), json(seed, index).into_bytes())).collect();
@@ -41,7 +41,7 @@ fn json(seed: u64, index: usize) -> String {
     json
 }
 
-/// A curve with a key in each `step` frames.
+/// Writes a curve with a key every `step` frames.
 fn keys(random: &mut Random, json: &mut String, (name, step): (&str, usize), [least, most]: [usize; 2]) {
     let _ = write!(json, "\"{name}\": \"");
     for frame in (0..FRAMES).step_by(step) {

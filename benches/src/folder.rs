@@ -1,4 +1,4 @@
-//! Made-up clips as a folder of files.
+//! Generated clips as a folder of files.
 
 use crate::{CLIPS_PER_SCENE, clip_json, scene_folder};
 use rayon::prelude::*;
@@ -7,17 +7,17 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// Writes `clips` made-up clips into `folder`, and returns how many bytes they have.
+/// Writes `clips` generated clips into `folder`, and returns their length in bytes.
 ///
 /// # Errors
-/// If the folder has files already, or one cannot be written.
+/// If the folder already has files, or a file cannot be written.
 pub fn write_clips(clips: usize, locales: usize, seed: u64, folder: &Path) -> Result<u64, String> {
     let failed = |path: &Path, error: &dyn std::fmt::Display| format!("`{}`: {error}", path.display());
     if fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some()) {
         return Err(failed(folder, &"the folder is not empty"));
     }
     let scenes = clips.div_ceil(CLIPS_PER_SCENE);
-    // A folder is made and filled by one thread: no two wait for its lock.
+    // One thread creates and fills a folder, so that no two threads wait for its lock.
     let sizes: Result<Vec<u64>, String> = (0..scenes)
         .into_par_iter()
         .map(|scene| {
@@ -37,7 +37,7 @@ pub fn write_clips(clips: usize, locales: usize, seed: u64, folder: &Path) -> Re
     Ok(sizes?.iter().sum())
 }
 
-/// All files below `folder` whose names end in `.lipz`, in the order of the file system.
+/// Returns all files below `folder` whose names end in `.lipz`, in the order of the file system.
 ///
 /// # Errors
 /// If a folder cannot be read.
@@ -58,11 +58,11 @@ pub fn list(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// A new folder below `target`, removed when dropped. The system's folder for temporary files is
-/// often in memory: too small for 100,000 files, and no measure of a disk.
+/// Returns a new folder below `target`, removed when dropped. The system's folder for temporary files is often in
+/// memory: too small for 100,000 files, and not suitable to measure a disk.
 ///
 /// # Errors
-/// If it cannot be made.
+/// If it cannot be created.
 pub fn temporary_folder() -> Result<TempDir, String> {
     let target = std::env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../target")), PathBuf::from);
@@ -72,7 +72,7 @@ pub fn temporary_folder() -> Result<TempDir, String> {
         .map_err(|error| format!("no temporary folder in `{}`: {error}", parent.display()))
 }
 
-/// Writes a file, and waits until the disk has it, as a bank is written.
+/// Writes a file, and waits until it is on disk, as for a bank.
 ///
 /// # Errors
 /// If it cannot be written.

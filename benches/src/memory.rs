@@ -1,6 +1,6 @@
-//! How much memory a process took.
+//! The memory of a process.
 
-/// The high-water mark of this process's memory, where Linux tells it.
+/// Returns the high-water mark of this process's memory, on Linux.
 pub fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

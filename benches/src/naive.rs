@@ -20,14 +20,14 @@ impl Naive {
         Ok(Naive { clips: parsed.collect::<Result<_, _>>()? })
     }
 
-    /// The clip with this key.
+    /// Returns the clip with this key.
     pub fn clip(&self, key: &str) -> Option<&Value> {
         self.clips.get(key)
     }
 }
 
-/// The specification's function, line by line ("Knowing which Viseme to Show"), but for its check
-/// of the end, which counts the delimiters.
+/// The specification's function, line by line ("Knowing which Viseme to Show"), except for its check of the end, which
+/// counts the delimiters.
 pub fn current_viseme(clip: &Value, play_position_seconds: f64) -> char {
     let visemes = clip["visemes"].as_str().unwrap_or_default();
     let fps = clip["fps"].as_f64().unwrap_or_default();
@@ -40,12 +40,12 @@ pub fn current_viseme(clip: &Value, play_position_seconds: f64) -> char {
     unsegmented.chars().nth(frame as usize).unwrap_or('-')
 }
 
-/// The text of the segment at a time, found in the way that the specification suggests.
+/// Returns the text of the segment at a time, found as the specification suggests.
 pub fn current_text<'c>(clip: &'c Value, locale: &str, play_position_seconds: f64) -> Option<&'c str> {
     current_part(clip, &format!("text_{locale}"), play_position_seconds)
 }
 
-/// The event string of the segment at a time; `None` also without events.
+/// Returns the event string of the segment at a time; `None` also without events.
 pub fn current_event(clip: &Value, play_position_seconds: f64) -> Option<&str> {
     current_part(clip, "events", play_position_seconds)
 }

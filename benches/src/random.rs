@@ -1,9 +1,8 @@
-//! Random numbers that are the same in ten years.
+//! Random numbers that will never change.
 //!
-//! Generated clips are compared between machines and between versions of this project, so a seed
-//! must keep its meaning. The generators of the `rand` crate may change with every version of it;
-//! splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) is
-//! five lines that never do.
+//! Generated clips are compared between machines and between versions of this project, so a seed must keep its meaning.
+//! The generators of the `rand` crate may change with every version; splitmix64 (Steele, Lea and Flood, "Fast
+//! splittable pseudorandom number generators", 2014) is five lines that never do.
 
 /// A stream of random numbers.
 #[derive(Clone, Debug)]
@@ -12,7 +11,7 @@ pub struct Random {
 }
 
 impl Random {
-    /// The stream number `stream` of `seed`: each clip has its own, so that clips can be made in any
+    /// Returns stream number `stream` of `seed`. Each clip has its own stream, so that clips can be generated in any
     /// order and on any number of threads.
     pub fn new(seed: u64, stream: u64) -> Random {
         let mut random = Random { state: seed };
@@ -20,7 +19,7 @@ impl Random {
         random
     }
 
-    /// Any number.
+    /// Returns any number.
     pub fn next_u64(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut mixed = self.state;
@@ -29,7 +28,7 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number from `low` to `high`, both included.
+    /// Returns a number from `low` to `high`, both included.
     #[allow(clippy::cast_possible_truncation)] // the result is below the count, a usize
     pub fn between(&mut self, low: usize, high: usize) -> usize {
         let count = (high - low + 1) as u128;
@@ -37,17 +36,17 @@ impl Random {
         low + ((u128::from(self.next_u64()) * count) >> 64) as usize
     }
 
-    /// True in `percent` of a hundred cases.
+    /// Returns true with a probability of `percent`.
     pub fn chance(&mut self, percent: usize) -> bool {
         self.between(0, 99) < percent
     }
 
-    /// One of `items`, which are not empty.
+    /// Returns one of `items`, which must not be empty.
     pub fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
         items[self.between(0, items.len() - 1)]
     }
 
-    /// Index into `weights`, drawn by weight.
+    /// Returns a random index into `weights`, drawn by weight.
     pub fn weighted(&mut self, weights: &[usize]) -> usize {
         let mut left = self.between(1, weights.iter().sum());
         for (index, &weight) in weights.iter().enumerate() {
@@ -73,7 +72,7 @@ mod tests {
 
     #[test]
     fn the_published_sequence() {
-        // First outputs for state 1234567, as in the reference implementation's test vectors.
+        // The first outputs for state 1234567 in the reference implementation's test vectors.
         let mut random = Random { state: 1_234_567 };
         let first: Vec<u64> = (0..3).map(|_| random.next_u64()).collect();
         assert_eq!(first, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);

@@ -1,28 +1,26 @@
-//! Sentences in twelve languages and ten scripts, composed from small lists of words.
+//! Sentences in twelve languages and ten scripts, made of small lists of words.
 //!
-//! They mean nothing. What counts is the length in bytes and characters, the mix of scripts, and
-//! that few texts are equal.
+//! They have no meaning. They have realistic lengths in bytes and characters, a mix of scripts, and few equal texts.
 
 use crate::random::Random;
 
-/// A locale with what its sentences are made of.
+/// A locale with the parts of its sentences.
 pub(crate) struct Locale {
     pub(crate) tag: &'static str,
-    /// Words, with blanks between them.
+    /// Words, separated by spaces.
     words: &'static str,
-    /// What stands between words.
+    /// The separator of words.
     gap: &'static str,
-    /// What ends a sentence.
+    /// The ends of sentences.
     ends: &'static [&'static str],
-    /// Written characters in ten seconds of a clip, pauses included.
+    /// Written characters in ten seconds of a clip, including pauses.
     characters_per_10_s: usize,
 }
 
 const ENDS: &[&str] = &[".", ".", ".", "!", "?", "…"];
 const WIDE_ENDS: &[&str] = &["。", "。", "。", "！", "？", "……"];
 
-/// The locales in the order in which they are taken: the usual first languages of a game, then one
-/// for each further script.
+/// The locales in the order of use: the usual first languages of a game, then one for each further script.
 pub(crate) const LOCALES: &[Locale] = &[
     Locale {
         tag: "en-us",
@@ -127,10 +125,10 @@ pub(crate) const LOCALES: &[Locale] = &[
     },
 ];
 
-/// Appends what is said in `duration_ms`: at least a word.
+/// Appends the speech for `duration_ms`, at least one word.
 pub(crate) fn sentences(random: &mut Random, out: &mut String, locale: &Locale, duration_ms: usize) {
     let choice: Vec<&str> = locale.words.split(' ').collect();
-    // Some speak faster than others, and translations differ in length.
+    // Some characters speak faster than others, and translations differ in length.
     let percent = random.between(75, 125);
     let mut budget = locale.characters_per_10_s * duration_ms * percent / 1_000_000;
     loop {
@@ -152,7 +150,7 @@ pub(crate) fn sentences(random: &mut Random, out: &mut String, locale: &Locale, 
         }
         let end = random.one_of(locale.ends);
         if budget == 0 {
-            // No blank after the last sentence: a text that ends in one is not as it is displayed.
+            // No space after the last sentence, because a display text does not end in one.
             out.push_str(end.trim_end());
             return;
         }

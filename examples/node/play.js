@@ -1,4 +1,6 @@
-// Plays a clip: node play.js <key> <locale> <file>... The files are a bank or the index of a set, then patches and text banks.
+// Plays a clip: node play.js <key> <locale> <file>...
+//
+// The files are a bank or the index of a set, then patches and text banks.
 
 import { openDialogue } from "@lipz/reader";
 
@@ -15,7 +17,7 @@ if (files.length === 0) {
 const dialogue = await openDialogue(files);
 const locale = dialogue.locale(tag);
 
-// When the line starts: of a set, this loads the bank that has the clip.
+// When the line starts. For a set, this loads the bank that contains the clip.
 const clip = await dialogue.loadClip(key);
 if (!clip || !locale) {
   console.error(`play: ${clip ? tag : key}: there is no such thing`);

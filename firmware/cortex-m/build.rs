@@ -1,4 +1,4 @@
-//! Tells the linker where the memory of the machine is.
+//! Passes the machine's memory map to the linker.
 
 fn main() {
     println!("cargo:rerun-if-changed=mps2.ld");

@@ -1,10 +1,10 @@
-// Babble: a mouth that moves while a character speaks whose mouth shapes are not known.
+// Babble: mouth movement for a voice without visemes.
 
 import { FIRST } from "./memory.js";
 import { lipz_babble, lipz_weights } from "./structs.js";
 import { TEN_THOUSAND } from "./words.js";
 
-/** The power of a voice that a program does not measure. */
+/** The power for a voice that the program does not measure. */
 export const UNMEASURED = 0.75;
 
 export class Babble {
@@ -17,7 +17,7 @@ export class Babble {
     this.name = memory.string(fields.name);
   }
 
-  /** How far lips and jaw are moved, a time after the character began to speak, at a power of the voice from 0 to 1. */
+  /** Returns the movement of lips and jaw at a time since the start of speech, for a power from 0 to 1. */
   at(elapsed, power = UNMEASURED) {
     const memory = this.#memory;
     const babble = memory.put(FIRST, lipz_babble, this.#fields);

@@ -10,7 +10,7 @@ import { segmentOf } from "./segment.js";
 import * as c from "./structs.js";
 import { MICROS_PER_SECOND, VISEME_TYPES } from "./words.js";
 
-/** Whose mouth a clip in a voice has, as lipz.h numbers it. */
+/** The source of the visemes of a clip in a voice, in the order of lipz.h. */
 const SPOKEN = ["original", "dub", "other-dub"];
 
 export class Clip {
@@ -32,7 +32,7 @@ export class Clip {
     return this.#memory.ask(type, name, this.#address, ...args);
   }
 
-  /** The same clip, with other numbers where it has none. */
+  /** Returns the same clip with different fields. */
   #with(fields) {
     return new Clip(this.#memory, { ...this.#fields, ...fields });
   }
@@ -41,7 +41,7 @@ export class Clip {
     return this.#fields.id;
   }
 
-  /** Read once: sorting and searching clips asks for it many times. */
+  /** Read only once, because sorting and searching clips use the key many times. */
   get key() {
     return (this.#key ??= this.#memory.string(this.#ask(c.lipz_string, "lipz_clip_key")));
   }
@@ -71,12 +71,12 @@ export class Clip {
     return this.#fields.has_events !== 0;
   }
 
-  /** The clip with this frame rate, where its file leaves it unspecified. */
+  /** The clip with this frame rate, if its file does not specify one. */
   orFps(numerator, denominator = 1) {
     return this.#with(this.fps ? {} : { fps_numerator: numerator, fps_denominator: denominator });
   }
 
-  /** The clip with this viseme type, where its file leaves it unspecified. */
+  /** The clip with this viseme type, if its file does not specify one. */
   orVisemeType(name) {
     return this.#with({ viseme_type: this.#fields.viseme_type || VISEME_TYPES.indexOf(name) });
   }
@@ -86,30 +86,33 @@ export class Clip {
     return this.startOfFrame(this.frameCount);
   }
 
-  /** The second at which a frame starts to show; undefined without a frame rate. */
+  /** The start time of a frame, in seconds; undefined without a frame rate. */
   startOfFrame(frame) {
     const us = this.#ask(c.u64, "lipz_clip_start_of_frame_us", frame);
     return us === undefined ? undefined : Number(us) / MICROS_PER_SECOND;
   }
 
-  /** How many frames a consonant is held to be read or, with the microseconds of a rendered frame, to be in one. */
+  /**
+   * The number of frames to hold a consonant so that viewers can read it or, if you pass the microseconds of a rendered
+   * frame, so that one rendered frame shows it.
+   */
   holdFrames(renderedFrameUs = 0) {
     return this.#ask(c.u32, "lipz_clip_hold_frames", renderedFrameUs);
   }
 
-  /** The recording that the clip was made for; undefined if the bank does not say. */
+  /** The recording that the clip was made for; undefined if the bank does not record it. */
   get recording() {
     const found = this.#ask(c.lipz_recording, "lipz_clip_recording");
     return found && { duration: Number(found.length_us) / MICROS_PER_SECOND, contentHash: found.content_hash };
   }
 
-  /** The voice that the clip is spoken in; undefined without dubs. */
+  /** The voice in which the clip is spoken; undefined without dubs. */
   get voice() {
     const found = this.#ask(c.lipz_voice, "lipz_clip_voice");
     return found && new Voice(this.#memory, found);
   }
 
-  /** The clip as it is played in a voice, and whose mouth it has. */
+  /** The clip to play in a voice, and the source of its visemes. */
   inVoice(voice) {
     const found = this.#ask(c.lipz_voiced_clip, "lipz_clip_in_voice", handleOf(Voice, voice).put(this.#memory, SECOND));
     return { clip: new Clip(this.#memory, found.clip), spoken: SPOKEN[found.spoken] };
@@ -127,7 +130,7 @@ export class Clip {
     return this.#ask(c.lipz_viseme, "lipz_clip_viseme_at", this.#memory.time(time)) ?? "-";
   }
 
-  /** How far the mouth is open at a time; undefined if the clip has no mouth shapes, and without a frame rate. */
+  /** The openness of the mouth at a time; undefined without visemes or a frame rate. */
   opennessAt(time) {
     if (this.fps === undefined) return undefined;
     const cursor = this.cursor();
@@ -147,11 +150,11 @@ export class Clip {
     return Array.from({ length: this.#fields.segment_count }, (_, index) => this.segment(index));
   }
 
-  /** A cursor that waits for the audio of the clip to begin. */
+  /** A cursor before the start of the audio. */
   cursor(settings = {}) {
     const size = c.lipz_cursor.size;
     if (this.#ask(c.lipz_cursor, "lipz_cursor_new", size) === undefined) {
-      throw new LipzError("the clip has no frame rate", { remedy: "give it one, with clip.orFps" });
+      throw new LipzError("the clip has no frame rate", { remedy: "set one with clip.orFps" });
     }
     const cursor = new Cursor(this, this.#memory, this.#memory.answer(size));
     const isSet = ([, value]) => value !== undefined;
@@ -175,7 +178,7 @@ export class Clip {
     return found.map((fields) => new Curve(this.#memory, fields));
   }
 
-  /** What a character of the clip feels at a time. */
+  /** The emotions of a character of the clip at a time. */
   emotionsAt(time, who) {
     const memory = this.#memory;
     return emotionsOf(this.#ask(c.lipz_emotions, "lipz_clip_emotions_at", memory.time(time), whoOf(memory, who)));

@@ -1,4 +1,4 @@
-// The cursor: where a clip is while it is played. Its numbers are the struct of lipz.h, kept here as bytes.
+// The cursor: the position in a clip while it plays. Its bytes are the struct of lipz.h.
 
 import { FIRST, SECOND } from "./memory.js";
 import { segmentOf } from "./segment.js";
@@ -9,7 +9,7 @@ const OVER = 0xffffffff;
 const WAITING = 0xfffffffe;
 const NO_NAME = { bank: 0, id: 0 };
 const MOST_MICROS = 0xffffffff;
-/** The leads in frames: more would show mouths that have nothing to do with the audio. */
+/** The permitted leads in frames. With more, visemes would no longer match the audio. */
 const LEAD_FRAMES = [1, 2];
 
 /** A time in whole microseconds. */
@@ -30,7 +30,7 @@ export class Cursor {
     this.#bytes = bytes;
   }
 
-  /** The same cursor in a clip of another dialogue. */
+  /** The same cursor in a clip of a different dialogue. */
   in(clip, memory) {
     const cursor = new Cursor(clip, memory, this.#bytes.slice());
     cursor.#set("clip_id", clip.id);
@@ -51,7 +51,7 @@ export class Cursor {
 
   /** The address of the cursor, for a function of lipz.h. */
   get #address() {
-    // The only event that mentions the speaker may be in a bank of a set that was loaded since.
+    // A bank of the set that was loaded since may have the only event that mentions the speaker.
     if (this.#speaker !== undefined && this.#get("speaker_bank") === NO_NAME.bank) this.speaker = this.#speaker;
     return this.#memory.putBytes(FIRST, this.#bytes);
   }
@@ -73,7 +73,7 @@ export class Cursor {
     return this.#clip;
   }
 
-  /** How far mouth shapes are ahead of the audio, in seconds. Takes `{ us }` and `{ frames }`, too. */
+  /** The lead of visemes before the audio, in seconds. Also accepts `{ us }` and `{ frames }`. */
   get lead() {
     return this.#get("lead_us") / MICROS_PER_SECOND;
   }
@@ -85,10 +85,10 @@ export class Cursor {
 
   #secondsOf(frames) {
     if (LEAD_FRAMES.includes(frames)) return this.#clip.startOfFrame(frames);
-    throw new RangeError(`a lead is 1 or 2 frames, or any time, but not ${frames} frames`);
+    throw new RangeError(`a lead must be 1 or 2 frames, or a time, but not ${frames} frames`);
   }
 
-  /** How many frames a consonant shows at least. Takes `"readable"` and `{ renderedFrame }`, too. */
+  /** The minimum number of frames for a consonant. Also accepts `"readable"` and `{ renderedFrame }`. */
   get hold() {
     return this.#get("hold_frames");
   }
@@ -99,7 +99,7 @@ export class Cursor {
     this.#set("hold_frames", frames);
   }
 
-  /** Who speaks, so whose events name no character. */
+  /** The speaker, to whom events without a character belong. */
   get speaker() {
     return this.#speaker;
   }
@@ -111,7 +111,7 @@ export class Cursor {
     this.#set("speaker_bank", bank);
   }
 
-  /** The name that events mention, as lipz.h has it; undefined if no event does. */
+  /** The name in events, as a struct of lipz.h; undefined if no event mentions it. */
   #nameOf(name) {
     return this.#memory.ask(c.lipz_name, "lipz_dialogue_event_name", ...this.#memory.text(name));
   }
@@ -154,19 +154,19 @@ export class Cursor {
     return segmentOf(this.#memory, this.#ask(c.lipz_segment, "lipz_cursor_segment"));
   }
 
-  /** What a character, or without a name the speaker, feels, stares and points at. */
+  /** The emotion, stare and pointing of a character, by default of the speaker. */
   state(name) {
     let address = 0;
     if (name !== undefined) {
       const found = this.#nameOf(name);
-      // No event mentions the name, so there is nothing to report of it.
+      // No event mentions the name, so the state is empty.
       if (found === undefined) return { name, feels: undefined, staresAt: undefined, pointsAt: undefined };
       address = this.#memory.put(SECOND, c.lipz_name, found);
     }
     return this.#character(this.#ask(c.lipz_character, "lipz_cursor_character", address));
   }
 
-  /** All characters that events of the clip are about, with their states. */
+  /** All characters that events of the clip mention, with their states. */
   characters() {
     const found = this.#memory.askAll(c.lipz_character, "lipz_cursor_character_by_index", this.#address);
     return found.map((character) => this.#character(character));
@@ -178,7 +178,7 @@ export class Cursor {
   }
 }
 
-/** What a move has made due. */
+/** The events and segments that a move has made due. */
 export class Due {
   #memory;
   #bytes;
@@ -188,7 +188,7 @@ export class Due {
     this.#bytes = bytes;
   }
 
-  /** Takes everything of one kind, of a copy of the cursor: asked again, it is the same. */
+  /** Takes everything of one kind from a copy of the cursor, so that repeated calls return the same. */
   #taken(type, name, read) {
     const memory = this.#memory;
     const taken = [];
@@ -200,12 +200,12 @@ export class Due {
     }
   }
 
-  /** The events, in order; those that name no character are the speaker's. */
+  /** The events, in order. Events without a character belong to the speaker. */
   get events() {
     return this.#taken(c.lipz_event, "lipz_cursor_take_event", eventOf);
   }
 
-  /** The segments, in order: for event strings in another syntax. */
+  /** The segments, in order, for event strings in a different syntax. */
   get segments() {
     return this.#taken(c.lipz_segment, "lipz_cursor_take_segment", segmentOf);
   }

@@ -20,7 +20,7 @@ export const EMOTIONS = [
   "shout",
 ];
 
-/** What a character feels, of the fields of an answer. */
+/** The emotions of a character, from the fields of a result. */
 export function emotionsOf({ thousandths, strongest, sum }) {
   const values = Object.fromEntries(EMOTIONS.map((name, place) => [name, thousandths[place] / THOUSAND]));
   return { values, strongest: EMOTIONS[strongest], sum: sum / THOUSAND };
@@ -29,7 +29,7 @@ export function emotionsOf({ thousandths, strongest, sum }) {
 export class Curve {
   #memory;
   #fields;
-  /** Where the curve was read last: the next rendered frame needs no search. */
+  /** The last position in the curve, so that the next rendered frame needs no search. */
   #cursor = { key: 0 };
 
   constructor(memory, fields) {
@@ -65,7 +65,7 @@ export class Curve {
     const cursor = memory.put(SECOND, c.lipz_curve_cursor, this.#cursor);
     const thousandths = this.#ask(c.i32, "lipz_curve_value_at", memory.time(time), cursor);
     const moved = memory.read(cursor, c.lipz_curve_cursor);
-    // A new struct for new numbers: `put` compares structs, not their numbers.
+    // New values need a new struct, because `put` compares the identity of structs.
     if (moved.key !== this.#cursor.key) this.#cursor = moved;
     return thousandths === undefined ? undefined : thousandths / THOUSAND;
   }

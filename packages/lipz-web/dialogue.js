@@ -1,4 +1,4 @@
-// A dialogue: files that answer as one bank.
+// A dialogue: files that act as one bank.
 
 import { Babble } from "./babble.js";
 import { Clip } from "./clip.js";
@@ -9,22 +9,22 @@ import { FIRST, SECOND } from "./memory.js";
 import * as c from "./structs.js";
 
 const NULL = [0, 0];
-/** The kinds of files, as lipz.h numbers them. */
+/** The kinds of files, in the order of lipz.h. */
 const KINDS = ["absent", "bank", "patch", "texts", "set"];
 
 export class Dialogue {
   #memory;
-  /** The name of each file, and what loads those that are absent. */
+  /** The name of each file, with a function to load it if it is absent. */
   #files;
-  /** The address of the files in the memory. */
+  /** The address of the files in memory. */
   #places;
   #flags;
-  /** The banks that are being loaded, as promises. */
+  /** Promises for the banks that are being loaded. */
   #loading = new Map();
 
   /**
-   * @param files for each its `name`, and `load` if it is a bank of a set
-   * @param contents the address of the contents of all
+   * @param files the `name` of each file, and `load` if it is a bank of a set
+   * @param contents the address of the contents of all files
    */
   constructor(memory, files, contents, flags) {
     this.#memory = memory;
@@ -66,7 +66,7 @@ export class Dialogue {
     return status === OK ? new Clip(this.#memory, fields) : undefined;
   }
 
-  /** The same, once the bank of a set that would have it is loaded. */
+  /** The same, after the bank of the set for the clip is loaded. */
   async loadClip(keyOrId) {
     for (;;) {
       const { status, fields } = this.#find(keyOrId);
@@ -80,12 +80,12 @@ export class Dialogue {
     await Promise.all(this.files.map(({ kind }, number) => kind === "absent" && this.#load(number)));
   }
 
-  /** All clips of the files that are there. */
+  /** All clips of the loaded files. */
   clips() {
     return this.clipsUnder("");
   }
 
-  /** Those whose keys start with a prefix. */
+  /** The clips whose keys start with a prefix. */
   clipsUnder(prefix) {
     const memory = this.#memory;
     const clips = [];
@@ -129,7 +129,7 @@ export class Dialogue {
     return found && new Babble(this.#memory, found);
   }
 
-  /** The profile of the project; that of the Second Life viewer if it has none. */
+  /** The profile of the project, by default that of the Second Life viewer. */
   get defaultBabble() {
     return new Babble(this.#memory, this.#memory.ask(c.lipz_babble, "lipz_dialogue_babble", ...NULL));
   }
@@ -140,13 +140,13 @@ export class Dialogue {
     return found && new FaceProfile(this.#memory, found);
   }
 
-  /** The profile of the project; the usual one if it has none. */
+  /** The profile of the project, or the built-in profile. */
   get defaultFaceProfile() {
     const found = this.#memory.ask(c.lipz_face_profile, "lipz_dialogue_face_profile", ...NULL);
     return new FaceProfile(this.#memory, found);
   }
 
-  /** The status of a question for a clip, and the fields of the answer. */
+  /** The status of a query for a clip, and the fields of its result. */
   #find(keyOrId) {
     const memory = this.#memory;
     const [name, ...args] =
@@ -158,7 +158,7 @@ export class Dialogue {
     return { status, fields: answer };
   }
 
-  /** Loads a bank of a set: once, and again only if that fails. */
+  /** Loads a bank of a set once, and again only after a failure. */
   #load(number) {
     if (!this.#loading.has(number)) {
       const loaded = this.#files[number].load().then((bytes) => this.#supply(number, bytes));

@@ -1,4 +1,4 @@
-// What the package has besides the function that opens files.
+// The exports of the package, except the function that opens files.
 
 export { Babble, UNMEASURED } from "./babble.js";
 export { Clip } from "./clip.js";

@@ -6,7 +6,7 @@ import { THOUSAND } from "./words.js";
 
 const NULL = 0;
 
-/** The address of a character, for a function of lipz.h: null for the speaker. */
+/** The address of a character for a function of lipz.h; null for the speaker. */
 export function whoOf(memory, who) {
   if (who === undefined) return NULL;
   const isSpeaker = typeof who !== "string";
@@ -14,12 +14,12 @@ export function whoOf(memory, who) {
   return memory.put(FOURTH, c.lipz_who, { name: { data, length_bytes }, is_speaker: Number(isSpeaker) });
 }
 
-/** The address of a profile, for a function of lipz.h: null for that of the project. */
+/** The address of a profile for a function of lipz.h; null for that of the project. */
 export function profileOf(memory, profile) {
   return profile === undefined ? NULL : profile.put(memory);
 }
 
-/** The address of what a character looks at, for a function of lipz.h: null for a person straight ahead. */
+/** The address of the target of a gaze for a function of lipz.h; null for a person straight ahead. */
 export function lookAtOf(memory, lookAt) {
   if (lookAt === undefined) return NULL;
   const { pitch, yaw, isPerson = true } = lookAt;
@@ -27,7 +27,7 @@ export function lookAtOf(memory, lookAt) {
   return memory.put(THIRD, c.lipz_look_at, { pitch: up, yaw: left, is_person: Number(isPerson) });
 }
 
-/** A face, of the fields of an answer. */
+/** A face, from the fields of a result. */
 export function faceOf(fields) {
   const value = (name) => fields[name] / THOUSAND;
   return {
@@ -53,12 +53,12 @@ export class FaceProfile {
     this.name = memory.string(fields.name);
   }
 
-  /** Writes it into the memory of a dialogue and returns its address. In the memory of a different dialogue, it leads to nothing. */
+  /** Writes it into the memory of a dialogue and returns its address. It is not valid in a different dialogue. */
   put(memory) {
     return memory.put(SECOND, c.lipz_face_profile, this.#fields);
   }
 
-  /** The face of a character who does not speak: the eyes blink and look. */
+  /** The face of a silent character, whose eyes blink and look. */
   idleAt(time, seed = 0, lookAt) {
     const memory = this.#memory;
     const settings = [this.put(memory), lookAtOf(memory, lookAt)];

@@ -1,5 +1,5 @@
-// A drawn face: a mouth for each viseme, the twelve attributes of emotion, eyes that blink and look, brows, head and breath.
-// Types are in face.d.ts.
+// A drawn face: a mouth for each viseme, the twelve attributes of emotion, eyes that blink and look, brows, head and
+// breath. Types are in face.d.ts.
 
 import { geometry } from "./face/geometry.js";
 import { markup, PARTS } from "./face/parts.js";
@@ -8,13 +8,13 @@ export { EMOTION_COLOURS, weightsOf } from "./face/emotion.js";
 export { VISEMES } from "./face/mouth.js";
 export { emotionsOf } from "./face/presets.js";
 
-/** The part of the plane that a face is drawn in: x, y, width, height. */
+/** The area of a face: x, y, width, height. */
 export const VIEW_BOX = [-110, -120, 220, 260];
 
-/** How many faces this program has drawn: each has outlines with names of its own. */
+/** The number of faces that this program has drawn. Each has outlines with different names. */
 let count = 0;
 
-/** The elements of a face as text, to be put into an `<svg>` or a `<g>`. `id` tells it from others in the document. */
+/** Returns the elements of a face as text, for an `<svg>` or a `<g>`. `id` is unique in the document. */
 export function faceMarkup(pose = {}, id = `face${++count}-`) {
   return markup(PARTS, geometry(pose, id), false);
 }
@@ -32,7 +32,7 @@ export class FaceDrawing {
     this.#parts = Array.from(svg.querySelectorAll("[data-part]"), (part) => [part.dataset.part, part]);
   }
 
-  /** Draws a pose: what is not named is neutral. Only what has changed is touched. */
+  /** Draws a pose. Missing members are neutral, and unchanged elements are not touched. */
   show(pose) {
     const next = geometry(pose, this.#id);
     for (const [name, part] of this.#parts) {

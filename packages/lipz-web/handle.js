@@ -1,4 +1,4 @@
-// What is looked up once and passed to queries: locales and voices. They are those of one dialogue.
+// Locales and voices, which you look up once and pass to queries. They belong to one dialogue.
 
 import { lipz_locale, lipz_voice } from "./structs.js";
 
@@ -12,14 +12,14 @@ class Handle {
     this.tag = memory.string(fields.tag);
   }
 
-  /** Writes it into a slot of a memory and returns its address. In that of another dialogue, it leads to nothing. */
+  /** Writes it into a slot of a memory and returns its address. It is not valid in a different dialogue. */
   put(memory, slot) {
     return memory.put(slot, this.#type, this.#fields);
   }
 }
 
 export class Locale extends Handle {
-  // Not the name of the class, which bundlers shorten.
+  // The name of the class would not do, because bundlers shorten it.
   static kind = "locale";
 
   constructor(memory, fields) {
@@ -37,7 +37,7 @@ export class Voice extends Handle {
   }
 }
 
-/** A handle of this kind; an error that says how to get one for anything else, such as its tag. */
+/** Returns a handle of this kind. For any other value, such as a tag, throws an error that explains how to get one. */
 export function handleOf(type, value) {
   if (value instanceof type) return value;
   throw new TypeError(`${String(value)} is not a ${type.kind}: look it up once, with dialogue.${type.kind}(tag)`);

@@ -1,78 +1,77 @@
 /**
- * Reader of lipz dialogue banks: files → {@link Dialogue} → {@link Clip} → {@link Segment}, and a {@link Cursor} that
+ * Reader for lipz dialogue banks: files → {@link Dialogue} → {@link Clip} → {@link Segment}, and a {@link Cursor} that
  * follows the audio.
  *
- * Names and the order of arguments are those of the Rust crate `lipz-bank`: the time, who, the profile, options.
+ * Names and the order of arguments match the Rust crate `lipz-bank`: time, who, profile, options.
  */
 
-/** Bytes of a file. They are copied. */
+/** The bytes of a file. The reader copies them. */
 export type Bytes = ArrayBuffer | SharedArrayBuffer | ArrayBufferView;
 
 /**
  * A file of a dialogue:
  *
- * * a URL, as a string or an object; in browsers relative to the page, in node a string without a scheme is a path;
- * * its bytes, with a name that error messages show and by which the index of a set finds its banks, or without one.
+ * * a URL, as a string or an object; relative to the page in browsers; in node, a string without a scheme is a path;
+ * * its bytes, with or without a name; error messages show the name, and the index of a set finds its banks by it.
  */
 export type Source = string | URL | Bytes | { readonly name: string; readonly bytes: Bytes };
 
-/** How files are opened. */
+/** Options for opening files. */
 export interface OpenOptions {
   /**
-   * Whether every byte and every reference of the files is checked; true by default. Without that, opening takes a time
-   * that does not depend on the number of clips. A damaged file may then have wrong answers, but no query reads outside
-   * of the files.
+   * Whether to check every byte and every reference of the files; true by default. With false, the time to open files
+   * does not depend on the number of clips. Queries may then return wrong results for a damaged file, but they never
+   * read outside the files.
    */
   readonly verify?: boolean;
   /**
-   * Reads a bank of a set by the name of its file, in place of the file next to the index. Needed for an index that is
-   * given as bytes, unless the banks are in the list of files.
+   * Reads a bank of a set by its file name, instead of the file next to the index. Required for an index that you pass
+   * as bytes, unless the banks are in the list of files.
    */
   readonly load?: (fileName: string) => Bytes | Promise<Bytes>;
-  /** The module, if `lipz.wasm` is not next to `lipz.js`: its path or URL, its bytes, or compiled. */
+  /** The wasm module, if `lipz.wasm` is not next to `lipz.js`: its path or URL, its bytes, or a compiled module. */
   readonly wasm?: string | URL | BufferSource | WebAssembly.Module;
 }
 
 /**
  * Opens files as one dialogue.
  *
- * Name them from the bottom to the top: the base first, which is a bank or the index of a set; then patches,
- * downloads, mods and the dubs of a voice, each after those that it was packed over, and text banks, each after the
- * bank of its clips. The kind of a file is in its header.
+ * Name them from the bottom to the top. The base comes first: a bank, or the index of a set. Patches, downloads, mods
+ * and the dubs of a voice follow, each after the files over which it was packed, and text banks, each after the bank of
+ * its clips. The header of a file determines its kind.
  *
- * The banks of a set are next to its index. The first of them is loaded at once, because it has the locales and
- * profiles; each of the others with {@link Dialogue.loadClip}.
+ * The banks of a set are next to its index. The first bank is loaded immediately, because it has the locales and
+ * profiles. {@link Dialogue.loadClip} loads the remaining banks.
  *
- * @throws {LipzError} for the first file that cannot be read, is damaged, or does not fit those before it.
+ * @throws {LipzError} for the first file that cannot be read, is damaged, or does not fit the files before it.
  */
 export function openDialogue(files: readonly Source[], options?: OpenOptions): Promise<Dialogue>;
 
-/** A file that cannot be used, or a call that makes no sense. The message has everything that the members have. */
+/** The error for an unusable file or an invalid call. The message includes the contents of all members. */
 export class LipzError extends Error {
   private constructor();
-  /** The name of the file: its path or URL, the name that was given, or `files[1]` for bytes without one. */
+  /** The name of the file: its path or URL, the name that you passed, or `files[1]` for bytes without a name. */
   readonly file: string | undefined;
-  /** The number of the status in lipz.h; undefined if the file could not be read. */
+  /** The status number in lipz.h; undefined if the file could not be read. */
   readonly status: number | undefined;
-  /** Where the damage is: bytes from the start of the file. */
+  /** The position of the damage, in bytes from the start of the file. */
   readonly offsetBytes: number | undefined;
-  /** What to do about it. */
+  /** A suggested fix. */
   readonly remedy: string | undefined;
 }
 
 /**
- * A locale of a dialogue. In another dialogue it leads to nothing, so look it up again when you have opened the files
- * again.
+ * A locale of a dialogue. It is not valid in a different dialogue, so look it up again after you open the files again.
  */
 export class Locale {
   private constructor();
-  /** As in the element `text_en-us` of a Lipz file: `en-us`. */
+  /** The tag, as in the element `text_en-us` of a Lipz file: `en-us`. */
   readonly tag: string;
   /** Whether it is the default locale. */
   readonly isDefault: boolean;
 }
 
-/** A voice: a language in which lines are recorded. It is that of one dialogue, as a {@link Locale} is. */
+/** A voice: a language in which lines are recorded. Like a {@link Locale}, it belongs to one dialogue. */
 export class Voice {
   private constructor();
   /** The tag of its locale: `de-de`. */
@@ -83,81 +82,83 @@ export class Voice {
 
 /** A file of a dialogue. */
 export interface DialogueFile {
-  /** Its path or URL, or the name that was given. */
+  /** Its path or URL, or the name that you passed. */
   readonly name: string;
   /** `absent` for a bank of a set that is not loaded. */
   readonly kind: "absent" | "bank" | "patch" | "texts" | "set";
-  /** The checksum in its header: files of different contents have different ones. 0 if it is absent. */
+  /** The checksum in its header, which differs between files with different contents; 0 if the file is absent. */
   readonly checksum: bigint;
 }
 
 /**
- * Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. The topmost file that
- * has a clip answers.
+ * Files that act as one bank: a bank or a set of banks, its patches, and text banks. The topmost file that has a clip
+ * counts.
  *
- * A dialogue has a memory of its own, which is freed with it: there is nothing to close. To add files or to replace
- * them, open the new list, look up locales and voices again, and continue each {@link Cursor} with {@link Clip.resume}.
+ * A dialogue has its own memory, which is freed with it. You do not have to close it. To add or replace files, open the
+ * new list, look up locales and voices again, and continue each {@link Cursor} with {@link Clip.resume}.
  */
 export class Dialogue {
   private constructor();
-  /** The files from the bottom to the top, the banks of a set behind its index. */
+  /** The files from the bottom to the top. The banks of a set follow its index. */
   readonly files: DialogueFile[];
-  /** The number of clips, also of those in banks that are not loaded. With patches, loaded clips are counted. */
+  /** The number of clips, including those in banks that are not loaded; with patches, only of the loaded clips. */
   readonly clipCount: number;
   /**
-   * The clip with this key (`act1/mayor`), or with this id if it is a bigint; undefined if no file has it.
+   * The clip with this key (`act1/mayor`), or with this id if the argument is a bigint; undefined if no file has it.
    *
-   * @throws {LipzError} with status 261 if the bank of the set that would have it is not loaded: call {@link
-   * Dialogue.loadClip} before, such as with the scene.
+   * @throws {LipzError} with status 261 if the set has a bank for the clip that is not loaded. Call
+   * {@link Dialogue.loadClip} first, for example with the scene.
    */
   clip(keyOrId: string | bigint): Clip | undefined;
   /**
-   * Like {@link Dialogue.clip}, and loads the bank of a set that would have the clip. Each bank is loaded once; after a
-   * failure, the next call tries again. Without a set, the promise is fulfilled at once. Clips and handles from before
+   * Like {@link Dialogue.clip}, but first loads the bank of the set for the clip. Each bank is loaded once. After a
+   * failure, the next call tries again. Without a set, the promise is fulfilled immediately. Existing clips and handles
    * remain valid.
    *
-   * @throws {LipzError} if the bank cannot be read, is damaged, or is not the one that the index names.
+   * @throws {LipzError} if the bank cannot be read, is damaged, or does not match the index.
    */
   loadClip(keyOrId: string | bigint): Promise<Clip | undefined>;
   /** Loads all banks of a set that are not loaded. @throws {LipzError} as {@link Dialogue.loadClip}. */
   loadAll(): Promise<void>;
   /**
-   * All clips of loaded files, each once: file by file, in each in the order of their keys by code points. In a
-   * dialogue of one bank that is the order of all keys.
+   * All clips of loaded files, each once: file by file, and within a file in the order of their keys by code points. In
+   * a dialogue of one bank, that is the order of all keys.
    */
   clips(): Clip[];
-  /** The clips whose keys start with `prefix`, in the same order: `act1/` gives those of a folder. */
+  /** The clips whose keys start with `prefix`, in the same order: `act1/` selects those of a folder. */
   clipsUnder(prefix: string): Clip[];
   /**
    * The locale with this tag, spelled as in the files: `en-us`. Look it up once, and pass it to {@link Segment.text}.
    */
   locale(tag: string): Locale | undefined;
-  /** All locales, in no order. */
+  /** All locales, in no particular order. */
   readonly locales: Locale[];
-  /** The default locale: that of the topmost file that says which one it is. */
+  /** The default locale, from the topmost file that sets one. */
   readonly defaultLocale: Locale | undefined;
   /**
-   * The voice in this locale. Undefined if there are no dubs, or the project names no such voice: play the clips as
-   * they are. Throws a {@link LipzError} if none is found while a bank of a set is not loaded that may have it: call
-   * {@link Dialogue.loadAll}, or ask again with the first clip.
+   * The voice in this locale; undefined if there are no dubs, or if the project has no such voice. Play the clips
+   * unchanged then.
+   *
+   * @throws {LipzError} if no voice is found, but a bank of a set that is not loaded may have it. Call
+   * {@link Dialogue.loadAll}, or look the voice up again with the first clip.
    */
   voice(tag: string): Voice | undefined;
-  /** The voices: that of the originals first, then those of dubs in the order of their tags. None without dubs. */
+  /** The voices: first that of the originals, then those of dubs in the order of their tags. Empty without dubs. */
   readonly voices: Voice[];
-  /** The babble profile with this name, of the topmost file that has profiles. */
+  /** The babble profile with this name, from the topmost file that has profiles. */
   babble(name: string): Babble | undefined;
-  /** The babble profile of the project, `[babble]` in its settings; that of the Second Life viewer if it has none. */
+  /** The babble profile of the project, `[babble]` in its settings; by default that of the Second Life viewer. */
   readonly defaultBabble: Babble;
-  /** The face profile with this name, of the topmost file that has profiles. */
+  /** The face profile with this name, from the topmost file that has profiles. */
   faceProfile(name: string): FaceProfile | undefined;
-  /** The face profile of the project, `[face]` in its settings; the usual one if it has none. */
+  /** The face profile of the project, `[face]` in its settings, or the built-in profile. */
   readonly defaultFaceProfile: FaceProfile;
 }
 
 /**
- * A time since the audio of a clip began: in seconds, in microseconds, or as a position in samples per channel. All
- * lead to the frame of exact arithmetic. Times before the start, from the end on, infinite or not a number lead to no
- * frame, and so to rest.
+ * A time since the start of the audio of a clip: in seconds, in microseconds, or as a position in samples per channel.
+ * All units select the frame with exact arithmetic. Times before the start, from the end on, infinite times and NaN
+ * select no frame, and therefore rest.
  */
 export type Time =
   | number
@@ -171,19 +172,19 @@ export type VisemeType = "blair" | "toonboom" | "rms";
 export type Viseme = string;
 
 /**
- * Whose face and emotions of a clip.
+ * The character whose face or emotions to return.
  *
- * * undefined: the speaker, by the curves without a name, such as `fear`;
- * * a name: a different character, by the curves with this name in front, such as `mara.fear`;
- * * `{ speaker: "otto" }`: the speaker, also by the curves with that name. Of two curves for the same, the one counts
- *   that is farther from neutral.
+ * * undefined: the speaker, from the curves without a character, such as `fear`;
+ * * a name: a different character, from the curves that start with this name, such as `mara.fear`;
+ * * `{ speaker: "otto" }`: the speaker, from both kinds of curves. Where two curves have the same purpose, the curve
+ *   that is farther from neutral counts.
  */
 export type Who = string | { readonly speaker: string } | undefined;
 
 /** One spoken line. */
 export class Clip {
   private constructor();
-  /** The hash of its key: names the clip in every version of the files. */
+  /** The hash of its key, which identifies the clip in every version of the files. */
   readonly id: bigint;
   /** The path of its Lipz file below the source root, without extension. */
   readonly key: string;
@@ -203,184 +204,186 @@ export class Clip {
   readonly duration: number | undefined;
   /** All segments, in order. */
   readonly segments: Segment[];
-  /** The recording that the clip was made for; undefined if the bank does not say. */
+  /** The recording that the clip was made for; undefined if the bank does not record it. */
   readonly recording: Recording | undefined;
-  /** The voice that the clip is spoken in; undefined without dubs. */
+  /** The voice in which the clip is spoken; undefined without dubs. */
   readonly voice: Voice | undefined;
   /** All curves, in the order of their names. */
   readonly curves: Curve[];
-  /** The clip with this frame rate, where its file leaves it unspecified. */
+  /** The clip with this frame rate, if its file does not specify one. */
   orFps(numerator: number, denominator?: number): Clip;
-  /** The clip with this viseme type, where its file leaves it unspecified. */
+  /** The clip with this viseme type, if its file does not specify one. */
   orVisemeType(type: VisemeType): Clip;
-  /** The second at which a frame starts to show; undefined without a frame rate. */
+  /** The start time of a frame, in seconds; undefined without a frame rate. */
   startOfFrame(frame: number): number | undefined;
-  /** The frame that shows at `time`; undefined outside of the clip. */
+  /** The frame at `time`; undefined outside the clip. */
   frameAt(time: Time): number | undefined;
-  /** The viseme of a frame; rest outside of the clip. */
+  /** The viseme of a frame; rest outside the clip. */
   viseme(frame: number): Viseme;
-  /** The viseme that shows at `time`; rest outside of the clip. */
+  /** The viseme at `time`; rest outside the clip. */
   visemeAt(time: Time): Viseme;
   /**
-   * How far the mouth is open at `time`, from 0 to 0.99. Undefined without frames, a viseme type or a frame rate: let
-   * the mouth babble.
+   * The openness of the mouth at `time`, from 0 to 0.99. Undefined without frames, a viseme type or a frame rate: use
+   * babble instead.
    */
   opennessAt(time: Time): number | undefined;
   /** The segment with this index, from 0. */
   segment(index: number): Segment | undefined;
-  /** The segment at `time`; undefined outside of the clip. */
+  /** The segment at `time`; undefined outside the clip. */
   segmentAt(time: Time): Segment | undefined;
   /**
-   * The clip as it is played in `voice`: the dub in it; without one, the dub in a voice that this one falls back
-   * to (`other-dub`); otherwise the original.
+   * The clip to play in `voice`: the dub in this voice; if there is none, the dub in a voice to which this voice falls
+   * back (`other-dub`); otherwise the original.
    */
   inVoice(voice: Voice): { clip: Clip; spoken: "original" | "dub" | "other-dub" };
   /** The curve with this name, `jawOpen`; undefined if the clip has none. */
   curve(name: string): Curve | undefined;
-  /** What a character of the clip feels at `time`: neutral without curves of emotion, and without a frame rate. */
+  /** The emotions of a character of the clip at `time`; neutral without curves of emotion or without a frame rate. */
   emotionsAt(time: Time, who?: Who): Emotions;
   /**
-   * The face of a character of the clip at `time`, generated as `profile` says, by default that of the project;
-   * `lookAt` is by default a person straight ahead. Curves of the clip win over what is generated.
+   * The face of a character of the clip at `time`, generated from `profile`, by default the profile of the project. By
+   * default, `lookAt` is a person straight ahead. Curves of the clip override generated values.
    *
-   * The face depends on the time, the profile and the id of the clip alone, and is the same on every machine.
-   * Characters who listen have the curves with their name in front, blink by their own emotions, and move their head
-   * only for these curves and for what they look at.
+   * The face depends only on the time, the profile and the id of the clip, and is the same on every machine. Listening
+   * characters use the curves that start with their name, blink according to their own emotions, and move their head
+   * only for these curves and for the target of their gaze.
    *
    * @throws {LipzError} with a profile of a different dialogue.
    */
   faceAt(time: Time, who?: Who, profile?: FaceProfile, lookAt?: LookAt): Face;
-  /** A cursor that waits for the audio to begin. @throws {LipzError} without a frame rate: see {@link Clip.orFps}. */
+  /** A cursor before the start of the audio. @throws {LipzError} without a frame rate: see {@link Clip.orFps}. */
   cursor(settings?: CursorSettings): Cursor;
   /**
-   * The cursor at the same time in this clip, which may be from a newer dialogue. Set its speaker again: names are
-   * those of their dialogue.
+   * The cursor at the same time in this clip, which may be from a newer dialogue. Set its speaker again, because names
+   * belong to one dialogue.
    */
   resume(cursor: Cursor): Cursor;
 }
 
-/** The recording that a clip was made for. Compare it with the audio that is about to be played. */
+/** The recording that a clip was made for. Compare it with the audio that you are about to play. */
 export interface Recording {
-  /** In seconds, to the nearest microsecond. */
+  /** The length in seconds, to the nearest microsecond. */
   readonly duration: number;
-  /** XXH3 of all bytes of the file: 64 bits, seed 0. */
+  /** The XXH3 hash of all bytes of the file: 64 bits, seed 0. */
   readonly contentHash: bigint;
 }
 
 /** A part of a clip, with its own text and events. */
 export class Segment {
   private constructor();
-  /** Place of the segment in its clip, from 0. */
+  /** The index of the segment in its clip, from 0. */
   readonly index: number;
   /** Its first frame. */
   readonly startFrame: number;
-  /** The frame behind its last one. */
+  /** The frame after its last frame. */
   readonly endFrame: number;
   /**
-   * The display text in a locale, or in the locale that it falls back to; undefined if neither has a text for this
-   * clip, and for a locale that is undefined or from a different dialogue. A segment of an existing text may be empty.
+   * The display text in a locale, or in the locale to which it falls back. Undefined if neither has a text for this
+   * clip, or if the locale is undefined or from a different dialogue. A segment of an existing text may be empty.
    */
   text(locale: Locale | undefined): Text | undefined;
-  /** The event string, trimmed and otherwise as in the Lipz file; undefined if the file has no events. */
+  /** The event string of the Lipz file, trimmed; undefined if the file has no events. */
   readonly event: string | undefined;
-  /** The events, if they are Character Event Syntax. */
+  /** The events, if they are in Character Event Syntax. */
   readonly events: Event[];
 }
 
 /** A display text. */
 export interface Text {
-  /** As a player sees it. */
+  /** The text as players see it. */
   readonly text: string;
-  /** Whether the clip has no text of its own in the locale, and this is that of the locale that it falls back to. */
+  /** Whether the text comes from the fallback locale, because the clip has no text in the requested locale. */
   readonly isFallback: boolean;
 }
 
-/** An event of Character Event Syntax: `[character] verb object`. */
+/** An event in Character Event Syntax: `[character] verb object`. */
 export interface Event {
-  /** Who; undefined for the speaker of the clip. */
+  /** The character; undefined for the speaker of the clip. */
   readonly character: string | undefined;
-  /** What happens. Verbs are added: skip those that you do not know. */
+  /** The verb. Later versions may add verbs, so ignore unknown ones. */
   readonly verb:
     | "feels" | "sees" | "stares" | "stops staring" | "points" | "stops pointing" | "does"
     | "nods" | "shakes" | "breathes" | "blinks" | "looks away";
   /** The emotion, target or action; undefined for other verbs. */
   readonly object: string | undefined;
-  /** How far a gesture goes (`nods 6`), from 0 to 10; undefined if the event does not say. */
+  /** The strength of a gesture (`nods 6`), from 0 to 10; undefined if the event has none. */
   readonly strength: number | undefined;
 }
 
-/** How a cursor shows a clip. */
+/** Settings of a cursor. */
 export interface CursorSettings {
-  /** How far mouth shapes are ahead of the audio: seconds, microseconds, or one or two frames of the clip. */
+  /** The lead of visemes before the audio: seconds, microseconds, or one or two frames of the clip. */
   lead?: number | { readonly us: number } | { readonly frames: 1 | 2 };
   /**
-   * How many frames a consonant shows at least, up to 255. `"readable"` is two frames at 24 fps, the least that can be
-   * read. `{ renderedFrame: 1 / 60 }` is enough for a display that shows each rendered frame for so many seconds.
+   * The minimum number of frames for which a consonant is shown, up to 255. `"readable"` is two frames at 24 fps, the
+   * minimum that viewers can read. `{ renderedFrame: 1 / 60 }` is enough for a display that shows each rendered frame
+   * for this number of seconds.
    */
   hold?: number | "readable" | { readonly renderedFrame: number };
-  /** Who speaks, so whose events name no character. */
+  /** The speaker, to whom events without a character belong. */
   speaker?: string | undefined;
 }
 
 /**
- * Where a clip is while it is played. Once per rendered frame, call `advanceTo` with the position of the audio, and
- * draw what the other members return. docs/guides/playback.md has a table of what happens when time goes on, stands still,
- * jumps, loops and ends.
+ * The position in a clip while it plays. Once per rendered frame, call `advanceTo` with the position of the audio, and
+ * draw what the other members return. docs/guides/playback.md has a table of the results when time moves on, stands
+ * still, jumps, loops and ends.
  */
 export class Cursor {
   private constructor();
-  /** The clip that is played. */
+  /** The clip that plays. */
   readonly clip: Clip;
-  /** How far mouth shapes are ahead of the audio, in seconds; see {@link CursorSettings}. */
+  /** The lead of visemes before the audio, in seconds; see {@link CursorSettings}. */
   get lead(): number;
   set lead(lead: NonNullable<CursorSettings["lead"]>);
-  /** How many frames a consonant shows at least; see {@link CursorSettings}. */
+  /** The minimum number of frames for which a consonant is shown; see {@link CursorSettings}. */
   get hold(): number;
   set hold(hold: NonNullable<CursorSettings["hold"]>);
-  /** Who speaks, so whose events name no character. */
+  /** The speaker, to whom events without a character belong. */
   speaker: string | undefined;
   /**
-   * The audio has reached `time`. Returns what has begun since the last call, each once, however long ago: also
-   * segments without frames. What you drop does not come again.
+   * Advances to `time`, and returns the segments that have started since the last call, each once, however long ago,
+   * including segments without frames. Use the result: nothing is returned twice.
    */
   advanceTo(time: Time): Due;
   /**
-   * The audio has jumped from its end to its start and has reached `time` since: what was left, then what has begun.
+   * Advances to `time` after the audio has jumped from its end to its start. Returns the rest of the clip, then the
+   * segments that have started again.
    */
   loopTo(time: Time): Due;
-  /** Jumps, forward or back. Nothing is due; the next `advanceTo` starts with what begins in the frame of this time. */
+  /** Jumps, forward or back. Nothing is due. The next `advanceTo` starts with the segments of this frame. */
   seek(time: Time): void;
-  /** Ends the clip before the audio does, as when a player skips it: returns what was left. */
+  /** Ends the clip before its audio ends, for example when a player skips it. Returns the rest of the clip. */
   finish(): Due;
   /** The frame at the position of the audio; undefined before the start and from the end on. */
   readonly frame: number | undefined;
-  /** Whether the audio is past the last frame. Then everything has been due. */
+  /** Whether the audio is past the last frame. Nothing more becomes due then. */
   readonly isOver: boolean;
-  /** The mouth shape to draw, with lead and hold. */
+  /** The viseme to draw, with lead and hold. */
   readonly viseme: Viseme;
-  /** How far that mouth is open, from 0 to 0.99; undefined without frames or a viseme type: let the mouth babble. */
+  /** The openness of that viseme, from 0 to 0.99; undefined without frames or a viseme type: use babble instead. */
   readonly openness: number | undefined;
   /** The segment whose subtitle to show; undefined before the start and from the end on. */
   readonly segment: Segment | undefined;
-  /** What a character feels, stares and points at; without a name, the speaker. */
+  /** The emotion of a character, and the targets of its stare and its pointing; by default those of the speaker. */
   state(character?: string): Character;
-  /** Every character that an event of the clip is about, with its state: what to set after a jump. */
+  /** Every character that events of the clip mention, with the state to set after a jump. */
   characters(): Character[];
 }
 
-/** What a move has made due. */
+/** The events and segments that a move has made due. */
 export interface Due {
-  /** The events in order, if they are Character Event Syntax; those that name no character are the speaker's. */
+  /** The events in order, if they are in Character Event Syntax. Events without a character belong to the speaker. */
   readonly events: Event[];
-  /** The segments in order: for event strings in another syntax. */
+  /** The segments in order, for event strings in a different syntax. */
   readonly segments: Segment[];
 }
 
-/** The state of a character. A member is undefined if no event has said anything: it is as it was before the clip. */
+/** The state of a character. A member is undefined if no event has set it: keep its value from before the clip. */
 export interface Character {
-  /** Undefined for a speaker that the cursor does not have. */
+  /** Undefined for the speaker, if the cursor has none. */
   readonly name: string | undefined;
-  /** The emotion, until changed. */
+  /** The emotion, until it changes. */
   readonly feels: string | undefined;
   /** The target, until `stops staring`. */
   readonly staresAt: string | undefined;
@@ -389,13 +392,13 @@ export interface Character {
 }
 
 /**
- * A number that changes while a clip plays: a blend shape, an emotion. Between two keys it changes evenly; outside of
- * the keys it is that of the first or last. Keep it while the clip plays: it remembers which key was needed last, so
- * that the next rendered frame needs no search.
+ * A number that changes while a clip plays, such as a blend shape or an emotion. Between two keys, values are
+ * interpolated linearly. Before the first and after the last key, the value is constant. Keep the object while the clip
+ * plays: it stores the last key, so that the next rendered frame needs no search.
  */
 export class Curve {
   private constructor();
-  /** As in the Lipz file: `jawOpen`, `anger`, `mara.fear`. */
+  /** The name, as in the Lipz file: `jawOpen`, `anger`, `mara.fear`. */
   readonly name: string;
   /** The number of keys. */
   readonly keyCount: number;
@@ -425,9 +428,9 @@ export type Emotion =
 /** All attributes of emotion. */
 export const EMOTIONS: readonly Emotion[];
 
-/** What a character feels: zeros for a neutral face. */
+/** The emotions of a character; zeros for a neutral face. */
 export interface Emotions {
-  /** From 0 to 10, where the file says nothing else. */
+  /** From 0 to 10, unless the file has values outside this range. */
   readonly values: Readonly<Record<Emotion, number>>;
   /** The attribute with the highest value; undefined for a neutral face. */
   readonly strongest: Emotion | undefined;
@@ -436,66 +439,66 @@ export interface Emotions {
 }
 
 /**
- * What a face does at a time, besides its mouth and its emotions. Angles are in degrees: pitch is positive upwards, yaw
- * to the left of the character, roll towards the left shoulder.
+ * The pose of a face at a time, apart from its mouth and its emotions. Angles are in degrees: pitch is positive
+ * upwards, yaw to the left of the character, roll towards the left shoulder.
  */
 export interface Face {
-  /** How far the lids are closed: 0 to 1. */
+  /** The closure of the lids, from 0 to 1. */
   readonly blink: number;
-  /** How far the head is raised. */
+  /** The pitch of the head. */
   readonly headPitch: number;
-  /** How far the head is turned. */
+  /** The yaw of the head. */
   readonly headYaw: number;
-  /** How far the head is tilted. */
+  /** The roll of the head. */
   readonly headRoll: number;
-  /** How far the eyes are raised in the head. */
+  /** The pitch of the eyes in the head. */
   readonly eyePitch: number;
-  /** How far the eyes are turned in the head. */
+  /** The yaw of the eyes in the head. */
   readonly eyeYaw: number;
-  /** How far the brows are raised: 0 to 1. Only curves raise them. */
+  /** The height of the brows, from 0 to 1. Only curves set it. */
   readonly brows: number;
-  /** A shrug of the face, 0 to 1. Only curves make one. */
+  /** The strength of a shrug of the face, from 0 to 1. Only curves set it. */
   readonly shrug: number;
-  /** How hard the character breathes: 0 to 10. Only curves say so. */
+  /** The strength of breath, from 0 to 10. Only curves set it. */
   readonly breath: number;
 }
 
-/** What a character looks at: a direction in degrees, as seen from the head at rest. */
+/** The target of a gaze: a direction in degrees, as seen from the head at rest. */
 export interface LookAt {
-  /** How far up it is. */
+  /** The angle upwards. */
   readonly pitch: number;
-  /** How far to the left of the character it is. */
+  /** The angle to the left of the character. */
   readonly yaw: number;
   /**
-   * Whether it is a person, over whose face, hands and body the eyes go, or something that they stay on; true by
-   * default.
+   * Whether the target is a person, so that the eyes move over face, hands and body instead of staying on a point; true
+   * by default.
    */
   readonly isPerson?: boolean;
 }
 
-/** How a face moves by itself. It is that of one dialogue. */
+/** The settings for the movement that a face generates. A profile belongs to one dialogue. */
 export class FaceProfile {
   private constructor();
-  /** As in the settings; `default` for that of the project. */
+  /** The name, as in the settings; `default` for the profile of the project. */
   readonly name: string;
   /**
-   * The face of a character who does not speak, at a time that counts from anywhere: the eyes blink and look. The seed is
-   * 0 by default. Give each character a different one, so that they do not blink at the same time.
+   * The face of a silent character, whose eyes blink and look, at a time from any start. The seed is 0 by default. Use
+   * a different seed for each character, so that they do not blink at the same time.
    */
   idleAt(time: Time, seed?: number | bigint, lookAt?: LookAt): Face;
 }
 
-/** The power of a voice that a program does not measure: 0.75. */
+/** The power for a voice that your program does not measure: 0.75. */
 export const UNMEASURED: number;
 
-/** A babble profile: how the mouth of a voice without mouth shapes moves. */
+/** A babble profile: the mouth movement for a voice without visemes. */
 export class Babble {
   private constructor();
-  /** As in the settings; `default` for that of the project. */
+  /** The name, as in the settings; `default` for the profile of the project. */
   readonly name: string;
   /**
-   * How far lips are pursed (`ooh`) and the jaw is open (`aah`), from 0 to 0.99, at a time since the character began to
-   * speak, at a power of the voice from 0 to 1, by default {@link UNMEASURED}.
+   * The pursing of the lips (`ooh`) and the opening of the jaw (`aah`), from 0 to 0.99, at a time since the character
+   * started to speak. `power` is that of the voice, from 0 to 1, by default {@link UNMEASURED}.
    */
   at(elapsed: Time, power?: number): { readonly ooh: number; readonly aah: number };
 }

@@ -1,4 +1,4 @@
-// The package in browsers: files are fetched. node.js is the same in node. Types are in lipz.d.ts.
+// The package in browsers, which fetches files. node.js is its counterpart in node. Types are in lipz.d.ts.
 
 import { openerWith } from "./open.js";
 import * as web from "./read-web.js";

@@ -1,15 +1,16 @@
-// The memory of one instance of the module, which has one dialogue: files, strings and structs go in, answers come out.
+// The memory of one instance of the module, which has one dialogue. Files, strings and structs are written to it, and
+// results are read from it.
 
 import { LipzError, NONE, OK, remedyFor } from "./error.js";
 import { lipz_problem, lipz_string, lipz_time } from "./structs.js";
 
 const PAGE_BYTES = 65536;
-/** The alignment of everything that is allocated: that of any struct, at least. */
+/** The alignment of every allocation, which is sufficient for any struct. */
 const ALIGN_BYTES = 64;
 /** Room for the first strings. */
 const TEXT_BYTES = 1024;
 
-/** Slots of the structs that are passed to functions, and of their answers. */
+/** Slots for the structs that are passed to functions, and for their results. */
 export const FIRST = 0;
 export const SECOND = 1;
 export const THIRD = 2;
@@ -21,40 +22,40 @@ const SLOTS = 7;
 
 /** The `rate_hz` of a time in seconds. */
 const SECONDS = 0xffffffff;
-/** The first `rate_hz` that is not one of samples. */
+/** The lowest `rate_hz` that is not a sample rate. */
 const FIRST_UNIT = 0xfffffffe;
 
 const DECODER = new TextDecoder("utf-8", { ignoreBOM: true });
 const ENCODER = new TextEncoder();
 
 export class Memory {
-  /** Room for one struct, longer than any that is passed in a slot. */
+  /** The size of a slot, larger than any struct that is passed in one. */
   static SLOT_BYTES = 256;
 
   /** The address of the dialogue, once it is open. */
   dialogue = 0;
   #functions;
   #memory;
-  /** The first free byte; behind it, there is nothing. */
+  /** The first free byte. No later byte is in use. */
   #end;
   #slots;
   #text;
-  /** Whether the last time was in seconds: then only the number changes. */
+  /** Whether the last time was in seconds, so that only the number changes. */
   #isInSeconds = false;
-  /** The struct in each slot: the same one is not written again. */
+  /** The struct in each slot, to avoid writing it again. */
   #held = [];
   #viewed;
 
   constructor({ exports: { memory, ...functions } }) {
     this.#memory = memory;
     this.#functions = functions;
-    // Rust owns what is there at the start: its stack and its constants.
+    // Rust owns the memory that exists at the start, for its stack and its constants.
     this.#end = memory.buffer.byteLength;
     this.#slots = this.allocate(SLOTS * Memory.SLOT_BYTES);
     this.#text = { at: this.allocate(TEXT_BYTES), capacity: TEXT_BYTES };
   }
 
-  /** Makes room for so many bytes, which stay, and returns their address. */
+  /** Allocates a number of bytes permanently, and returns their address. */
   allocate(length) {
     const at = Math.ceil(this.#end / ALIGN_BYTES) * ALIGN_BYTES;
     const missing = at + length - this.#memory.buffer.byteLength;
@@ -63,7 +64,7 @@ export class Memory {
     return at;
   }
 
-  /** Copies the bytes of a file and calls `use` with their address. If that throws an error, the room is free again. */
+  /** Copies the bytes of a file and calls `use` with their address. If `use` throws an error, frees the bytes again. */
   store(bytes, use) {
     const end = this.#end;
     try {
@@ -86,7 +87,7 @@ export class Memory {
     return this.#slots + number * Memory.SLOT_BYTES;
   }
 
-  /** Writes a struct into a slot and returns its address. No struct changes after that: a new one has new values. */
+  /** Writes a struct into a slot and returns its address. Do not change the struct after that; create a new one. */
   put(number, type, value) {
     const at = this.slot(number);
     if (this.#held[number] !== value) {
@@ -108,7 +109,7 @@ export class Memory {
     return this.bytes(this.slot(number), length).slice();
   }
 
-  /** A copy of the bytes of the last answer. */
+  /** A copy of the bytes of the last result. */
   answer(length) {
     return this.copy(ANSWER, length);
   }
@@ -123,7 +124,7 @@ export class Memory {
     type.write(this.#view, at, value);
   }
 
-  /** Writes a string: address and length in bytes, until the next one is written. */
+  /** Writes a string, and returns its address and length in bytes. They are valid until the next string is written. */
   text(string) {
     const bytes = ENCODER.encode(string);
     if (bytes.length > this.#text.capacity) {
@@ -160,7 +161,7 @@ export class Memory {
     return DECODER.decode(this.bytes(data, length_bytes));
   }
 
-  /** Asks the dialogue, with a function whose last argument takes the answer; undefined if there is none. */
+  /** Queries the dialogue with a function whose last argument receives the result; undefined if there is none. */
   ask(type, name, ...args) {
     const status = this.#functions[name](this.dialogue, ...args, this.slot(ANSWER));
     if (status === NONE) return undefined;
@@ -168,7 +169,7 @@ export class Memory {
     return type.read(this.#view, this.slot(ANSWER));
   }
 
-  /** All answers to a question with an index. */
+  /** All results of a query that takes an index. */
   askAll(type, name, ...args) {
     const answers = [];
     for (;;) {
@@ -183,18 +184,18 @@ export class Memory {
     return this.#functions[name](this.dialogue, ...args);
   }
 
-  /** Calls a function without the dialogue, and returns its status and its answer. */
+  /** Calls a function without the dialogue, and returns its status and its result. */
   call(type, name, ...args) {
     const status = this.#functions[name](...args, this.slot(ANSWER));
     return { status, answer: type.read(this.#view, this.slot(ANSWER)) };
   }
 
-  /** The address at which a function writes the file that it cannot use. */
+  /** The address to which a function writes the number of an unusable file. */
   get problem() {
     return this.slot(PROBLEM);
   }
 
-  /** Throws an error if a status is not that of success. `nameOf` says the name of the file with a number. */
+  /** Throws an error unless a status is that of success. `nameOf` returns the name of a file by its number. */
   must(status, nameOf) {
     if (status === OK) return;
     this.#functions.lipz_status_message(status, this.slot(ANSWER));
@@ -208,16 +209,16 @@ export class Memory {
   }
 
   get #view() {
-    // The buffer is a new one when the memory has grown.
+    // The buffer is replaced when the memory grows.
     if (this.#viewed?.buffer !== this.#memory.buffer) this.#viewed = new DataView(this.#memory.buffer);
     return this.#viewed;
   }
 }
 
-/** A time in whole units as `lipz_time` has it: their count and the rate, 0 for microseconds. */
+/** A time in whole units, as in `lipz_time`: their count and the rate, which is 0 for microseconds. */
 function timeOf(time) {
   if ("us" in time) return [BigInt(time.us), 0];
   const { position, rateHz } = time;
-  // Without a rate there is no time: as before the start.
+  // Without a rate, the time counts as before the start.
   return rateHz > 0 && rateHz < FIRST_UNIT ? [BigInt(position), rateHz] : [-1n, 0];
 }

@@ -1,4 +1,4 @@
-// The package in node: files are read from disk. lipz.js is the same in browsers. Types are in lipz.d.ts.
+// The package in node, which reads files from disk. lipz.js is its counterpart in browsers. Types are in lipz.d.ts.
 
 import { openerWith } from "./open.js";
 import * as node from "./read-node.js";

@@ -1,4 +1,4 @@
-// Opening files as a dialogue: reads them, finds the banks of a set, and puts all into the memory of one module.
+// Opens files as a dialogue: reads them, finds the banks of a set, and copies all into the memory of one module.
 
 import { Dialogue } from "./dialogue.js";
 import { LipzError, NONE, NOT_A_SET, OK, TOO_SHORT } from "./error.js";
@@ -9,10 +9,13 @@ import * as c from "./structs.js";
 const VERIFIED = 0;
 const UNVERIFIED = 1;
 
-const CHECK_PATH = "check the path and whether the file is there";
-const NAME_BANK = "name it after the index, or give the option `load`";
+const CHECK_PATH = "check the path of the file";
+const NAME_BANK = "name it after the index, or pass the option `load`";
 
-/** The function `openDialogue` of a platform, whose `read` reads a file, whose `beside` names the one next to it, and whose `nameOf` is its name without its folder. */
+/**
+ * The function `openDialogue` of a platform. `read` reads a file, `beside` returns the path of a file next to it, and
+ * `nameOf` returns its name without its folder.
+ */
 export function openerWith({ read, beside, nameOf }) {
   let compiled;
 
@@ -25,13 +28,13 @@ export function openerWith({ read, beside, nameOf }) {
     }
   }
 
-  /** The module, compiled: that of the program, or the file next to this one, once. */
+  /** The compiled module: that of the program, or the file next to this one, which is compiled once. */
   async function moduleOf(source) {
     if (source instanceof WebAssembly.Module) return source;
     if (isPath(source)) return WebAssembly.compile(await contentsOf(source));
     if (source) return WebAssembly.compile(source);
     if (compiled === undefined) {
-      // Bundlers look for these words, and copy the file.
+      // Bundlers search for this expression, and copy the file.
       const url = new URL("./lipz.wasm", import.meta.url);
       compiled = contentsOf(url).then((bytes) => WebAssembly.compile(bytes));
       // After a failure, the next call tries again.
@@ -40,7 +43,7 @@ export function openerWith({ read, beside, nameOf }) {
     return compiled;
   }
 
-  /** A bank of a set, not loaded: its name, and what loads it. */
+  /** A bank of a set that is not loaded, with its name and a function to load it. */
   function absent(index, fileName, load) {
     if (index.from !== undefined && load === undefined) {
       const from = beside(index.from, fileName);
@@ -67,7 +70,7 @@ export function openerWith({ read, beside, nameOf }) {
       const place = others.findIndex((source) => fileNameOf(source) === fileName);
       all.push(place < 0 ? absent(index, fileName, load) : others.splice(place, 1)[0]);
     }
-    // Locales and profiles of a set are those of its first bank: if it came later, they would change.
+    // The first bank of a set has its locales and profiles, which must not change later.
     if (fileNames.length > 0) all[1].bytes ??= await all[1].load();
     all.push(...others);
     const contents = stored(memory, all);
@@ -78,7 +81,7 @@ export function openerWith({ read, beside, nameOf }) {
 
 const isPath = (file) => typeof file === "string" || file instanceof URL;
 
-/** The name of a file of the program, with its bytes or where to read them from. */
+/** The name of a file that the program passed, with its bytes or its location. */
 function sourceOf(file, number) {
   if (isPath(file)) return { name: String(file), from: file };
   const { name, bytes } = isBytes(file) ? { name: `files[${number}]`, bytes: file } : (file ?? {});
@@ -88,7 +91,7 @@ function sourceOf(file, number) {
   return { name, bytes: bytesOf(bytes) };
 }
 
-/** Whether a value is bytes, also of another window. */
+/** Whether a value is bytes, possibly from a different window. */
 function isBytes(value) {
   const type = Object.prototype.toString.call(value).slice("[object ".length, -1);
   return ArrayBuffer.isView(value) || type === "ArrayBuffer" || type === "SharedArrayBuffer";
@@ -100,10 +103,10 @@ function bytesOf(bytes) {
     : new Uint8Array(bytes);
 }
 
-/** The bytes of a bank of a set, from the option of the program. */
+/** The bytes of a bank of a set, from the `load` option of the program. */
 async function loadedBy(load, fileName) {
   if (load === undefined) {
-    throw new LipzError("the bank of the set is not there", { file: fileName, remedy: NAME_BANK });
+    throw new LipzError("the bank of the set is missing", { file: fileName, remedy: NAME_BANK });
   }
   try {
     return bytesOf(await load(fileName));
@@ -112,7 +115,7 @@ async function loadedBy(load, fileName) {
   }
 }
 
-/** The names of the banks that the first file names, if it is the index of a set, and whether it is a damaged one. */
+/** The names of the banks in the first file, if it is the index of a set, and whether the index is damaged. */
 function setOf(memory, index) {
   const { byteLength: length_bytes } = index.bytes;
   index.data = placeOf(memory, index);

@@ -1,10 +1,10 @@
-// Reading files in node: paths and `file:` URLs from disk, other URLs from a server.
+// Reads files in node: paths and `file:` URLs from disk, other URLs from a server.
 
 import { readFile } from "node:fs/promises";
 import { basename, dirname, join } from "node:path";
 import * as web from "./read-web.js";
 
-/** Whether a file has a URL, and not a path; `C:` is a drive. */
+/** Whether a string is a URL rather than a path; `C:` is a drive. */
 const hasUrl = (file) => file instanceof URL || /^[a-z][a-z+.-]+:/i.test(file);
 
 /** The contents of the file with this path or URL. */

@@ -35,7 +35,7 @@ export class Segment {
     return this.#fields.end_frame;
   }
 
-  /** The text in a locale; undefined if the clip has none, also by fallback, and without a locale. */
+  /** The text in a locale; undefined without a locale, or if the clip has no text even by fallback. */
   text(locale) {
     if (locale === undefined) return undefined;
     const memory = this.#memory;
@@ -49,14 +49,14 @@ export class Segment {
     return string && this.#memory.string(string);
   }
 
-  /** The events, if they are Character Event Syntax. */
+  /** The events, if they are in Character Event Syntax. */
   get events() {
     const found = this.#memory.askAll(c.lipz_event, "lipz_segment_event", this.#address);
     return found.map((event) => eventOf(this.#memory, event));
   }
 }
 
-/** The segment of these fields, if there are some. */
+/** The segment with these fields, if there are any. */
 export function segmentOf(memory, fields) {
   return fields && new Segment(memory, fields);
 }

@@ -1,4 +1,4 @@
-// The structs of lipz.h in the memory of the module: a test compares them with the header.
+// The structs of lipz.h in the memory of the module. A test compares them with the header.
 //
 // Fields have the sizes and the alignments of C on wasm32, where pointers have 4 bytes.
 
@@ -16,7 +16,7 @@ export const i64 = number(8, "getBigInt64", "setBigInt64");
 export const pointer = u32;
 export const lipz_viseme = { size: 1, align: 1, read: (view, at) => String.fromCharCode(view.getUint8(at)) };
 
-/** A struct with these fields, each of which is a number or a struct. */
+/** A struct whose fields are numbers or structs. */
 function struct(fields) {
   const places = [];
   let end = 0;
@@ -33,7 +33,7 @@ function struct(fields) {
     places: Object.fromEntries(places.map(([name, at]) => [name, at])),
     size: aligned(end, align),
     align,
-    // Loops: several structs are read in each rendered frame.
+    // Plain loops, because each rendered frame reads several structs.
     read(view, start) {
       const value = {};
       for (const [name, at, type] of places) value[name] = type.read(view, start + at);
@@ -45,7 +45,7 @@ function struct(fields) {
   };
 }
 
-/** An array of so many numbers. */
+/** An array of a fixed number of numbers. */
 function array(of, length) {
   const places = Array.from({ length }, (_, index) => index * of.size);
   return {

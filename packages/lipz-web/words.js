@@ -1,4 +1,4 @@
-// The meaning of numbers of lipz.h in JavaScript: verbs, viseme types, names, events.
+// The meaning of the numbers in lipz.h: verbs, viseme types, names, events.
 
 export const VISEME_TYPES = [undefined, "blair", "toonboom", "rms"];
 const VERBS = [
@@ -10,16 +10,16 @@ const NO_NAME = 0;
 const NO_STRENGTH = 0xffffffff;
 
 export const THOUSAND = 1000;
-/** Weights are whole numbers of ten-thousandths. */
+/** Weights are in ten-thousandths. */
 export const TEN_THOUSAND = 10_000;
 export const MICROS_PER_SECOND = 1_000_000;
 
-/** A name; undefined if there is none. */
+/** A name; undefined if it is missing. */
 export function nameOf(memory, { name, bank }) {
   return bank === NO_NAME ? undefined : memory.string(name);
 }
 
-/** An event of these fields. */
+/** An event with these fields. */
 export function eventOf(memory, { character, verb, object, strength_thousandths: thousandths }) {
   return {
     character: nameOf(memory, character),

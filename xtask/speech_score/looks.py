@@ -1,4 +1,4 @@
-"""Which looks of the mouth fit a phone: R at rest, M closed lips, F lip under the teeth, O round, A open, S narrow."""
+"""The looks of the mouth that fit a phone: R at rest, M closed lips, F lip under the teeth, O round, A open, S narrow."""
 
 LOOKS = {
     'R': 'pau sil # _',
@@ -16,7 +16,7 @@ LOOKS = {
 }
 OF_PHONE = {phone: looks for looks, phones in LOOKS.items() for phone in phones.split()}
 
-# What voices call by other names than these.
+# Other names for phones, used by some voices.
 OTHERS = {
     'en': {'y': 'j'},
     'it': {'y': 'j'},
@@ -28,7 +28,7 @@ OTHERS = {
 
 
 def looks(phone, language):
-    """The looks that fit a phone of a voice; those of its first letter if nobody knows it."""
+    """Returns the looks that fit a phone of a voice; for an unknown phone, those of its first letter."""
     plain = phone.rstrip('0123456789:~')
     for name in (phone, plain):
         name = OTHERS[language].get(name, name)

@@ -1,5 +1,5 @@
-"""Sounds with labels: make.py FOLDER LESSONS. For each sentence NAME.wav, NAME.txt, and NAME.json with its phones and their times; in LESSONS,
-for each language those of which a model of its voice is learnt."""
+"""Makes recordings with labels: make.py FOLDER LESSONS. Writes NAME.wav, NAME.txt, and NAME.json with phones and times for each sentence;
+in LESSONS, for each language the sentences for training a model of its voice."""
 
 import array
 import json
@@ -10,7 +10,7 @@ import sys
 import wave
 
 HERE = pathlib.Path(__file__).parent
-# Voice, how long its phones are, and its pitch in hertz (0: its own).
+# Voice, relative length of its phones, and pitch in hertz (0: its own).
 FLITE = [('slt', 1.0, 0), ('rms', 1.0, 0), ('awb', 1.0, 0), ('kal16', 1.0, 0), ('slt', 1.15, 210), ('rms', 0.9, 110)]
 FESTIVAL = {
     'it': ('voice_lp_diphone', 'latin-1'),
@@ -58,7 +58,7 @@ def write(folder, name, rate, samples, facts):
 
 
 def phones_of(labels, end):
-    """Phones with start and end, of labels that have the end."""
+    """Returns phones with start and end, from labels with ends only."""
     phones, start = [], 0.0
     for label in labels:
         name, time = label.rsplit(':', 1)
@@ -68,7 +68,7 @@ def phones_of(labels, end):
 
 
 def with_noise(samples, chance):
-    """Pink noise 20 dB below the samples: white noise through three poles (P. Kellet)."""
+    """Returns pink noise 20 dB below the samples: white noise through three poles (P. Kellet)."""
     poles, noise = [0.0, 0.0, 0.0], []
     for _ in samples:
         white = chance.uniform(-1, 1)
@@ -80,7 +80,7 @@ def with_noise(samples, chance):
 
 
 def with_pauses(rate, samples, phones, chance):
-    """Every pause, also the first and the last, half a second to a second longer, in the faint noise of a room."""
+    """Extends every pause, including the first and the last, by half a second to a second, with faint room noise."""
     room = lambda count: [chance.uniform(-30, 30) for _ in range(count)]
     longer, moved, at, later = [], [], 0, 0.0
     for name, start, end in phones:
@@ -94,12 +94,12 @@ def with_pauses(rate, samples, phones, chance):
 
 
 def lines(name):
-    """The sentences of a file, each with its language."""
+    """Returns the sentences of a file, each with its language."""
     return [line.split(' ', 1) for line in (HERE / name).read_text().splitlines() if not line.startswith('#')]
 
 
 def said(folder, number, language, text):
-    """A sentence in the voice of its language: the rate and the samples of the sound, and its phones."""
+    """Speaks a sentence in the voice of its language. Returns the rate and the samples of the audio, and the phones."""
     wav = folder / 'sound.tmp.wav'
     labels = flite(number, text, wav) if language == 'en' else festival(language, text, wav)
     rate, samples = read(wav)

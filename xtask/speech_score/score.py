@@ -1,4 +1,4 @@
-"""Compares mouths with labels: score.py SOUNDS NAME=PREDICTIONS..."""
+"""Compares visemes with labels: score.py SOUNDS NAME=PREDICTIONS..."""
 
 import itertools
 import json
@@ -9,13 +9,13 @@ from looks import looks
 
 FPS = 24
 LEAD_S = 0.04
-# A pause that is shorter belongs to the phone before.
+# A shorter pause belongs to the phone before it.
 SHORTEST_PAUSE_S = 0.15
 LOOK_OF_CODE = {'-': 'R', 'M': 'M', 'F': 'F', 'O': 'O', 'U': 'O', 'W': 'O', 'A': 'A', 'E': 'A', 'S': 'S', 'L': 'S'}
 
 
 def truth(facts):
-    """The looks that fit each frame."""
+    """Returns the looks that fit each frame."""
     joined = []
     for name, start, end in facts['phones']:
         fits = looks(name, facts['lang'])
@@ -32,7 +32,7 @@ def look_at(parts, time):
 
 
 def predicted(prediction, count):
-    """The look of each frame: of a mouth, whose lead is taken out, or of phones."""
+    """Returns the look of each frame, from visemes without their lead, or from phones."""
     if 'visemes' in prediction:
         codes = prediction['visemes'].replace('|', '')
         at = [int(frame + 0.5 - LEAD_S * FPS) for frame in range(count)]
@@ -42,7 +42,7 @@ def predicted(prediction, count):
 
 
 def closed_lips(facts, prediction):
-    """Of a mouth: how many closed shapes there are, and how many last two frames; how many p, b, m were said, and how many are seen."""
+    """Counts closed shapes in visemes, and those that last two frames; spoken p, b, m, and those that are visible."""
     codes = prediction['visemes'].replace('|', '')
     runs = [(code, len(list(run))) for code, run in itertools.groupby(codes)]
     held = [length for code, length in runs if code in 'MF']

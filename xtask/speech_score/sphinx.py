@@ -1,4 +1,4 @@
-"""PocketSphinx aligns the English sounds of a folder: sphinx.py SOUNDS OUT."""
+"""Aligns the English recordings of a folder with PocketSphinx: sphinx.py SOUNDS OUT."""
 
 import json
 import pathlib
@@ -10,12 +10,12 @@ from pocketsphinx import Decoder
 
 
 def phones_of(sound, text):
-    """Its phones with start and end in seconds. All voices have the 16,000 samples a second that it expects."""
+    """Returns phones with start and end in seconds. All voices have the required 16,000 samples per second."""
     decoder = Decoder(samprate=16000, lm=None, loglevel='FATAL')
     decoder.set_align_text(' '.join(re.findall(r"[a-z']+", text.lower())))
     for is_second in (False, True):
         if is_second:
-            decoder.set_alignment()  # now of phones
+            decoder.set_alignment()  # phones this time
         decoder.start_utt()
         decoder.process_raw(sound, full_utt=True)
         decoder.end_utt()

@@ -1,5 +1,5 @@
-"""Cuts recordings of somebody who talks freely, whose words and phones have times, at their pauses: talk.py ARCHIVE SOUNDS. The archive is
-the source package of the Montreal Forced Aligner, which has them among its tests."""
+"""Cuts recordings of spontaneous speech, with times of words and phones, at their pauses: talk.py ARCHIVE SOUNDS. The archive is the source
+package of the Montreal Forced Aligner, whose tests contain the recordings."""
 
 import io
 import pathlib
@@ -12,12 +12,12 @@ from array import array
 from make import write
 
 RECORDINGS = ['acoustic_corpus', 'cold_corpus', 'cold_corpus3']
-# A piece has at least so much speech, ends at a pause that is so long, and has so much of the pauses around it.
+# The least speech in a piece, the least pause at its end, and the part of the pauses that it keeps.
 SHORTEST_S, SHORTEST_PAUSE_S, AROUND_S = 3.0, 0.3, 0.6
 
 
 def tiers(text):
-    """The tiers of a TextGrid in its short form: name, and intervals of start, end and label."""
+    """Returns the tiers of a TextGrid in its short form: name, and intervals of start, end and label."""
     _, *parts = re.split(r'"IntervalTier"\s*', text)
     interval = re.compile(r'^([\d.]+)\s+([\d.]+)\s+"([^"]*)"', re.MULTILINE)
     named = [part.split('"', 2)[1:] for part in parts]
@@ -25,7 +25,7 @@ def tiers(text):
 
 
 def pieces(words):
-    """The words of each piece."""
+    """Returns the words of each piece."""
     groups = [words[:1]]
     for word in words[1:]:
         first, last = groups[-1][0], groups[-1][-1]

@@ -1,4 +1,4 @@
-//! `cargo xtask accessibility`: axe looks at the page of `lipz preview` in Chromium.
+//! `cargo xtask accessibility`: checks the page of `lipz preview` with axe in Chromium.
 
 use crate::Failure;
 use crate::cargo;
@@ -6,10 +6,10 @@ use crate::paths::workspace_root;
 use crate::tools::{has_program, skip, succeed};
 use std::process::Command;
 
-/// Where npm brings axe, beside the tests that use it.
+/// The folder in which npm installs axe, next to the tests that use it.
 const FOLDER: &str = "crates/lipz/tests/preview_page";
 
-/// The test of the page that needs axe.
+/// The test of the page with axe.
 const TEST: &str = "the_page_keeps_nobody_out";
 
 pub(crate) fn run() -> Result<(), Failure> {
@@ -22,7 +22,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     npm.args(["ci", "--no-audit", "--silent"]).current_dir(workspace_root().join(FOLDER));
     succeed(&mut npm, "npm ci")?;
     let mut tests = cargo::tests("preview_page");
-    // What needs no axe is among the tests of the workspace.
+    // The tests without axe are among those of the workspace.
     tests.args(["--", "--exact", TEST]).env("LIPZ_TOOLS", "required");
     succeed(&mut tests, "the tests of the page")
 }

@@ -1,4 +1,4 @@
-//! Cargo, as a program: commands, what they print, and what it says about the workspace.
+//! Runs cargo: its commands, their output, and the metadata of the workspace.
 
 use crate::Failure;
 use crate::paths::{target_folder, workspace_root};
@@ -7,14 +7,14 @@ use serde::Deserialize;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// A package of the workspace: as much as is needed of what `cargo metadata` prints.
+/// A package of the workspace: the required part of the output of `cargo metadata`.
 #[derive(Deserialize, Debug)]
 pub(crate) struct Package {
     pub(crate) name: String,
     pub(crate) version: String,
-    /// The oldest compiler that it promises.
+    /// The oldest supported compiler.
     pub(crate) rust_version: Option<String>,
-    /// The registries that it may go to; none if the list is empty, any if there is no list.
+    /// The registries to which it may be published: none for an empty list, any without a list.
     publish: Option<Vec<String>>,
     pub(crate) dependencies: Vec<Dependency>,
 }
@@ -37,28 +37,27 @@ impl Dependency {
     }
 }
 
-/// The cargo that runs this task, or else the one on the path.
+/// Returns the cargo that runs this task, or the one on the path.
 pub(crate) fn command() -> Command {
     Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// The tests with this name, of all crates. `--package` would build nearly everything once more: which features the crates of
-/// others have depends on what is built together.
+/// Returns a command for the tests with this name, of all crates. `--package` would build nearly everything again,
+/// because the features of dependencies depend on the packages in the build.
 pub(crate) fn tests(name: &str) -> Command {
     let mut command = command();
     command.args(["test", "--workspace", "--locked", "--quiet", "--test", name]).current_dir(workspace_root());
     command
 }
 
-/// The command `lipz` as the tests run it, built if it is not. A test that needs it has cargo build it with the features that
-/// it has for all tests.
+/// Builds the command `lipz`, if necessary, and returns its path. The build has the same features as for all tests.
 pub(crate) fn lipz() -> Result<PathBuf, Failure> {
     succeed(tests("command_line").arg("--no-run"), "cargo build of lipz")?;
     let program = target_folder().join("debug").join(format!("lipz{}", std::env::consts::EXE_SUFFIX));
     program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))
 }
 
-/// The command `lipz` as people have it, built: to be measured.
+/// Builds the command `lipz` as for users, to be measured, and returns its path.
 pub(crate) fn lipz_release() -> Result<PathBuf, Failure> {
     let mut build = command();
     build.args(["build", "--quiet", "--locked", "--release", "--package", "lipz"]).current_dir(workspace_root());
@@ -67,7 +66,7 @@ pub(crate) fn lipz_release() -> Result<PathBuf, Failure> {
     program.canonicalize().map_err(|error| format!("`{}`: {error}", program.display()))
 }
 
-/// What cargo prints, at the root of the workspace.
+/// Returns the output of cargo, run at the root of the workspace.
 pub(crate) fn output(arguments: &[&str]) -> Result<String, Failure> {
     let shown = format!("cargo {}", arguments.join(" "));
     let output = command().args(arguments).current_dir(workspace_root()).output();
@@ -76,17 +75,17 @@ pub(crate) fn output(arguments: &[&str]) -> Result<String, Failure> {
         let error = String::from_utf8_lossy(&output.stderr);
         return Err(format!("`{shown}` ended with {}: {}", output.status, error.trim()));
     }
-    String::from_utf8(output.stdout).map_err(|_| format!("`{shown}` printed something that is not UTF-8"))
+    String::from_utf8(output.stdout).map_err(|_| format!("the output of `{shown}` is not UTF-8"))
 }
 
-/// The packages of the workspace.
+/// Returns the packages of the workspace.
 pub(crate) fn workspace() -> Result<Vec<Package>, Failure> {
     #[derive(Deserialize)]
     struct Metadata {
         packages: Vec<Package>,
     }
     let printed = output(&["metadata", "--no-deps", "--format-version", "1", "--locked"])?;
-    let metadata: Metadata =
-        serde_json::from_str(&printed).map_err(|error| format!("`cargo metadata` printed something else: {error}"))?;
+    let metadata: Metadata = serde_json::from_str(&printed)
+        .map_err(|error| format!("`cargo metadata` printed unexpected output: {error}"))?;
     Ok(metadata.packages)
 }

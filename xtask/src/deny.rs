@@ -1,7 +1,7 @@
-//! `cargo xtask deny`: licences and sources of all dependencies, by the rules of `deny.toml`.
+//! `cargo xtask deny`: checks licences and sources of all dependencies against the rules of `deny.toml`.
 //!
-//! Known vulnerabilities are not checked here, because their database is on the network: a job of
-//! `.github/workflows/ci.yml` does that, every week too.
+//! Known vulnerabilities are not checked here, because their database is on the network. A job of
+//! `.github/workflows/ci.yml` checks them, also once a week.
 
 use crate::Failure;
 use crate::paths::{target_folder, workspace_root};
@@ -9,7 +9,7 @@ use crate::tools::{has_program, skip, succeed};
 use std::process::Command;
 
 pub(crate) fn run() -> Result<(), Failure> {
-    // Where `.ci/install` puts it, or on the path.
+    // In the folder of `.ci/install`, or on the path.
     let installed = target_folder().join("tools/bin/cargo-deny").display().to_string();
     let Some(deny) = [installed.as_str(), "cargo-deny"].into_iter().find(|program| has_program(program)) else {
         return skip("`cargo install --locked cargo-deny`");

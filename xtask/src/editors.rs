@@ -1,5 +1,5 @@
-//! `cargo xtask editors`: Neovim talks with `lipz lsp` as a client, and the extension for Visual Studio Code is checked,
-//! tested and packed.
+//! `cargo xtask editors`: tests Neovim as a client of `lipz lsp`, and checks, tests and packs the extension for Visual
+//! Studio Code.
 
 use crate::Failure;
 use crate::cargo;
@@ -12,7 +12,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     visual_studio_code()
 }
 
-/// Runs the test of the plugin in a folder of its own, without the settings of whoever runs it.
+/// Runs the test of the plugin in a separate folder, without the user's settings.
 fn neovim() -> Result<(), Failure> {
     if !has_program("nvim") {
         return skip("nvim");
@@ -21,7 +21,7 @@ fn neovim() -> Result<(), Failure> {
     let plugin = workspace_root().join("editors/nvim");
     let plugin = plugin.canonicalize().map_err(|error| format!("`{}`: {error}", plugin.display()))?;
     let folder = temporary_folder()?;
-    // Paths go through the environment: on a command line of Neovim, blanks, quotes and bars would end them.
+    // Paths are passed in the environment, because spaces, quotes and bars would end them on a command line of Neovim.
     let mut nvim = Command::new("nvim");
     nvim.args(["--headless", "-i", "NONE", "-u", "NONE", "--cmd", "lua vim.g.lipz_command = vim.env.LIPZ_PROGRAM"]);
     nvim.args(["--cmd", "lua vim.opt.runtimepath:prepend((vim.env.LIPZ_PLUGIN:gsub(',', '\\\\,')))"]);
@@ -31,7 +31,7 @@ fn neovim() -> Result<(), Failure> {
     succeed(nvim.current_dir(folder.path()), "the test of the plugin for Neovim")
 }
 
-/// Checks the types of the extension, packs it, and tests what is packed: also with the program, which it starts.
+/// Checks the types of the extension, packs it, and tests the package, including with the program, which it starts.
 fn visual_studio_code() -> Result<(), Failure> {
     if !has_program("npm") {
         return skip("npm, of node 20 or later");

@@ -1,5 +1,5 @@
-//! `cargo xtask features`: each feature of the libraries by itself, that no feature of the compiler changes a byte
-//! of a bank, and how many crates a build script needs.
+//! `cargo xtask features`: builds each feature of the libraries alone, checks that no feature of the compiler changes a
+//! byte of a bank, and counts the crates of a build script.
 
 use crate::Failure;
 use crate::cargo;
@@ -13,19 +13,19 @@ use std::process::Command;
 
 const CRATE: &str = "lipz-compiler";
 
-/// The features of its manifest, all but `full`, which the workspace builds.
+/// The features of its manifest, except `full`, which the workspace builds.
 const FEATURES: [&str; 12] =
     ["build", "cache", "diff", "human", "ids", "inspect", "json", "parallel", "settings", "shards", "stats", "unpack"];
 
-/// Crates that a build script compiles with the features that are on by default, with the compiler itself and
+/// The maximal number of crates that a build script compiles with default features, including the compiler itself and
 /// those of this project.
 const MOST_CRATES: usize = 33;
 
-/// What is packed with all features and with none.
+/// The sources that are packed with all features and with none.
 const SOURCES: &str = "fixtures/drama";
 
 pub(crate) fn run() -> Result<(), Failure> {
-    // What is unused without other features is an error, too.
+    // Unused code without other features is also an error.
     let check = ["clippy", "--quiet", "--locked", "-p", CRATE, "--no-default-features"];
     for feature in [""].iter().chain(&FEATURES) {
         println!("{CRATE} with `{feature}`");
@@ -43,7 +43,9 @@ pub(crate) fn run() -> Result<(), Failure> {
     println!("{} of at most {MOST_CRATES} crates are compiled for a build script", crates.len());
     match crates.len() {
         0 => Err("cargo tree shows no crates".to_owned()),
-        count if count > MOST_CRATES => Err(format!("{count} crates: switch on by a feature what few need")),
+        count if count > MOST_CRATES => {
+            Err(format!("{count} crates: make dependencies optional that only few users need"))
+        }
         _ => Ok(()),
     }
 }
@@ -52,18 +54,19 @@ fn cargo_run(arguments: &[&str]) -> Result<(), Failure> {
     succeed(cargo::command().args(arguments).current_dir(workspace_root()), &format!("cargo {}", arguments.join(" ")))
 }
 
-/// Packs a folder with the command, which has all features, and with the program `packing`, whose compiler has none.
+/// Packs a folder with the command, which has all features, and with the program `packing`, whose compiler has none,
+/// and compares the banks.
 fn same_bytes() -> Result<(), Failure> {
     let folder = temporary_folder()?;
     let [none, all] = ["none.lipzbank", "all.lipzbank"].map(|name| folder.path().join(name));
     let mut packing = Command::new(packing()?);
     succeed(packing.arg(SOURCES).arg(&none).current_dir(workspace_root()), "packing")?;
     let mut pack = Command::new(cargo::lipz()?);
-    pack.args(["pack", SOURCES, "--default-locale", "en-us", "--no-config", "--quiet", "-o"]).arg(&all);
+    pack.args(["pack", SOURCES, "--no-config", "--config", "default-locale=en-us", "--quiet", "-o"]).arg(&all);
     succeed(pack.current_dir(workspace_root()), "lipz pack")?;
     let read = |path: &Path| fs::read(path).map_err(|error| format!("`{}`: {error}", path.display()));
     if read(&none)? == read(&all)? {
-        println!("{SOURCES} gives the same bank without features and with all of them");
+        println!("{SOURCES} produces the same bank without features and with all of them");
         return Ok(());
     }
     let (none, all, _kept) = (none.display(), all.display(), folder.keep());

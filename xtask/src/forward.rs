@@ -1,6 +1,6 @@
-//! Tasks that are programs of their own: the command `lipz`, and the measurements of `benches`.
+//! Tasks that are separate programs: `examples/bank-tool`, and the measurements of `benches`.
 //!
-//! They are run, not linked: the tasks of the workspace build in seconds.
+//! They are run, not linked, so that the tasks of the workspace build in seconds.
 
 use crate::Failure;
 use crate::cargo;
@@ -9,41 +9,46 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// The commands of `lipz` that the project is driven by.
-const LIPZ: [&str; 4] = ["pack", "unpack", "verify", "inspect"];
+/// The commands of `examples/bank-tool`, which needs a tenth of the crates of `lipz`.
+const BANK_TOOL: [&str; 3] = ["pack", "verify", "inspect"];
 
 /// The program that counts.
 const INSTRUCTIONS: &str = "instructions";
 
-/// Programs of `lipz-benches`, with what they do.
+/// Programs of `lipz-benches`, with their descriptions.
 const BENCHES: [(&str, &str); 6] = [
     ("generate", "Write a folder of made-up clips of realistic size and shape"),
     ("measure", "Measure packing against reading the same files"),
-    ("scale", "Measure how packing on several machines grows with clips, as a Markdown table"),
-    ("lip-sync", "Measure lip sync up to an hour of sound: times real time, and peak memory"),
-    ("compare", "Compare the reader with other ways to keep clips in a file, as a Markdown table"),
-    (INSTRUCTIONS, "Count the instructions of the reader's queries and of packing, and hold them to their limits"),
+    ("scale", "Measure packing on several machines by number of clips, as a Markdown table"),
+    ("lip-sync", "Measure the speed and peak memory of lip sync, up to an hour of audio"),
+    ("compare", "Compare the reader with other file formats for clips, as a Markdown table"),
+    (INSTRUCTIONS, "Count the instructions of the reader's queries and of packing, and check their limits"),
 ];
 
-/// What the help says about them.
+/// Returns their lines of the help.
 pub(crate) fn help() -> String {
-    let mut help =
-        format!("Commands of lipz: {}; all others with `cargo run -p lipz --`\n\nMeasurements:\n", LIPZ.join(", "));
+    let mut help = format!(
+        "Commands of examples/bank-tool: {}; `cargo run -p lipz --` has all\n\nMeasurements:\n",
+        BANK_TOOL.join(", ")
+    );
     for (name, about) in BENCHES {
         help.push_str(&format!("  {name:<12}  {about}\n"));
     }
     help
 }
 
-/// Runs the program that the first argument names, if it names one.
+/// Returns the exit code of the program that the first argument names, after running it.
 pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
     let (task, rest) = arguments.split_first()?;
     let mut run = cargo::command();
-    if LIPZ.iter().any(|name| task == name) {
+    if BANK_TOOL.iter().any(|name| task == name) {
         let manifest = workspace_root().join("Cargo.toml");
-        run.args(["run", "--package", "lipz", "--manifest-path"]).arg(manifest).arg("--").args(arguments);
+        eprintln!("building examples/bank-tool, which packs and inspects banks; the first time takes half a minute");
+        run.args(["run", "--quiet", "--package", "bank-tool", "--manifest-path"]);
+        run.arg(manifest).arg("--").args(arguments);
     } else if task == INSTRUCTIONS {
-        // Only what is counted is optimised, and that needs little: the program that counts is built with the tests.
+        // Only the counted programs are optimised, and they need few crates: the counting program is built with the
+        // tests.
         let (Ok(queries), Ok(packing)) = (counted("queries", ""), packing()) else {
             return Some(ExitCode::FAILURE);
         };
@@ -51,7 +56,7 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
         run.arg(queries).arg("--packing").arg(packing).args(rest).current_dir(workspace_root());
     } else {
         let (name, _) = BENCHES.iter().find(|(name, _)| task == name)?;
-        // All programs, because one runs another; from the root, from which their files are named.
+        // All programs, because one runs another; at the root, to which their file names are relative.
         let features = if *name == "compare" { "compare" } else { "" };
         if !is_built(&["--bins", "--features", features]) {
             return Some(ExitCode::FAILURE);
@@ -69,12 +74,12 @@ pub(crate) fn command(arguments: &[OsString]) -> Option<ExitCode> {
     Some(ExitCode::from(code))
 }
 
-/// The program that packs, with a compiler without features.
+/// Builds the program that packs, with a compiler without features.
 pub(crate) fn packing() -> Result<PathBuf, Failure> {
     counted("packing", "packing")
 }
 
-/// A program whose instructions are counted.
+/// Builds a program whose instructions are counted.
 fn counted(name: &str, features: &str) -> Result<PathBuf, Failure> {
     if !is_built(&["--bin", name, "--no-default-features", "--features", features]) {
         return Err(format!("`{name}` cannot be built"));
@@ -98,6 +103,6 @@ mod tests {
     fn other_tasks_are_not_forwarded() {
         assert!(command(&[]).is_none());
         assert!(command(&["ci".into()]).is_none());
-        assert!(help().contains("pack, unpack, verify, inspect"));
+        assert!(help().contains("pack, verify, inspect"));
     }
 }

@@ -1,7 +1,7 @@
 //! `cargo xtask fuzz`: builds the fuzz targets and runs each for a while.
 //!
-//! It needs nothing but Rust and a C++ compiler (libFuzzer comes with the crate libfuzzer-sys): the
-//! compiler of this repository measures coverage with flags that are stable.
+//! It only needs Rust and a C++ compiler, because libFuzzer comes with the crate libfuzzer-sys, and this repository's
+//! compiler measures coverage with stable flags.
 
 use crate::cargo;
 use crate::{Failure, paths};
@@ -21,17 +21,17 @@ const COVERAGE: [&str; 7] = [
     "-Cllvm-args=-sanitizer-coverage-trace-compares",
 ];
 
-/// Seconds after which one input has taken too long.
+/// The seconds after which an input counts as too slow.
 const LONGEST_SECONDS: u32 = 20;
 
-/// What `fuzz` is asked for.
+/// Options of `fuzz`.
 #[derive(Args, Debug)]
 pub(crate) struct Settings {
     /// Minutes for each target
     #[arg(long, value_name = "N", default_value = "1")]
     minutes: u32,
 
-    /// The target to run; all, one after the other, if none is named
+    /// Target to run [default: all, one after the other]
     #[arg(long, value_name = "NAME")]
     target: Option<String>,
 }
@@ -41,7 +41,7 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     let mut chosen = targets(&folder)?;
     chosen.retain(|target| settings.target.as_ref().is_none_or(|chosen| *chosen == target.name));
     if chosen.is_empty() {
-        return Err("there is no such target in fuzz/fuzz_targets".into());
+        return Err("the target does not exist in fuzz/fuzz_targets".into());
     }
     let programs = build(&folder)?;
     let mut lines = String::new();
@@ -51,18 +51,18 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
         minimise(target, &folder, &programs)?;
         lines.push_str(&format!("  {:<12} {executions:>12} executions\n", target.name));
     }
-    println!("\n{} min each, nothing found:\n{lines}", settings.minutes);
+    println!("\n{} min each, without failures:\n{lines}", settings.minutes);
     Ok(())
 }
 
-/// A fuzz target: a program in `fuzz_targets`, and its options as OSS-Fuzz names them.
+/// A fuzz target: a program in `fuzz_targets`, and its options with the names of OSS-Fuzz.
 struct Target {
     name: String,
-    /// The longest input that is worth the time: it has room for all that a check can look at.
+    /// The greatest useful length of an input, with room for all that a check can read.
     max_len: u32,
 }
 
-/// All targets, in the order of their names.
+/// Returns all targets, ordered by name.
 fn targets(folder: &Path) -> Result<Vec<Target>, Failure> {
     let folder = folder.join("fuzz_targets");
     let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
@@ -80,10 +80,10 @@ fn targets(folder: &Path) -> Result<Vec<Target>, Failure> {
     Ok(targets)
 }
 
-/// Builds all targets; returns the folder that they are in.
+/// Builds all targets. Returns their folder.
 fn build(folder: &Path) -> Result<PathBuf, Failure> {
     let host = host()?;
-    // With a target, the flags are not for build scripts, which could not be linked with them.
+    // With `--target`, the flags do not apply to build scripts, which could not be linked with them.
     let status = cargo::command()
         .args(["build", "--release", "--target", &host])
         .current_dir(folder)
@@ -97,7 +97,7 @@ fn build(folder: &Path) -> Result<PathBuf, Failure> {
     }
 }
 
-/// The machine that this runs on, as rustc calls it.
+/// Returns the name of this machine in rustc.
 fn host() -> Result<String, Failure> {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(["--print", "host-tuple"]).output();
@@ -105,8 +105,7 @@ fn host() -> Result<String, Failure> {
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// A run of a target: the folders `corpus/NAME`, which grows, and `seeds/NAME`. Returns how many inputs
-/// were tried.
+/// Runs a target with the folders `corpus/NAME`, which grows, and `seeds/NAME`. Returns the number of inputs.
 fn fuzz(target: &Target, folder: &Path, programs: &Path, minutes: u32) -> Result<u64, Failure> {
     let artifacts = made(folder.join("artifacts").join(&target.name))?;
     let output = libfuzzer(target, programs)
@@ -123,7 +122,7 @@ fn fuzz(target: &Target, folder: &Path, programs: &Path, minutes: u32) -> Result
     let log = String::from_utf8_lossy(&output.stderr);
     if !output.status.success() {
         return Err(format!(
-            "{log}\n`{}` found something: the input is in {}. Add it to fuzz/seeds/{} with the fix.",
+            "{log}\n`{}` failed on the input in {}. Add it to fuzz/seeds/{} with the fix.",
             target.name,
             artifacts.display(),
             target.name
@@ -133,7 +132,7 @@ fn fuzz(target: &Target, folder: &Path, programs: &Path, minutes: u32) -> Result
     executions.and_then(|number| number.trim().parse().ok()).ok_or(format!("no statistics:\n{log}"))
 }
 
-/// Keeps of the corpus what covers all that it covers.
+/// Reduces the corpus without losing coverage.
 fn minimise(target: &Target, folder: &Path, programs: &Path) -> Result<(), Failure> {
     let corpus = folder.join("corpus").join(&target.name);
     let smaller = made(folder.join("corpus").join(format!("{}.smaller", target.name)))?;
@@ -148,7 +147,7 @@ fn minimise(target: &Target, folder: &Path, programs: &Path) -> Result<(), Failu
     fs::remove_dir_all(&corpus).and_then(|()| fs::rename(&smaller, &corpus)).map_err(|error| failed(error.to_string()))
 }
 
-/// The program of a target, with one thread for the compiler: coverage is counted for all threads
+/// Returns the program of a target, with one thread for the compiler, because coverage is counted for all threads
 /// together.
 fn libfuzzer(target: &Target, programs: &Path) -> Command {
     let mut command = Command::new(programs.join(&target.name));

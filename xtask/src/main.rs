@@ -33,7 +33,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-/// Why a task failed, as its last line.
+/// Why a task failed, printed as its last line.
 type Failure = String;
 
 /// Tasks of the lipz workspace.
@@ -46,24 +46,24 @@ struct Arguments {
 
 #[derive(Subcommand, Debug)]
 enum Task {
-    /// Run the checks of CI that are not tests: the everyday ones, or those that you name
+    /// Run the checks of CI that are not tests: the everyday ones, or those named
     Ci(ci::Settings),
     /// Build the libraries for C in target/capi, and run programs in C and C++ with them
     Capi,
     /// Build the npm package for browsers and node in target/web, and test it in both
     Web,
-    /// Draw the pictures in docs/pictures with the face of the npm package
+    /// Draw the images in docs/pictures with the face of the npm package
     Pictures,
-    /// Test the plugin for Neovim and the extension for Visual Studio Code, and pack this
+    /// Test the plugin for Neovim, and test and pack the extension for Visual Studio Code
     Editors,
-    /// Let axe look at the page of `lipz preview` in Chromium
+    /// Check the page of `lipz preview` with axe in Chromium
     Accessibility,
-    /// Use the page of `lipz preview` in Firefox, as its test does in Chromium
+    /// Test the page of `lipz preview` in Firefox, with the tests for Chromium
     Firefox(page::FirefoxSettings),
-    /// Measure how soon `lipz preview` shows the first of 20,000 clips
+    /// Measure how long `lipz preview` takes to show the first of 20,000 clips
     FirstPicture,
-    /// Check which crates depend on which
-    Edges,
+    /// Check the dependencies between crates, and between their files
+    Edges(edges::Settings),
     /// Check the licences and sources of all dependencies
     Deny,
     /// Compile each feature alone, compare banks, and count the crates of a build script
@@ -72,33 +72,33 @@ enum Task {
     Targets(targets::Settings),
     /// Compile all crates for Windows
     Windows,
-    /// Count the reader's code on a Cortex-M, and prove that it cannot panic or allocate
+    /// Measure the reader's code on a Cortex-M, and prove that it cannot panic or allocate
     Size,
-    /// Make every crate as it would be published, and check what is in it
+    /// Package every crate as for publishing, and check its contents
     Packages,
-    /// Build and run the published reader with the oldest compiler that it promises
+    /// Build and run the published reader with the oldest supported compiler
     Msrv,
-    /// Make the acoustic model of lipz-speech from the package of CMU Sphinx
+    /// Make the acoustic model of lipz-speech from a package of CMU Sphinx
     SpeechModel,
-    /// Write all files that programs make: rules, docs, headers, expected outputs
+    /// Write all generated files: rules, docs, headers, expected outputs
     Bless(bless::Settings),
-    /// Make the English words and letter-to-sound rules of lipz-speech of a dictionary
+    /// Make the English words and letter-to-sound rules of lipz-speech from a dictionary
     SpeechDictionary(speech_dictionary::Settings),
-    /// Make the rules for numbers in words of lipz-speech from those of CLDR
+    /// Make lipz-speech's rules for numbers in words from those of CLDR
     SpeechNumbers,
-    /// Make the names of units of lipz-speech from those of CLDR
+    /// Make lipz-speech's names of units from those of CLDR
     SpeechUnits,
-    /// Fetch and convert the neural network that hears phones, into target/recogniser
+    /// Fetch and convert the neural network that recognises phones, into target/recogniser
     Recogniser,
-    /// Measure lip sync on sentences of speech synthesisers, beside PocketSphinx
+    /// Measure lip sync on sentences of speech synthesisers, compared with PocketSphinx
     SpeechScore,
-    /// Look for inputs on which something does not hold that must hold for any bytes
+    /// Search for inputs that violate a guarantee for arbitrary bytes
     Fuzz(fuzz::Settings),
 }
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
-    // Before clap sees them: it would take `--` and `--help` for itself.
+    // Before clap, which would interpret `--` and `--help` itself.
     if let Some(forwarded) = forward::command(&arguments) {
         return forwarded;
     }
@@ -119,7 +119,7 @@ fn main() -> ExitCode {
         Task::Accessibility => accessibility::run(),
         Task::Firefox(settings) => page::firefox(&settings),
         Task::FirstPicture => page::first_picture(),
-        Task::Edges => edges::run(),
+        Task::Edges(settings) => edges::run(&settings),
         Task::Deny => deny::run(),
         Task::Features => features::run(),
         Task::Targets(settings) => targets::run(&settings),
@@ -144,7 +144,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The command line of this program; its help names what is forwarded, too.
+/// Returns the command line of this program. Its help includes the forwarded tasks.
 fn command() -> clap::Command {
     Arguments::command().after_help(forward::help())
 }

@@ -1,8 +1,7 @@
-//! `cargo xtask msrv`: the packages for old compilers, built and run as a game with such a compiler does.
+//! `cargo xtask msrv`: builds and runs the packages for old compilers like a game with such a compiler.
 //!
-//! What is tested is what would be published: each package as cargo makes it, with the manifest that cargo
-//! writes. A program of a few lines depends on all of them, plays a clip, and is built from a lock file that
-//! cargo resolves for that compiler.
+//! The test uses the packages as they would be published, with the manifests that cargo writes. A program of a few
+//! lines depends on all of them, plays a clip, and is built with a lock file that cargo resolves for that compiler.
 
 use crate::Failure;
 use crate::cargo::{self, Package};
@@ -16,19 +15,19 @@ use std::process::{Command, Stdio};
 /// The `rust-version` of the packages that this task tests.
 const OLDEST: &str = "1.63";
 
-/// Where `.ci/install` unpacks Debian's packages of that compiler, below the workspace.
+/// The folder below the workspace in which `.ci/install` unpacks Debian's packages of that compiler.
 const UNPACKED: &str = "target/msrv/usr";
 
-/// What the program does: it reads the bank that comes with the reader.
+/// The program, which reads the bank that comes with the reader.
 const PROGRAM: &str = r#"fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bytes = std::fs::read(std::env::args().nth(1).ok_or("no path")?)?;
     let bank = lipz_bank::Bank::open(&bytes)?.verify()?;
     let clip = bank.clip_by_key("act1/mara-good-evening").ok_or("no such clip")?;
     let english = bank.locale("en-us").ok_or("no English")?;
-    let segment = clip.segment_at(lipz_bank::Micros(1_500_000)).ok_or("nobody speaks")?;
+    let segment = clip.segment_at(lipz_bank::Micros(1_500_000)).ok_or("no segment at this time")?;
     let text = segment.text(english).map(|text| text.as_str());
     if text != Some("You are late,") {
-        return Err(format!("another text: {:?}", text).into());
+        return Err(format!("different text: {:?}", text).into());
     }
     Ok(())
 }
@@ -49,7 +48,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut lock = cargo::command();
     lock.args(["generate-lockfile", "--quiet"]).env("CARGO_RESOLVER_INCOMPATIBLE_RUST_VERSIONS", "fallback");
     succeed(lock.current_dir(&program), "cargo generate-lockfile")?;
-    // The old cargo cannot read the index of today: it gets the crates as a folder.
+    // The old cargo cannot read the current index, so it gets the crates as a folder.
     let mut vendor = cargo::command();
     vendor.args(["vendor", "--quiet", "--locked"]).arg(&vendored).stdout(Stdio::null());
     succeed(vendor.current_dir(&program), "cargo vendor")?;
@@ -67,7 +66,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A workspace of one program that depends on the packages as they were unpacked.
+/// Writes a workspace with one program that depends on the unpacked packages.
 fn write_program(folder: &Path, packages: &[Package], unpacked: &[PathBuf]) -> std::io::Result<()> {
     let mut dependencies = String::new();
     let mut patches = String::new();

@@ -1,4 +1,4 @@
-//! `cargo xtask packages`: every crate as it would be published.
+//! `cargo xtask packages`: builds every crate as it would be published.
 
 use crate::Failure;
 use crate::cargo::{self, Package};
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The licences, which every package has a copy of.
+/// The licences, which must be in every package.
 const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
 
 pub(crate) fn run() -> Result<(), Failure> {
@@ -28,13 +28,13 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut publish = cargo::command();
     publish.args(["publish", "--workspace", "--dry-run", "--no-verify", "--allow-dirty", "--locked", "--quiet"]);
     succeed(publish.current_dir(workspace_root()), "cargo publish --dry-run")?;
-    println!("{} crates could be published", packages.len());
+    println!("{} crates can be published", packages.len());
     Ok(())
 }
 
-/// Compiles each package by itself, with the features that it asks for, from what is in it and on the others as they
-/// were unpacked. `cargo publish` would do so, too, but build all crates of others anew: here those are shared with the
-/// checks of the workspace, which has the same profiles and versions.
+/// Compiles each package alone, with its default features, from its own contents and with the other unpacked packages.
+/// `cargo publish` would do the same, but build all dependencies again. Here, they are shared with the checks of the
+/// workspace, which have the same profiles and versions.
 fn compile(packages: &[Package], unpacked: &[PathBuf], folder: &Path) -> Result<(), Failure> {
     let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
     let root = workspace_root();
@@ -50,7 +50,7 @@ fn compile(packages: &[Package], unpacked: &[PathBuf], folder: &Path) -> Result<
     Ok(())
 }
 
-/// A workspace of the packages, which depend on each other, with the profiles of `root`, a manifest.
+/// Returns a workspace of the packages, which depend on each other, with the profiles of `root`, a manifest.
 fn manifest(packages: &[Package], unpacked: &[PathBuf], root: &str) -> String {
     let (mut members, mut patches) = (String::new(), String::new());
     for (package, path) in packages.iter().zip(unpacked) {
@@ -66,14 +66,14 @@ fn manifest(packages: &[Package], unpacked: &[PathBuf], root: &str) -> String {
     format!("[workspace]\nresolver = \"2\"\nmembers = [{members}]\n\n[patch.crates-io]\n{patches}\n{profiles}")
 }
 
-/// Makes the packages and unpacks them into `folder`; returns the folder of each.
+/// Makes the packages and unpacks them into `folder`. Returns the folder of each.
 pub(crate) fn unpack(packages: &[Package], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut make = cargo::command();
     make.args(["package", "--no-verify", "--allow-dirty", "--locked", "--quiet"]);
     for package in packages {
         make.args(["--package", &package.name]);
     }
-    // Apart from what others build at the same time.
+    // Separate from simultaneous builds.
     make.arg("--target-dir").arg(folder);
     succeed(make.current_dir(workspace_root()), "cargo package")?;
     let unpack = |package: &Package| {
@@ -82,7 +82,7 @@ pub(crate) fn unpack(packages: &[Package], folder: &Path) -> Result<Vec<PathBuf>
         if unpacked.exists() {
             fs::remove_dir_all(&unpacked).map_err(|error| format!("`{}`: {error}", unpacked.display()))?;
         }
-        // `m`: packages have the same times whatever they contain, and cargo compiles only files with new times.
+        // `m`: packages have fixed times for any contents, and cargo only compiles files with new times.
         let mut tar = Command::new("tar");
         tar.arg("-xzmf").arg(folder.join("package").join(format!("{name}.crate"))).arg("-C").arg(folder);
         succeed(&mut tar, "tar").map(|()| unpacked)
@@ -90,7 +90,7 @@ pub(crate) fn unpack(packages: &[Package], folder: &Path) -> Result<Vec<PathBuf>
     packages.iter().map(unpack).collect()
 }
 
-/// What a package lacks, or has too much.
+/// Returns missing and superfluous files of a package.
 fn faults_in(folder: &Path) -> Result<Vec<String>, Failure> {
     let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap_or_default();
     let mut faults = Vec::new();
@@ -122,7 +122,7 @@ fn faults_in(folder: &Path) -> Result<Vec<String>, Failure> {
     Ok(faults)
 }
 
-/// Files that sources or the examples in their documentation include, and which are not in the package.
+/// Returns files that sources or the examples in their documentation include, but that are missing in the package.
 fn missing_includes(folder: &Path) -> std::io::Result<Vec<String>> {
     let mut faults = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -145,7 +145,7 @@ fn missing_includes(folder: &Path) -> std::io::Result<Vec<String>> {
     Ok(faults)
 }
 
-/// Where the links of a text in Markdown lead.
+/// Returns the targets of links in Markdown.
 fn links(text: &str) -> impl Iterator<Item = &str> {
     text.split("](").skip(1).filter_map(|rest| rest.split(')').next())
 }

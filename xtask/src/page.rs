@@ -1,5 +1,5 @@
-//! What is done with the page of `lipz preview` in browsers: `cargo xtask firefox` uses it in Firefox as its test does in
-//! Chromium, `cargo xtask first-picture` measures how soon a large project is seen.
+//! Tasks for the page of `lipz preview` in browsers. `cargo xtask firefox` runs its test in Firefox instead of
+//! Chromium. `cargo xtask first-picture` measures how soon a large project is shown.
 
 use crate::Failure;
 use crate::cargo;
@@ -8,21 +8,21 @@ use crate::tools::{has_program, skip, succeed};
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Where the test and what drives browsers are.
+/// The folder of the test and of the code that drives browsers.
 const FOLDER: &str = "crates/lipz/tests/preview_page";
 
-/// Tests of the page in which most of what a browser does takes part: keys, pointers, drawing, sound, saving, a page on a disk.
+/// Tests of the page that use most of a browser: keys, pointers, drawing, audio, saving, a page on disk.
 const MAIN: [&str; 4] = [
     "a clip is seen, heard and moved in with keys alone",
     "what is edited is drawn, undone, and saved as the file is laid out",
-    "a file that somebody else has changed is not overwritten",
+    "a file that has changed on disk is not overwritten",
     "an exported page plays from a disk, without a server",
 ];
 
-/// Which tests Firefox runs.
+/// The tests to run in Firefox.
 #[derive(Debug, clap::Args)]
 pub(crate) struct FirefoxSettings {
-    /// Run only the main tests: all of them take four times as long as in Chromium
+    /// Run only the main tests, because all of them take four times as long as in Chromium
     #[arg(long)]
     main: bool,
 }
@@ -31,7 +31,7 @@ pub(crate) fn firefox(settings: &FirefoxSettings) -> Result<(), Failure> {
     if !has_program("firefox") {
         return skip("firefox");
     }
-    // Its driver speaks over a socket, which node has without a flag from version 22 on.
+    // Its driver uses a WebSocket, which node supports without a flag since version 22.
     let mut test = node(cargo::lipz()?)?;
     test.args(["--experimental-websocket", "--test", "--test-reporter=spec"]).env("BROWSER", "firefox");
     if settings.main {
@@ -47,7 +47,7 @@ pub(crate) fn first_picture() -> Result<(), Failure> {
     succeed(node(cargo::lipz_release()?)?.arg("first_picture.js"), "the measurement")
 }
 
-/// Node, which finds this command.
+/// Returns node with the path of this command in its environment.
 fn node(lipz: PathBuf) -> Result<Command, Failure> {
     if !has_program("node") {
         return Err("needs node, 20 or later".to_owned());

@@ -1,19 +1,19 @@
-//! `cargo xtask recogniser`: the neural network that hears phones, for the machine of whoever runs this. Its licence is
-//! not settled (docs/guides/lip-sync.md), so it stays below `target`, and is in no crate and no package.
+//! `cargo xtask recogniser`: fetches the neural network that recognises phones, for local use. Its licence is not
+//! settled (docs/guides/lip-sync.md), so it stays below `target`, and is in no crate or package.
 
 use crate::tools::succeed;
 use crate::{Failure, cargo, paths, wheel};
 use std::fs;
 use std::process::Command;
 
-/// The package, and what its file must hash to.
+/// The package, with the expected hash of its file.
 const REQUIREMENT: &str =
     "hama==1.7.0 --hash=sha256:be48d6379d288fc588ff9a5f609462b2fb81287dd84afaa2dfb1d283cb280c4d\n";
 
-/// Where the network is in the package.
+/// The folder of the network in the package.
 const FOLDER: &str = "hama/assets";
 
-/// Where ours is below `target`.
+/// The path of the converted network below `target`.
 const CONVERTED: &str = "recogniser/phones.lipznet";
 
 /// Fetches the package and converts its network.
@@ -26,7 +26,10 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     let assets = std::path::absolute(assets).map_err(|error| error.to_string())?;
     let mut lipz = Command::new(cargo::lipz()?);
-    succeed(lipz.arg("recogniser").arg(&assets).arg("--output").arg(&output).arg("--quiet"), "lipz recogniser")?;
+    succeed(
+        lipz.args(["import", "recogniser"]).arg(&assets).arg("--output").arg(&output).arg("--quiet"),
+        "lipz import recogniser",
+    )?;
     println!("{}", output.display());
     Ok(())
 }

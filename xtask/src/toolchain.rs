@@ -1,20 +1,20 @@
-//! Compilers for other machines than this one: with an installed target, or with the sources of the
-//! standard library, of which cargo then builds what the target needs.
+//! Compilers for other machines: with an installed target, or with the sources of the standard library, from which
+//! cargo builds the required parts.
 
 use crate::cargo;
 use crate::paths::workspace_root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What to install if there is no compiler for a target.
+/// The packages to install if there is no compiler for a target.
 pub(crate) const NEEDS: &str = "`rustup target add` for the target, or Debian's rustc-web, cargo-web and rust-web-src";
 
-/// Which parts of the standard library a program needs.
+/// The required parts of the standard library.
 #[derive(Clone, Copy)]
 pub(crate) enum Library {
     /// Core and alloc.
     Core,
-    /// All of it, with the harness of tests.
+    /// All of it, with the test harness.
     Std,
 }
 
@@ -22,12 +22,12 @@ pub(crate) enum Library {
 pub(crate) struct Toolchain {
     folder: Option<PathBuf>,
     target: &'static str,
-    /// What cargo builds from source, if the target is not installed.
+    /// The parts that cargo builds from source, if the target is not installed.
     builds: Option<Library>,
 }
 
 impl Toolchain {
-    /// The compiler of this project if the target is installed, else any that has its sources.
+    /// Returns this project's compiler if the target is installed, otherwise any that has its sources.
     pub(crate) fn find(target: &'static str, library: Library) -> Option<Toolchain> {
         if has_target(target) {
             return Some(Toolchain { folder: None, target, builds: None });
@@ -35,7 +35,7 @@ impl Toolchain {
         Toolchain::with_sources(target, library)
     }
 
-    /// A compiler that has its sources: this one, or that of the system.
+    /// Returns a compiler that has its sources: this one, or the system's.
     pub(crate) fn with_sources(target: &'static str, library: Library) -> Option<Toolchain> {
         [None, Some(PathBuf::from("/usr/bin"))]
             .into_iter()
@@ -52,22 +52,22 @@ impl Toolchain {
             .is_some_and(|sysroot| Path::new(&sysroot).join("lib/rustlib/src/rust/library/Cargo.toml").is_file())
     }
 
-    /// The version of the compiler.
+    /// Returns the version of the compiler.
     pub(crate) fn version(&self) -> String {
         printed(Command::new(self.program("rustc")).arg("--version")).unwrap_or_default()
     }
 
-    /// Where the files of this target are built: apart from those of the project's own compiler.
+    /// Returns the folder for builds of this target, which is separate from that of the project's own compiler.
     fn build_folder() -> PathBuf {
         workspace_root().join("target/machines")
     }
 
-    /// The folder with the files that a release build leaves.
+    /// Returns the folder of a release build.
     pub(crate) fn release_folder(&self) -> PathBuf {
         Toolchain::build_folder().join(self.target).join("release")
     }
 
-    /// `cargo <task>` for the target.
+    /// Returns `cargo <task>` for the target.
     pub(crate) fn cargo(&self, task: &str) -> Command {
         let mut command = match self.folder {
             None => cargo::command(),
@@ -86,15 +86,15 @@ impl Toolchain {
             command.env("RUSTC_BOOTSTRAP", "1");
             command.args(match library {
                 Library::Core => &["-Zbuild-std=core,alloc"][..],
-                // Without what finds the names in backtraces, and without what procedural macros need.
+                // Without symbol names in backtraces, and without support for procedural macros.
                 Library::Std => &["-Zbuild-std=std,panic_unwind,test", "-Zbuild-std-features=panic-unwind"],
             });
         }
         command
     }
 
-    /// `cargo <task>` for a crate of this workspace, with the release profile of the workspace `firmware`: both share what is
-    /// built of the standard library.
+    /// Returns `cargo <task>` for a crate of this workspace, with the release profile of the workspace `firmware`, so
+    /// that both share the built parts of the standard library.
     pub(crate) fn as_firmware(&self, task: &str) -> Command {
         let mut command = self.cargo(task);
         command.arg("--release");
@@ -104,7 +104,7 @@ impl Toolchain {
         command
     }
 
-    /// `cargo <task>` in the workspace `firmware`, linked by the linker that comes with Rust.
+    /// Returns `cargo <task>` in the workspace `firmware`, with the linker that comes with Rust.
     pub(crate) fn firmware(&self, task: &str) -> Command {
         let mut command = self.cargo(task);
         if let Some(linker) = rust_lld() {
@@ -115,12 +115,12 @@ impl Toolchain {
     }
 }
 
-/// The variable that configures cargo for a target.
+/// Returns the environment variable that configures cargo for a target.
 pub(crate) fn variable(target: &str, name: &str) -> String {
     format!("CARGO_TARGET_{}_{name}", target.to_uppercase().replace('-', "_"))
 }
 
-/// The linker that comes with Rust; it links for all targets.
+/// Returns the linker that comes with Rust, which links for all targets.
 pub(crate) fn rust_lld() -> Option<PathBuf> {
     let library = printed(Command::new("rustc").args(["--print", "target-libdir"]))?;
     Some(Path::new(&library).with_file_name("bin").join("rust-lld")).filter(|linker| linker.is_file())
@@ -131,7 +131,7 @@ fn has_target(target: &str) -> bool {
         .is_some_and(|folder| std::fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some()))
 }
 
-/// What a command prints, if it succeeds.
+/// Returns the output of a command, if it succeeds.
 fn printed(command: &mut Command) -> Option<String> {
     let output = command.output().ok().filter(|output| output.status.success())?;
     Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())

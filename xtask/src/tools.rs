@@ -1,10 +1,10 @@
-//! Steps whose tools a machine may lack.
+//! Steps whose tools may be missing.
 
 use crate::Failure;
 use std::process::{Command, Stdio};
 
-/// Leaves out a step that needs something which is not there; a failure in continuous integration,
-/// where everything is installed and nothing may be left out unseen.
+/// Skips a step because something that it needs is missing. Fails in continuous integration, where everything is
+/// installed and no step may be skipped unnoticed.
 pub(crate) fn skip(needs: &str) -> Result<(), Failure> {
     if std::env::var_os("CI").is_some() {
         return Err(format!("needs {needs}"));
@@ -13,7 +13,7 @@ pub(crate) fn skip(needs: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether a program is there: it tells its version.
+/// Whether a program is installed, so that it prints its version.
 pub(crate) fn has_program(name: &str) -> bool {
     let status = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     status.is_ok_and(|status| status.success())

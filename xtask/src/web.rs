@@ -1,7 +1,7 @@
-//! `cargo xtask web`: builds the npm package in `target/web`, and tests it in node and in Chromium. `cargo xtask pictures`
-//! draws the pictures of the documentation with it.
+//! `cargo xtask web`: builds the npm package in `target/web`, and tests it in node and in Chromium. `cargo xtask
+//! pictures` draws the images of the documentation with it.
 //!
-//! Its wasm module is lipz-capi, without a line of its own: what JavaScript needs is the ABI of C.
+//! Its wasm module is lipz-capi without additional code, because JavaScript uses the ABI of C.
 
 use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
 use crate::tools::{has_program, skip, succeed};
@@ -12,16 +12,16 @@ use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The banks that the demo and the tests play, and their names there.
+/// The banks of the demo and the tests, with their names there.
 const DEMO_BANKS: [(&str, &str); 2] = [("drama", "dialogue"), ("faces", "faces")];
 
-/// The cases of playback, and the banks that they play.
+/// The playback cases.
 const CASES: &str = "fixtures/playback/cases.txt";
 const BANKS: &str = "fixtures/banks/v1";
 /// A set, and its banks.
 const SETS: &str = "fixtures/banks/sets";
 
-/// The example, whose output is compared.
+/// The example whose output is compared.
 const EXAMPLE: &str = "examples/node";
 
 /// The folders of the package, the first of which is the package itself.
@@ -30,11 +30,11 @@ const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
 /// The module in the sources of `lipz preview`, which `cargo install` cannot build.
 const PREVIEW_MODULE: &str = "crates/lipz/src/commands/preview/web/lipz.wasm";
 
-/// What files of tests end with; and the one that needs a browser.
+/// The extension of test files, and the test that needs a browser.
 const TEST: &str = ".test.js";
 const BROWSER_TEST: &str = "browser.test.js";
 
-/// The pictures that the package draws, in the repository.
+/// The folder of the images that the package draws.
 const PICTURES: &str = "docs/pictures";
 
 pub(crate) fn run() -> Result<(), Failure> {
@@ -50,7 +50,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     test(&package, BROWSER_TEST)
 }
 
-/// The files with tests for node, in the order of their names.
+/// Returns the files with tests for node, ordered by name.
 fn tests(package: &Path) -> std::io::Result<Vec<String>> {
     let names = fs::read_dir(package.join("test"))?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
     let mut files = names.collect::<std::io::Result<Vec<String>>>()?;
@@ -59,7 +59,7 @@ fn tests(package: &Path) -> std::io::Result<Vec<String>> {
     Ok(files)
 }
 
-/// Draws the pictures of the documentation.
+/// Draws the images of the documentation.
 pub(crate) fn pictures() -> Result<(), Failure> {
     let Some(package) = package()? else { return Ok(()) };
     let folder = paths::workspace_root().join(PICTURES);
@@ -68,7 +68,7 @@ pub(crate) fn pictures() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Builds the package and gives its folder; none if this machine lacks what builds or runs it.
+/// Builds the package and returns its folder; `None` if this machine lacks a tool to build or run it.
 fn package() -> Result<Option<PathBuf>, Failure> {
     let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
         return skip(NEEDS).map(|()| None);
@@ -85,7 +85,7 @@ fn package() -> Result<Option<PathBuf>, Failure> {
     Ok(Some(package))
 }
 
-/// Checks that `lipz preview` has the module that was built; with `LIPZ_BLESS=1`, it gets it.
+/// Checks that `lipz preview` has the built module. With `LIPZ_BLESS=1`, copies it there.
 fn compare_module(built: &Path) -> Result<(), Failure> {
     let committed = paths::workspace_root().join(PREVIEW_MODULE);
     let failed = |error: std::io::Error| format!("`{}`: {error}", committed.display());
@@ -96,11 +96,11 @@ fn compare_module(built: &Path) -> Result<(), Failure> {
     if std::env::var_os("LIPZ_BLESS").is_some_and(|value| value == "1") {
         return fs::write(&committed, bytes).map_err(failed);
     }
-    Err(format!("`{PREVIEW_MODULE}` is not what lipz-capi is now: run `LIPZ_BLESS=1 cargo xtask web`"))
+    Err(format!("`{PREVIEW_MODULE}` differs from the current lipz-capi: run `LIPZ_BLESS=1 cargo xtask web`"))
 }
 
 fn build(toolchain: &Toolchain) -> Result<(), Failure> {
-    // A page waits for the module to be loaded more than for its answers.
+    // Small code is faster here: a page waits longer for loading the module than for its answers.
     let mut command = toolchain.as_firmware("rustc");
     if let Some(linker) = rust_lld() {
         command.env(variable(TARGET, "LINKER"), linker);
@@ -110,7 +110,7 @@ fn build(toolchain: &Toolchain) -> Result<(), Failure> {
     succeed(&mut command, "the build of the module")
 }
 
-/// Puts the package together, in place of what is there; the module is in `built`.
+/// Assembles the package, and replaces an existing one. The module is in `built`.
 fn assemble(package: &Path, built: &Path, layouts: &Path) -> std::io::Result<()> {
     let root = paths::workspace_root();
     if package.exists() {
@@ -137,7 +137,7 @@ fn assemble(package: &Path, built: &Path, layouts: &Path) -> std::io::Result<()>
     Ok(())
 }
 
-/// Copies the files of a folder, without those of folders in it.
+/// Copies the files of a folder, without subfolders.
 fn copy_files(from: &Path, to: &Path) -> std::io::Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
@@ -160,7 +160,7 @@ fn copy_folders(from: &Path, to: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Runs the example from inside the package, which finds itself there by its name.
+/// Runs the example from inside the package, which resolves its own name.
 fn example(package: &Path) -> Result<(), Failure> {
     let from = paths::workspace_root().join(EXAMPLE);
     let program = package.join("test/play.js");
@@ -172,7 +172,10 @@ fn example(package: &Path) -> Result<(), Failure> {
     let output = output.map_err(failed)?;
     let found = String::from_utf8_lossy(&output.stdout);
     if found != expected {
-        return Err(format!("`{EXAMPLE}` prints something else:\n{found}{}", String::from_utf8_lossy(&output.stderr)));
+        return Err(format!(
+            "`{EXAMPLE}` prints different output:\n{found}{}",
+            String::from_utf8_lossy(&output.stderr)
+        ));
     }
     println!("{EXAMPLE}: as expected");
     Ok(())

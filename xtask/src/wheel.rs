@@ -1,4 +1,4 @@
-//! Packages of Python, for the files in them: pip fetches one, whose hash is known, and Python unpacks it.
+//! Files from Python packages: pip fetches a package with a known hash, and Python unpacks it.
 
 use crate::Failure;
 use crate::tools::succeed;
@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// For which system packages are fetched, so that a hash is the same everywhere.
+/// The system for which packages are fetched, so that a hash is the same everywhere.
 const SYSTEM: [&str; 4] = ["--platform", "manylinux2014_x86_64", "--python-version", "3.11"];
 
-/// Fetches a package from where pip fetches packages, checks its hash, and unpacks it in `folder`: where its files are.
-/// `requirement` is a line of pip's, with version and hash.
+/// Fetches a package with pip, checks its hash, and unpacks it in `folder`. Returns the folder of its files.
+/// `requirement` is a line for pip, with version and hash.
 pub(crate) fn unpacked(requirement: &str, folder: &Path) -> Result<PathBuf, Failure> {
     let wheel = download(requirement, folder)?;
     let unpacked = folder.join("unpacked");

@@ -1,4 +1,4 @@
-//! `cargo xtask windows`: all crates compile for Windows.
+//! `cargo xtask windows`: compiles all crates for Windows.
 //!
 //! Nothing is linked or run: this only keeps the code under `cfg(windows)` compiling. A job of
 //! `.github/workflows/ci.yml` runs the tests on Windows.

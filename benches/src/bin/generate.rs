@@ -1,11 +1,11 @@
-//! `cargo xtask generate`: a folder of made-up clips of realistic size and shape.
+//! `cargo xtask generate`: writes a folder of generated clips of realistic size and structure.
 
 use clap::Parser;
 use lipz_benches::{DEFAULT_SEED, MAX_LOCALES, parse_locale_count, write_clips};
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Write a folder of made-up clips of realistic size and shape.
+/// Write a folder of generated clips of realistic size and structure.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask generate", max_term_width = 100)]
 struct Arguments {
@@ -13,15 +13,15 @@ struct Arguments {
     #[arg(long, value_name = "N")]
     clips: usize,
 
-    /// Number of locales of each clip
+    /// Number of locales in each clip
     #[arg(long, value_name = "K", default_value_t = MAX_LOCALES.min(5), value_parser = parse_locale_count)]
     locales: usize,
 
-    /// The folder to make; it must be empty if it exists
+    /// The folder to create; it must be empty if it exists
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
 
-    /// Other seeds give other clips; the same seed gives the same bytes everywhere
+    /// Seed of the clips; the same seed writes the same bytes everywhere
     #[arg(long, value_name = "SEED", default_value_t = DEFAULT_SEED)]
     seed: u64,
 }

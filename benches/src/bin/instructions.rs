@@ -1,7 +1,8 @@
-//! `cargo xtask instructions`: what the reader's queries and packing cost in instructions, held to limits.
+//! `cargo xtask instructions`: counts the instructions of the reader's queries and of packing, and checks them against
+//! limits.
 //!
-//! Times jitter with the machine, instruction counts do not: they can fail a build. The limits are in
-//! `benches/instructions.txt`; `--bless` writes what is counted now.
+//! Times vary with the load of the machine, instruction counts do not, so they can fail a build. The limits are in
+//! `benches/instructions.txt`; `--bless` writes the current counts.
 
 use clap::Parser;
 use lipz_benches::{DEFAULT_SEED, callgrind, faces, layers, temporary_folder, write_clips};
@@ -13,19 +14,19 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Count the instructions of the reader's queries and of packing, and hold them to their limits.
+/// Count the instructions of the reader's queries and of packing, and check them against their limits.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask instructions", max_term_width = 100)]
 struct Settings {
-    /// The program that asks, as a release has it
+    /// The program that makes queries, in a release build
     #[arg(long, value_name = "PROGRAM", hide = true)]
     queries: PathBuf,
 
-    /// The program that packs, as a release has it
+    /// The program that packs, in a release build
     #[arg(long, value_name = "PROGRAM", hide = true)]
     packing: PathBuf,
 
-    /// Make what is counted now the limits
+    /// Use the current counts as the limits
     #[arg(long)]
     bless: bool,
 }
@@ -35,22 +36,22 @@ type Failure = String;
 
 /// The file of limits.
 const LIMITS: &str = "benches/instructions.txt";
-/// Percent above its limit at which a count fails: another patch version of the compiler may move it
-/// so far.
+/// The percentage above its limit at which a count fails, because a different patch version of the compiler may change
+/// counts.
 const TOLERANCE_PERCENT: u64 = 5;
-/// Clips of the bank that is asked: what is counted hardly depends on it.
+/// The number of clips in the bank for queries, which hardly affects the counts.
 const CLIPS: usize = 1000;
-/// Lines of the bank that is asked about curves and faces.
+/// The number of lines in the bank for queries about curves and faces.
 const LINES_WITH_FACES: usize = 100;
-/// Locales of each clip.
+/// The number of locales in each clip.
 const LOCALES: usize = 5;
-/// Questions about the whole bank, which take millions of instructions, and are asked less often.
+/// Queries about the whole bank, which take millions of instructions, and are repeated less often.
 const WHOLE_BANK: [&str; 2] = ["verify", "verify with simdutf8"];
-/// The one that is about no bank, but about files on their way into one.
+/// The measurement of packing, which is not a query of a bank.
 const PACKING: &str = "pack a file";
-/// Banks of the set that is asked.
+/// The number of banks in the set for queries.
 const SHARDS: NonZero<u16> = NonZero::new(64).expect("not 0");
-/// What dialogues are made of, and how much a question may take there of what it takes in one bank, in percent.
+/// The kinds of dialogues, and the greatest cost of a query in them, in percent of that in one bank.
 const RATIOS: [(&str, u64); 3] = [("one bank", 120), ("stack", 150), ("set", 130)];
 
 fn main() -> Result<(), Failure> {
@@ -97,13 +98,13 @@ fn is_too_much(count: u64, limit: u64) -> bool {
     count * 100 > limit * (100 + TOLERANCE_PERCENT)
 }
 
-/// A line of the file of limits, `question: limit`; other lines are comments.
+/// Parses a line of the file of limits, `question: limit`; other lines are comments.
 fn limit_of(line: &str) -> Option<(&str, u64)> {
     let (question, limit) = line.rsplit_once(": ")?;
     Some((question, limit.parse().ok()?))
 }
 
-/// The questions that take more in a dialogue than they may, of what they take in one bank.
+/// Returns the queries whose cost in a dialogue exceeds their share of that in one bank.
 fn slow_among(counts: &HashMap<&str, u64>) -> Vec<String> {
     let ratio = |(asked, count): (&&str, &u64)| {
         let (of, question) = asked.split_once(": ")?;
@@ -117,7 +118,7 @@ fn slow_among(counts: &HashMap<&str, u64>) -> Vec<String> {
     slow
 }
 
-/// Writes the bank, the patches over it, a set of the same clips, and the bank about faces.
+/// Writes the bank, the patches on top of it, a set of the same clips, and the bank with faces.
 fn write_banks(bank: &Path) -> Result<(), Failure> {
     let files = lipz_benches::files(CLIPS, LOCALES);
     let bytes = compiler().compile(&inputs_of(&files)).into_bank().map_err(|error| error.to_string())?;
@@ -130,7 +131,7 @@ fn write_banks(bank: &Path) -> Result<(), Failure> {
     write_set(bank, &inputs_of(&files))
 }
 
-/// Writes the set as `lipz link` does, and its banks once more under names with their numbers.
+/// Writes the set as `lipz shard link` does, and its banks again under names with their numbers.
 fn write_set(bank: &Path, inputs: &[Input]) -> Result<(), Failure> {
     let compiler = compiler();
     let shard_of = |input: &Input| shard_of_key(&input.key, compiler.options().get_voices(), SHARDS);
@@ -160,7 +161,7 @@ fn inputs_of(files: &[(String, String)]) -> Vec<Input> {
     files.iter().map(|(key, json)| Input::from_bytes(key, json.as_bytes())).collect()
 }
 
-/// Instructions of one answer: what twice as many take more.
+/// Returns the instructions of one answer, from the difference to twice as many.
 fn count(program: &Path, bank: &Path, question: &str) -> Result<u64, Failure> {
     let times = if WHOLE_BANK.contains(&question) { 2 } else { 10_000 };
     let ask =
@@ -168,7 +169,7 @@ fn count(program: &Path, bank: &Path, question: &str) -> Result<u64, Failure> {
     Ok(ask(2 * times)?.saturating_sub(ask(times)?) / times)
 }
 
-/// Instructions of packing one file: what twice as many take more.
+/// Returns the instructions of packing one file, from the difference to twice as many.
 fn count_packing(program: &Path, folder: &Path) -> Result<u64, Failure> {
     let pack = |clips: usize| {
         let files = folder.join(format!("{clips} clips"));

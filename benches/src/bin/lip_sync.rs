@@ -1,7 +1,7 @@
-//! `cargo xtask lip-sync`: how fast mouths are made of recordings, and in how much memory, from a sentence to an hour.
+//! `cargo xtask lip-sync`: measures the speed and memory of lip sync, from a sentence to an hour.
 //!
-//! Each recording is heard in a process of its own, so that its peak memory is its own. It is the sentence of `fixtures/speech`,
-//! again and again, with pauses; it is made while it is read, so that it takes no memory itself.
+//! Each recording is processed in a separate process, to measure its peak memory. It is the sentence of
+//! `fixtures/speech`, repeated with pauses. It is generated while it is read, so that it takes no memory itself.
 
 use clap::{Parser, ValueEnum};
 use cpu_time::ProcessTime;
@@ -25,7 +25,7 @@ const SAMPLE_BYTES: usize = 2;
 const PAUSE_BYTES: usize = RATE_HZ / 10 * 4 * SAMPLE_BYTES;
 const FILM: Fps = Fps::whole(24);
 
-/// Measure lip sync: times real time on one core, and peak memory.
+/// Measure lip sync: speed relative to real time on one core, and peak memory.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask lip-sync", max_term_width = 100)]
 struct Settings {
@@ -33,12 +33,12 @@ struct Settings {
     #[arg(long, value_name = "SECONDS,…", value_delimiter = ',', default_value = "2,60,600,3600")]
     seconds: Vec<usize>,
 
-    /// One piece of work, in a process of its own
+    /// One task, in a separate process
     #[arg(long, hide = true)]
     work: Option<Work>,
 }
 
-/// What a mouth is made of.
+/// The source of visemes.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Work {
     /// The recording and its text.
@@ -67,7 +67,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Makes a mouth, and prints a row of the table.
+/// Generates visemes, and prints a row of the table.
 fn measured(work: Work, seconds: usize) -> Result<(), Failure> {
     let source = Recording::new(seconds);
     let text = SENTENCE.repeat(source.times);
@@ -91,7 +91,7 @@ fn measured(work: Work, seconds: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A WAV file of the sentence, again and again.
+/// A WAV file that repeats the sentence.
 struct Recording {
     header: Vec<u8>,
     /// A sentence and a pause.
@@ -101,7 +101,7 @@ struct Recording {
 }
 
 impl Recording {
-    /// One of at least so many seconds.
+    /// Returns a recording of at least this length.
     fn new(seconds: usize) -> Recording {
         let mut once = BOBBY.get(HEADER_BYTES..).unwrap_or_default().to_vec();
         once.resize(once.len() + PAUSE_BYTES, 0);

@@ -1,5 +1,5 @@
-//! The program whose instructions `cargo xtask instructions` counts for packing: packs a folder on one thread, with a compiler
-//! without features. `cargo xtask features` compares its bank with that of the command.
+//! The program whose instructions `cargo xtask instructions` counts for packing: packs a folder on one thread, with a
+//! compiler without features. `cargo xtask features` compares its bank with that of the command.
 //!
 //! `packing FOLDER BANK`
 

@@ -1,10 +1,10 @@
-//! The program whose instructions `cargo xtask instructions` counts: asks a bank of the generator's
-//! clips the same kind of question a number of times.
+//! The program whose instructions `cargo xtask instructions` counts: makes a number of queries of the same kind in a
+//! bank of the generator's clips.
 //!
-//! `queries BANK QUESTION TIMES`; next to the bank are patches over it, with the extensions `patch` and `mod`, its clips as
-//! a set, whose index has the extension `lipzset` and whose banks have `shard0`, `shard1` and so on, and a bank about faces, with
-//! `faces`. A question about the bank itself is also asked of a dialogue: of the bank alone (`one bank: …`), of the bank and its
-//! patches (`stack: …`), and of the set (`set: …`).
+//! `queries BANK QUESTION TIMES`. Next to the bank are: patches on top of it, with the extensions `patch` and `mod`;
+//! its clips as a set, whose index has the extension `lipzset` and whose banks have `shard0`, `shard1` and so on; and a
+//! bank with faces, with the extension `faces`. A query of the bank is also made in a dialogue: of the bank alone (`one
+//! bank: …`), of the bank and its patches (`stack: …`), and of the set (`set: …`).
 
 use lipz_bank::curve::CurveCursor;
 use lipz_bank::face::{LookAt, Who};
@@ -14,11 +14,11 @@ use lipz_benches::{DEFAULT_SEED, Random, clip_key};
 use std::hint::black_box;
 use std::path::Path;
 
-/// Microseconds between two frames of a display.
+/// The microseconds between two frames of a display.
 const TICK_US: usize = 16_667;
-/// Places and times that are asked for in turn.
+/// The number of random places and times that are used in turn.
 const DRAWN: usize = 10_000;
-/// No clip of the generator is longer.
+/// The generator's clips are not longer.
 const LONGEST_US: usize = 12_000_000;
 
 type Failure = Box<dyn std::error::Error>;
@@ -30,7 +30,7 @@ fn main() -> Result<(), Failure> {
     };
     let bytes = std::fs::read(path)?;
     let times = times.parse()?;
-    // All files are read for each question: then what it takes to read them does not count.
+    // All files are read for each query, so that reading cancels out.
     let beside = |name: &str| std::fs::read(Path::new(path).with_extension(name)).unwrap_or_default();
     let shards = (0..).map(|shard: usize| beside(&format!("shard{shard}"))).take_while(|shard| !shard.is_empty());
     let set: Vec<Vec<u8>> = [beside("lipzset")].into_iter().chain(shards).collect();
@@ -46,7 +46,7 @@ fn main() -> Result<(), Failure> {
     }
 }
 
-/// Questions about curves, of lines with seven of them.
+/// Queries about curves, in lines with seven of them.
 fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
     let bank = Bank::open(bytes)?.verify()?;
     let clips: Vec<Clip<'_>> = bank.clips().collect();
@@ -75,7 +75,7 @@ fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> 
     Ok(())
 }
 
-/// Questions that only a bank answers, and then those that a dialogue answers, too.
+/// Queries of a bank only, then those that a dialogue has as well.
 fn ask_bank(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
     match question {
         "open" => (0..times).for_each(|_| _ = black_box(Bank::open(black_box(bytes)))),
@@ -94,7 +94,7 @@ fn ask_bank(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same questions of a dialogue of these files.
+/// The same queries of a dialogue of these files.
 fn ask_dialogue(contents: &[Vec<u8>], question: &str, times: usize) -> Result<(), Failure> {
     let mut files = vec![DialogueFile::ABSENT; contents.len()];
     let dialogue = Dialogue::open(&mut files, contents.iter().map(Vec::as_slice))?;
@@ -102,7 +102,7 @@ fn ask_dialogue(contents: &[Vec<u8>], question: &str, times: usize) -> Result<()
     ask(&dialogue, dialogue.clip_count(), locale, question, times)
 }
 
-/// What is asked: a bank or a dialogue.
+/// The queries of a bank or a dialogue.
 trait Asked {
     fn clip(&self, id: ClipId) -> Option<Clip<'_>>;
     fn clip_by_key(&self, key: &str) -> Option<Clip<'_>>;
@@ -137,7 +137,7 @@ fn ask(asked: &impl Asked, clip_count: usize, locale: Locale, question: &str, ti
     let ids: Vec<ClipId> = keys.iter().map(|key| ClipId::from_key(key)).collect();
     let clips: Vec<Clip<'_>> = ids.iter().filter_map(|id| asked.clip(*id)).collect();
     let mut random = Random::new(DEFAULT_SEED, 0);
-    // Where and when: as many for any number of questions, so that drawing does not count.
+    // The same number of places and times for any number of queries, so that drawing cancels out.
     let drawn: Vec<(usize, i64)> =
         (0..DRAWN).map(|_| (random.between(0, clips.len() - 1), random.between(0, LONGEST_US) as i64)).collect();
     let drawn = drawn.into_iter().cycle().take(times);
@@ -155,19 +155,19 @@ fn ask(asked: &impl Asked, clip_count: usize, locale: Locale, question: &str, ti
         "frame by seconds" => {
             drawn.for_each(|(at, time_us)| _ = black_box(clips[at].viseme_at(Seconds(time_us as f64 * 1e-6))));
         }
-        // Of the stack, too, a clip of the bank: patches change every hundredth.
+        // Also for the stack, a clip of the bank: patches change every hundredth clip.
         _ => return follow(&clips[1], locale, question, times),
     }
     Ok(())
 }
 
-/// Questions of a game that plays a clip, for each rendered frame.
+/// Queries of a game that plays a clip, for each rendered frame.
 fn follow(clip: &Clip<'_>, locale: Locale, question: &str, times: usize) -> Result<(), Failure> {
     match question {
         "tick" => {
             (0..times).for_each(|tick| _ = black_box(clip.viseme_at(Micros((tick * TICK_US % LONGEST_US) as i64))));
         }
-        // The same with the segment, and its text and its events when it has changed: a game without a cursor.
+        // The same with the segment, and with its text and events on each change: a game without a cursor.
         "tick with segment, text and event on change" => {
             let mut shown = None;
             for tick in 0..times {
@@ -183,7 +183,7 @@ fn follow(clip: &Clip<'_>, locale: Locale, question: &str, times: usize) -> Resu
                 }
             }
         }
-        // The same with a cursor: events, mouth and text.
+        // The same with a cursor: events, viseme and text.
         "cursor" => {
             let length_us = usize::try_from(clip.duration_us().ok_or("the clip has no frame rate")?)?;
             let mut cursor = Cursor::new(clip).ok_or("the clip has no frame rate")?;

@@ -1,7 +1,8 @@
-//! `cargo xtask scale`: how processor time and memory of the steps of docs/guides/many-machines.md grow with clips.
+//! `cargo xtask scale`: measures how processor time and memory of the steps in docs/guides/many-machines.md grow with
+//! the number of clips.
 //!
-//! Each step runs in a process of its own, on one thread, so that its time and its peak memory are its own. Processor time is
-//! taken: a busy machine does not change it. The clips are those of the generator.
+//! Each step runs in a separate process, on one thread, to measure its time and its peak memory. Processor time is
+//! used, because it does not depend on the load of the machine. The clips are those of the generator.
 
 use clap::{Parser, Subcommand, ValueEnum};
 use lipz_bank::ClipId;
@@ -14,7 +15,7 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Measure how the steps of packing on several machines grow with clips.
+/// Measure how the steps of packing on several machines grow with the number of clips.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask scale", max_term_width = 100, args_conflicts_with_subcommands = true)]
 struct Settings {
@@ -25,7 +26,7 @@ struct Settings {
     #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "1000,10000,100000")]
     clips: Vec<usize>,
 
-    /// Number of locales of each clip
+    /// Number of locales in each clip
     #[arg(long, value_name = "K", default_value = "5", value_parser = parse_locale_count)]
     locales: usize,
 
@@ -33,22 +34,22 @@ struct Settings {
     #[arg(long, value_name = "COUNT", default_value = "64")]
     shards: NonZero<u16>,
 
-    /// Where the clips are made and packed; needs room for their files [default: the folder for temporary files]
+    /// Folder for clips and banks; needs space for their files [default: the folder for temporary files]
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
 }
 
 #[derive(Subcommand, Debug)]
 enum Piece {
-    /// One step, in a process of its own
+    /// One step, in a separate process
     #[command(hide = true)]
     Step { step: Step, folder: PathBuf, shards: NonZero<u16> },
 }
 
-/// What is measured.
+/// The measured steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Step {
-    /// All sources to a bank, in one go.
+    /// All sources to one bank, at once.
     Pack,
     /// The objects of all shards, one after the other.
     Objects,
@@ -62,13 +63,13 @@ enum Step {
 
 const STEPS: [(Step, &str); 5] = [
     (Step::Pack, "`pack`, one go"),
-    (Step::Objects, "`pack --shard`, all shards"),
-    (Step::Link, "`link` to a bank"),
-    (Step::LinkSet, "`link` to a set"),
+    (Step::Objects, "`shard pack`, all shards"),
+    (Step::Link, "`shard link` to a bank"),
+    (Step::LinkSet, "`shard link` to a set"),
     (Step::Copy, "copy the objects"),
 ];
 
-/// What a step took.
+/// The measurements of a step.
 #[derive(Clone, Copy, Debug)]
 struct Took {
     processor_s: f64,
@@ -159,11 +160,11 @@ fn of<B>(compiled: &Compiled<B>) -> Result<(), String> {
     if compiled.bank.is_some() { Ok(()) } else { Err(format!("{:?}", compiled.reports)) }
 }
 
-/// Processor time and peak memory of this process, where Linux tells them.
+/// Returns processor time and peak memory of this process, on Linux.
 fn taken() -> Result<Took, String> {
     let read = |path: &str| fs::read_to_string(path).map_err(|error| format!("`{path}`: {error}"));
     let (stat, status) = (read("/proc/self/stat")?, read("/proc/self/status")?);
-    // Behind the name of the program, which may have blanks: the times of user and system, in hundredths of a second.
+    // After the name of the program, which may contain spaces: the times of user and system, in hundredths of a second.
     let fields = stat.rsplit(')').next().unwrap_or_default().split_whitespace();
     let ticks: f64 = fields.skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok()).sum();
     let peak =
@@ -172,7 +173,8 @@ fn taken() -> Result<Took, String> {
     Ok(Took { processor_s: ticks / 100.0, peak_bytes: peak_kib * 1024.0 })
 }
 
-/// A row for each step: time and memory for each number of clips, and the exponents of their growth from 10,000 clips on.
+/// Returns a row for each step: time and memory for each number of clips, and the exponents of their growth from 10,000
+/// clips on.
 fn table(settings: &Settings, all: &[(usize, Vec<Took>)]) -> String {
     let mut text = format!("{} locales, {} shards, one thread\n\n| step |", settings.locales, settings.shards);
     all.iter().for_each(|(clips, _)| _ = write!(text, " {clips} clips |"));
@@ -195,7 +197,7 @@ fn table(settings: &Settings, all: &[(usize, Vec<Took>)]) -> String {
     text
 }
 
-/// The exponent of the power of x that fits y best, by least squares of the logarithms.
+/// Returns the exponent of the power of x that fits y best, by least squares of the logarithms.
 fn exponent(points: &[(f64, f64)]) -> Option<f64> {
     let logs: Vec<(f64, f64)> = points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.ln(), y.ln())).collect();
     let count = logs.len() as f64;

@@ -1,7 +1,8 @@
-//! Babble: a mouth that moves while somebody speaks whose mouth shapes nobody knows.
+//! Babble: generated mouth movement for a voice without visemes.
 
 use crate::file::profiles;
-use crate::{Bank, Fps, Time};
+use crate::verify::error_in;
+use crate::{Bank, Error, ErrorKind, Fps, Time};
 use core::fmt;
 use lipz_layout::{BabbleRecord, Tag};
 use lipz_types::StoredFps;
@@ -9,7 +10,7 @@ use zerocopy::FromBytes;
 
 pub use lipz_types::Weight;
 
-/// What moves the mouth while somebody babbles.
+/// The weights of the two mouth movements of babble.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[non_exhaustive]
 pub struct Weights {
@@ -19,9 +20,9 @@ pub struct Weights {
     pub aah: Weight,
 }
 
-/// How loud the voice is: an `f32` from 0 to 1, a [`VoiceLevel`], or a function that measures either.
+/// The power of the voice: an `f32` from 0 to 1, a [`VoiceLevel`], or a function that measures either.
 pub trait Power: sealed::Sealed {
-    /// Where the power leads to in transfers of these lengths.
+    /// Returns the index for this power in each of two transfers of these lengths.
     #[doc(hidden)]
     fn indices(self, lengths: [usize; 2]) -> [usize; 2];
 }
@@ -33,25 +34,25 @@ mod sealed {
     impl<M: FnOnce() -> P, P: super::Power> Sealed for M {}
 }
 
-/// Power without floating point, in 65,536ths.
+/// The power of the voice without floating point, in 65,536ths.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct VoiceLevel(pub u16);
 
 impl VoiceLevel {
-    /// The power of a voice that nobody measures: three quarters, where all digits of the default profile
-    /// show, but not at their widest.
+    /// The power to use for a voice that is not measured: three quarters. At this power all digits of the default
+    /// profile show, but not at their widest.
     pub const UNMEASURED: VoiceLevel = VoiceLevel(0xC000);
 }
 
 impl Power for VoiceLevel {
     fn indices(self, lengths: [usize; 2]) -> [usize; 2] {
-        // The digits are at most 65,535, and the level is less than 1: the index is one of them.
+        // The digits are at most 65,535, and the level is less than 1, so the index is in range.
         lengths.map(|length| ((length as u32).wrapping_mul(u32::from(self.0)) >> 16) as usize)
     }
 }
 
 impl Power for f32 {
-    /// The arithmetic of the viewer. What is below 0 or not a number is silence.
+    /// Uses the arithmetic of the viewer. Values below 0 and NaN count as silence.
     fn indices(self, lengths: [usize; 2]) -> [usize; 2] {
         lengths.map(|length| ((length as f32 * self) as usize).min(length.saturating_sub(1)))
     }
@@ -63,8 +64,8 @@ impl<M: FnOnce() -> P, P: Power> Power for M {
     }
 }
 
-/// A babble profile: loops of digits for lips and jaw, which the power of the voice modulates (Second Life's
-/// "LipSync", "How to babble").
+/// A babble profile: loops of digits for lips and jaw, which the power of the voice modulates (Second Life's "LipSync",
+/// "How to babble").
 ///
 /// ```
 /// use lipz_bank::Micros;
@@ -99,7 +100,7 @@ impl Babble<'static> {
 }
 
 impl<'data> Babble<'data> {
-    /// The profile that `bytes` start with, and what is behind it; `None` if they are damaged.
+    /// Returns the profile at the start of `bytes`, and the bytes after it; `None` if they are damaged.
     pub(crate) fn split_first(bytes: &'data [u8]) -> Option<(Babble<'data>, &'data [u8])> {
         let (record, mut rest) = BabbleRecord::ref_from_prefix(bytes).ok()?;
         let mut take = |length: u16| {
@@ -119,7 +120,7 @@ impl<'data> Babble<'data> {
         Some((babble, rest))
     }
 
-    /// The name of the profile. Empty only in a damaged bank.
+    /// Returns the name of the profile. Empty only in a damaged bank.
     pub fn name(&self) -> &'data str {
         core::str::from_utf8(self.name).unwrap_or("")
     }
@@ -128,35 +129,36 @@ impl<'data> Babble<'data> {
         self.name
     }
 
-    /// The loop for the lips, in ASCII digits.
+    /// Returns the loop for the lips, in ASCII digits.
     pub const fn ooh(&self) -> &'data [u8] {
         self.ooh
     }
 
-    /// The loop for the jaw.
+    /// Returns the loop for the jaw, in ASCII digits.
     pub const fn aah(&self) -> &'data [u8] {
         self.aah
     }
 
-    /// What power does to the lips: a digit for each of as many steps from silence to full power.
+    /// Returns the effect of the power on the lips: digits for equal steps from silence to full power.
     pub const fn ooh_power_transfer(&self) -> &'data [u8] {
         self.ooh_power_transfer
     }
 
-    /// What power does to the jaw.
+    /// Returns the effect of the power on the jaw, in the same form.
     pub const fn aah_power_transfer(&self) -> &'data [u8] {
         self.aah_power_transfer
     }
 
-    /// Digits of the loops in a second.
+    /// Returns the rate of the loops, in digits per second.
     pub const fn rate(&self) -> Fps {
         self.rate
     }
 
-    /// How lips and jaw are moved `elapsed` after somebody has begun to speak, at this power. Nobody
-    /// speaks before 0.
+    /// Returns how far lips and jaw have moved `elapsed` after the start of speech, at this power. Both are 0 before
+    /// the start.
     ///
-    /// Each loop starts with its first digit at 0. It is computed from the time, never stepped, so nothing drifts.
+    /// Each loop starts with its first digit at 0. The result is computed from the time and never stepped, so nothing
+    /// drifts.
     pub fn at<T: Time, P: Power>(&self, elapsed: T, power: P) -> Weights {
         let index = match self.rate.frame_at(elapsed) {
             Some(index) => index,
@@ -170,7 +172,7 @@ impl<'data> Babble<'data> {
     }
 }
 
-/// The weight of a digit of a loop, and of one of the transfer; 0 if one of them is empty.
+/// Returns the product of a digit of a loop and one of the transfer; 0 if one of them is empty.
 fn product(digits: &[u8], index: u32, transfer: &[u8], power_index: usize) -> Weight {
     let turned = (index as usize).checked_rem(digits.len()).and_then(|at| digits.get(at));
     match (turned, transfer.get(power_index)) {
@@ -186,18 +188,40 @@ impl fmt::Debug for Babble<'_> {
 }
 
 impl<'data> Bank<'data> {
-    /// The babble profile with this name.
+    /// Returns the babble profile with this name.
     pub fn babble(&self, name: &str) -> Option<Babble<'data>> {
         self.babbles().find(|babble| babble.name == name.as_bytes())
     }
 
-    /// The profile of the project, `[babble]` in its settings; [`Babble::DEFAULT`] if it has none.
+    /// Returns the project's profile, `[babble]` in its settings, or [`Babble::DEFAULT`].
     pub fn default_babble(&self) -> Babble<'data> {
         self.babble("default").unwrap_or(Babble::DEFAULT)
     }
 
-    /// All babble profiles of the bank, in the order of their names.
+    /// Returns all babble profiles of the bank, ordered by name.
     pub fn babbles(&self) -> impl Iterator<Item = Babble<'data>> + Clone {
         profiles(self.file.section(Tag::BABBLE), Babble::split_first)
     }
+}
+
+/// Checks the section, if the bank has it: profiles follow each other, ordered by name.
+pub(crate) fn check(bank: &Bank<'_>) -> Result<(), Error> {
+    let mut rest = bank.file.section(Tag::BABBLE);
+    let mut before: &[u8] = &[];
+    while !rest.is_empty() {
+        match Babble::split_first(rest) {
+            Some((babble, behind)) if babble.name_bytes() > before && is_valid(&babble) => {
+                before = babble.name_bytes();
+                rest = behind;
+            }
+            _ => return Err(error_in(&bank.file, ErrorKind::Babble, rest)),
+        }
+    }
+    Ok(())
+}
+
+fn is_valid(babble: &Babble<'_>) -> bool {
+    let strings = [babble.ooh(), babble.aah(), babble.ooh_power_transfer(), babble.aah_power_transfer()];
+    let are_digits = strings.iter().all(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_digit));
+    are_digits && core::str::from_utf8(babble.name_bytes()).is_ok()
 }

@@ -13,16 +13,16 @@ use lipz_layout::{ClipRecord, EventNameRecord, EventRecord, KeyRecord, RateRecor
 
 /// A bank, used in place: a few slices into the caller's bytes.
 ///
-/// `'data` is the life of the bytes. Strings and frame codes that queries return live that long,
-/// not only as long as this value.
+/// `'data` is the lifetime of the bytes. Strings and frame codes that queries return live that long, which may be
+/// longer than this value.
 #[derive(Clone, Copy)]
 pub struct Bank<'data> {
     pub(crate) file: File<'data>,
-    /// What the handles of this bank have.
+    /// The origin of the bank's handles.
     pub(crate) origin: Origin,
     /// The number of the bank among the files of its dialogue.
     pub(crate) number: u32,
-    /// The hash of the list of its locales, in a dialogue.
+    /// In a dialogue, the hash of the bank's list of locales.
     pub(crate) locale_list: u32,
     pub(crate) clips: &'data [ClipRecord],
     pub(crate) keys: &'data [KeyRecord],
@@ -33,7 +33,7 @@ pub struct Bank<'data> {
     pub(crate) starts: &'data [U32],
     /// Keys of clips, and tags of locales.
     pub(crate) names: Pool<'data>,
-    /// The locales, which may be those of a text bank.
+    /// The locales, possibly those of a text bank.
     pub(crate) texts: LocaleTable<'data>,
     pub(crate) event_refs: &'data [U32],
     pub(crate) events: &'data [EventRecord],
@@ -43,12 +43,12 @@ pub struct Bank<'data> {
 }
 
 impl<'data> Bank<'data> {
-    /// Opens the bank that fills `bytes`: checks header and directory, in a time that depends
-    /// only on the number of sections.
+    /// Opens the bank that fills `bytes`. Checks its header and directory, in a time that depends only on the number of
+    /// sections.
     ///
     /// # Errors
-    /// When the bytes are not a bank of a known format version, were cut off, or have a directory
-    /// that leads out of them.
+    /// If the bytes are not a bank of a known format version, are cut off, or have a directory that reaches past their
+    /// end.
     pub fn open(bytes: &'data [u8]) -> Result<Bank<'data>, Error> {
         let file = File::open(bytes)?;
         if file.has_texts_only() {
@@ -57,7 +57,7 @@ impl<'data> Bank<'data> {
         Bank::of_file(file)
     }
 
-    /// The bank in a file that has clips.
+    /// Returns the bank in a file that contains clips.
     #[inline(always)]
     pub(crate) fn of_file(file: File<'data>) -> Result<Bank<'data>, Error> {
         let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
@@ -65,8 +65,8 @@ impl<'data> Bank<'data> {
         Ok(Bank::from_sections(file, &found))
     }
 
-    /// The bank of these sections.
-    #[inline(always)] // a bank is many words, and the caller knows where they go
+    /// Returns the bank made of these sections.
+    #[inline(always)] // a bank is many words, which are built directly in the caller's place
     pub(crate) fn from_sections(file: File<'data>, found: &Sections<'data>) -> Bank<'data> {
         let starts: &[U32] = entries(found[place::STARTS]);
         Bank {
@@ -91,8 +91,8 @@ impl<'data> Bank<'data> {
         }
     }
 
-    /// Checks every byte and every reference, and returns the bank with its strings marked as
-    /// checked: from then on no query fails for which there is data, and texts cost no UTF-8 check.
+    /// Checks every byte and every reference, and returns the bank with its strings marked as checked. After that, no
+    /// query fails for stored data, and texts need no UTF-8 check.
     ///
     /// # Errors
     /// The first damage found.
@@ -101,24 +101,25 @@ impl<'data> Bank<'data> {
         self.verify_with(crate::verify::core_utf8)
     }
 
-    /// Like [`Bank::verify`], with a UTF-8 check of the program's own: that of the standard library takes
-    /// half of the time.
+    /// Like [`Bank::verify`], with the program's own UTF-8 check, because that of the standard library takes half of
+    /// the time.
     ///
-    /// `utf8` gives the bytes that it gets as a string, or nothing if they are not UTF-8. That of
-    /// [simdutf8](https://docs.rs/simdutf8) is many times faster than the standard library's:
-    /// `bank.verify_with(|bytes| simdutf8::basic::from_utf8(bytes).ok())`.
+    /// `utf8` returns its bytes as a string, or `None` if they are not UTF-8. The check of
+    /// [simdutf8](https://docs.rs/simdutf8) is many times faster than the standard library's: `bank.verify_with(|bytes|
+    /// simdutf8::basic::from_utf8(bytes).ok())`.
     ///
     /// # Errors
     /// The first damage found.
-    #[inline(always)] // a bank is many words, and the caller knows where they go
+    #[inline(always)] // a bank is many words, which are built directly in the caller's place
     pub fn verify_with(mut self, utf8: fn(&'data [u8]) -> Option<&'data str>) -> Result<Bank<'data>, Error> {
         crate::verify::verify(&mut self, utf8)?;
         Ok(self)
     }
 
-    /// Like [`Bank::verify`], for programs on small machines that show mouths, texts and events, and nothing else: leaves out
-    /// the sections of babble, faces, recordings, curves and voices, and so the code that checks them. Their bytes are in the checksum
-    /// all the same; of a forged bank, queries about them may have wrong answers or none.
+    /// Like [`Bank::verify`], for programs on small machines that show only visemes, texts and events.
+    ///
+    /// Skips the sections for babble, faces, recordings, curves and voices, and so the code that checks them. The
+    /// checksum still covers their bytes. In a forged bank, queries about them may return wrong values or `None`.
     ///
     /// # Errors
     /// The first damage found.
@@ -128,8 +129,9 @@ impl<'data> Bank<'data> {
         Ok(self)
     }
 
-    /// Checks all of the bank but the checksum and what frames and texts say: for tools that copy these from verified banks, and
-    /// have the tables in memory before them. Queries gain nothing by it.
+    /// Checks all of the bank except the checksum and the contents of frames and texts.
+    ///
+    /// For tools that copy these from verified banks, and have only the tables in memory. Queries become no faster.
     ///
     /// # Errors
     /// The first damage found.
@@ -137,18 +139,18 @@ impl<'data> Bank<'data> {
         crate::verify::tables(*self)
     }
 
-    /// Opens and verifies the text bank that fills `bytes`, and puts its locales in place of those of the bank. Handles of locales
-    /// that were looked up before lead to no text any more.
+    /// Opens and verifies the text bank that fills `bytes`, and replaces the locales of the bank with its own. Handles
+    /// of locales from before then lead to no text.
     ///
-    /// A program that has one language in memory packs with `--split-locales`, and opens the bank with the text bank of the
-    /// language. A [`Dialogue`](crate::Dialogue) takes several at the same time.
+    /// A program with one language in memory packs with `--config split-locales=true`, and opens the bank with the text
+    /// bank of that language. A [`Dialogue`](crate::Dialogue) takes several at the same time.
     ///
     /// ```
     /// use lipz_bank::{Bank, Error};
     ///
     /// # fn main() -> Result<(), Error> {
     /// # let base: &[u8] = include_bytes!("../examples/act1.lipzbank");
-    /// # let german = base; // a whole bank is accepted, too
+    /// # let german = base; // a whole bank is accepted as well
     /// let mut bank = Bank::open(base)?.verify()?;
     /// bank.open_texts(german)?;
     /// let segment = bank.clip_by_key("act1/mara-good-evening").and_then(|clip| clip.segment(0));
@@ -159,8 +161,8 @@ impl<'data> Bank<'data> {
     /// ```
     ///
     /// # Errors
-    /// As [`Bank::verify`]; when the texts belong to other clips, or when the bank itself is not
-    /// [verified](Bank::is_verified). The bank stays as it was.
+    /// As [`Bank::verify`]; also if the texts belong to different clips, or if the bank itself is not
+    /// [verified](Bank::is_verified). The bank is then unchanged.
     pub fn open_texts(&mut self, bytes: &'data [u8]) -> Result<(), Error> {
         let (file, mut table) = self.text_file(bytes)?;
         crate::verify::text_file(&file, &mut table, self, crate::verify::core_utf8)?;
@@ -171,14 +173,14 @@ impl<'data> Bank<'data> {
     /// Like [`Bank::open_texts`], without verifying anything, in a time that depends only on the number of sections.
     ///
     /// # Errors
-    /// As [`Bank::open`], and when the texts belong to other clips. The bank stays as it was.
+    /// As [`Bank::open`], and if the texts belong to different clips. The bank is then unchanged.
     pub fn open_texts_unverified(&mut self, bytes: &'data [u8]) -> Result<(), Error> {
         let (file, table) = self.text_file(bytes)?;
         self.take_texts(&file, table);
         Ok(())
     }
 
-    /// The table of a text bank for the clips of this bank.
+    /// Returns the table of a text bank for the clips of this bank.
     fn text_file(&self, bytes: &'data [u8]) -> Result<(File<'data>, LocaleTable<'data>), Error> {
         let file = File::open(bytes)?;
         let table = text_table(&file, self.texts.segment_count)?;
@@ -188,44 +190,45 @@ impl<'data> Bank<'data> {
         Ok((file, table))
     }
 
-    /// Puts the locales of another file in place of those of the bank, as a different origin of handles.
+    /// Replaces the bank's locales with those of another file, which gives handles a different origin.
     fn take_texts(&mut self, file: &File<'data>, texts: LocaleTable<'data>) {
         self.texts = texts;
         self.origin = Origin::of_hash(add_checksum(self.checksum(), file.header.checksum.get()));
     }
 
-    /// Whether the bank came from [`Bank::verify`], [`Bank::verify_with`] or [`Bank::verify_lines`], which leaves out some sections.
+    /// Whether the bank comes from [`Bank::verify`], [`Bank::verify_with`] or [`Bank::verify_lines`], which skips some
+    /// sections.
     pub const fn is_verified(&self) -> bool {
         self.event_strings.is_checked()
     }
 
-    /// The number of clips.
+    /// Returns the number of clips.
     #[inline]
     pub const fn clip_count(&self) -> usize {
         self.clips.len()
     }
 
-    /// The clip with this id: one pilot, two records, no loop.
+    /// Returns the clip with this id, with one pilot, two records and no loop.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'_>> {
         let (slot, _) = self.find(id)?;
         self.clip_at(slot)
     }
 
-    /// The clip with this key, compared whole.
+    /// Returns the clip with this key, which is compared in full.
     #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'_>> {
         let (slot, record) = self.find(ClipId::from_key(key))?;
         if self.key_bytes(record)? == key.as_bytes() { self.clip_at(slot) } else { None }
     }
 
-    /// The clip in this slot, a number below [`Bank::clip_count`]. Slots are in no order that means anything.
+    /// Returns the clip in this slot, a number below [`Bank::clip_count`]. The order of slots has no meaning.
     #[inline]
     pub fn clip_at(&self, slot: u32) -> Option<Clip<'_>> {
         Clip::new(self, slot, None, true)
     }
 
-    /// The number of the clip with this record, which is one of the table.
+    /// Returns the slot of this record, which must be in the clip table.
     #[inline]
     pub(crate) fn slot_of(&self, record: &ClipRecord) -> u32 {
         let table = self.clips.as_ptr() as usize;
@@ -234,13 +237,12 @@ impl<'data> Bank<'data> {
         offset_bytes.checked_div(CLIP_BYTES).unwrap_or(0) as u32
     }
 
-    /// All clips in the order of their keys.
+    /// Returns all clips, ordered by key.
     pub fn clips(&self) -> impl Iterator<Item = Clip<'_>> + Clone + '_ {
         Clips::new(self, 0, self.key_order.len())
     }
 
-    /// The clips whose keys start with `prefix`, in the order of their keys: `act1/` gives those of
-    /// a folder.
+    /// Returns the clips whose keys start with `prefix`, ordered by key. `act1/` selects those of a folder.
     pub fn clips_under(&self, prefix: &str) -> impl Iterator<Item = Clip<'_>> + Clone + '_ {
         self.clips_from(prefix)
     }
@@ -254,8 +256,8 @@ impl<'data> Bank<'data> {
         Clips::new(self, first, first.saturating_add(count))
     }
 
-    /// The slot that the index names for `id`, and the key record there, if it has that id.
-    // Long code where 64-bit products are not instructions.
+    /// Returns the slot that the index names for `id`, and its key record, if that has the id.
+    // 64-bit products take long code where they are not single instructions.
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn find(&self, id: ClipId) -> Option<(u32, &'data KeyRecord)> {
@@ -271,56 +273,57 @@ impl<'data> Bank<'data> {
         Some((slot, record))
     }
 
-    /// The key of a clip, not checked to be UTF-8.
+    /// Returns the key of a clip, without a UTF-8 check.
     #[inline]
     pub(crate) fn key_bytes(&self, record: &KeyRecord) -> Option<&'data [u8]> {
         let start = record.key_offset_bytes.get() as usize;
         self.names.slice(start, start.checked_add(usize::from(record.key_length_bytes.get()))?)
     }
 
-    /// Hash of what the clips of this bank are: files that belong together share it.
+    /// Returns a hash of the clips. Files that belong together share it.
     pub fn fingerprint(&self) -> u64 {
         self.file.header.fingerprint.get()
     }
 
-    /// Checksum of the contents, as the header has it: banks of different contents have different ones. `verify`
-    /// compares it with the contents; before that, a damaged bank may have any.
+    /// Returns the checksum in the header, which differs between banks of different contents. `verify` compares it with
+    /// the contents; an unverified, damaged bank may have any checksum.
     pub fn checksum(&self) -> u64 {
         self.file.header.checksum.get()
     }
 
-    /// Format version, major and minor.
+    /// Returns the format version, major and minor.
     pub fn format_version(&self) -> (u16, u16) {
         (self.file.header.format_major.get(), self.file.header.format_minor.get())
     }
 
-    /// Length of the bank.
+    /// Returns the length of the bank in bytes.
     pub const fn length_bytes(&self) -> usize {
         self.file.bytes.len()
     }
 
-    /// The sections of the bank in the order of its directory, known or not: tag, such as `*b"CLIP"`, and
-    /// contents. For tools; `docs/reference/bank-format.md` says what is in them.
+    /// Returns the sections of the bank, known or not, in the order of its directory: a tag, such as `*b"CLIP"`, and
+    /// the contents. For tools; `docs/reference/bank-format.md` describes the contents.
     pub fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.file.sections()
     }
 }
 
-/// Keeps the compiler from choosing between two answers without a branch, at no instruction: a processor predicts a branch, and
-/// goes on with the clip before it has compared the ids. A choice would make all that follows wait for both.
+/// Keeps the compiler from selecting one of two results without a branch, at no instruction. A processor predicts a
+/// branch, and continues with the clip before it has compared the ids. After a selection, everything would wait for
+/// both results.
 #[inline(always)]
 fn keep_branch() {
     compiler_fence(Ordering::SeqCst);
 }
 
-/// The locales in a file with texts for so many segments, which may be a whole bank.
+/// Returns the locales of a file with texts for this number of segments, which may be a whole bank.
 pub(crate) fn text_table<'data>(file: &File<'data>, segment_count: usize) -> Result<LocaleTable<'data>, Error> {
     let mut found: Sections<'data> = [&[]; Tag::REQUIRED.len()];
     file.find(if file.has_texts_only() { TEXT_SECTIONS } else { ALL_SECTIONS }, &mut found)?;
     Ok(LocaleTable::new(&found, segment_count))
 }
 
-/// What the bank has, not its bytes.
+/// Prints a summary of the bank, not its bytes.
 impl fmt::Debug for Bank<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Bank")

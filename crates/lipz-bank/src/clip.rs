@@ -10,24 +10,24 @@ use crate::{Bank, ClipId, Dialogue, EventName, Fps, Segment, Time, Viseme, Visem
 use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord};
 use lipz_types::StoredFps;
 
-/// One spoken line: mouth shapes by frame, and segments with texts and events.
+/// One spoken line: visemes by frame, and segments with texts and events.
 #[derive(Clone, Copy)]
 pub struct Clip<'a> {
     pub(crate) bank: &'a Bank<'a>,
     pub(crate) record: &'a ClipRecord,
-    /// The dialogue that the clip was found in, which may have texts, voices and names of other files.
+    /// The dialogue that the clip was found in. Texts, voices and names may be in other files of it.
     pub(crate) home: Option<&'a Dialogue<'a>>,
-    /// Not checked, so that finding a clip takes no time for it.
+    /// Stored without a check, so that finding a clip takes no time for it.
     fps: Option<StoredFps>,
-    /// The number of the viseme type; 0 if it is unspecified. It is not looked at before it is asked for.
+    /// The number of the viseme type; 0 if unspecified. It is only interpreted on request.
     viseme_type: u8,
-    /// 1 if the texts of the clip are in its bank, too. Not a `bool`: an `Option` of a clip would store there that it is empty,
-    /// and each look-up of a segment would have to test it.
+    /// 1 if the bank of the clip also contains its texts. Not a `bool`, because an `Option<Clip>` would use it as its
+    /// niche, and each look-up of a segment would have to test it.
     has_texts: u8,
 }
 
 impl<'a> Clip<'a> {
-    /// The clip in this slot of a bank, found in a dialogue if that is named.
+    /// Returns the clip in this slot of a bank, found in the dialogue `home`, if any.
     #[inline(always)]
     pub(crate) fn new(bank: &'a Bank<'a>, slot: u32, home: Option<&'a Dialogue<'a>>, has_texts: bool) -> Option<Self> {
         let record = bank.clips.get(slot as usize)?;
@@ -36,14 +36,14 @@ impl<'a> Clip<'a> {
         Some(Clip { bank, record, home, fps, viseme_type: record.viseme_type, has_texts })
     }
 
-    /// The clip with `fps` where its file and the project left the frame rate unspecified.
+    /// Sets the frame rate, unless the file or the project specifies one.
     #[must_use]
     pub fn or_fps(mut self, fps: Fps) -> Self {
         self.fps = self.fps.or(Some(fps.into()));
         self
     }
 
-    /// The clip with `viseme_type` where its file and the project left the viseme type unspecified.
+    /// Sets the viseme type, unless the file or the project specifies one.
     #[must_use]
     pub fn or_viseme_type(mut self, viseme_type: VisemeType) -> Self {
         if self.viseme_type().is_none() {
@@ -52,41 +52,42 @@ impl<'a> Clip<'a> {
         self
     }
 
-    /// The id: the hash of the key.
+    /// Returns the id: the hash of the key.
     pub fn id(&self) -> ClipId {
         ClipId::from_u64(self.key_record().map_or(0, |record| record.id.get()))
     }
 
-    /// The key: path of the Lipz file below its source root, without extension. Empty only in a
-    /// damaged bank.
+    /// Returns the key: the path of the Lipz file below its source root, without extension. Empty only in a damaged
+    /// bank.
     pub fn key(&self) -> &'a str {
         self.key_record().and_then(|record| key(self.bank, record)).unwrap_or("")
     }
 
-    /// How the clip is found; in a verified bank there is one for each.
+    /// Returns the key record. In a verified bank, each clip has one.
     #[inline]
     fn key_record(&self) -> Option<&'a KeyRecord> {
         self.bank.keys.get(self.slot() as usize)
     }
 
-    /// The number of the clip in its bank, for [`Bank::clip_at`].
+    /// Returns the number of the clip in its bank, for [`Bank::clip_at`].
     #[inline]
     pub fn slot(&self) -> u32 {
         self.bank.slot_of(self.record)
     }
 
-    /// The number of its bank among the files of its dialogue, for [`Dialogue::clip_at`](crate::Dialogue::clip_at).
+    /// Returns the number of the clip's bank among the files of its dialogue, for
+    /// [`Dialogue::clip_at`](crate::Dialogue::clip_at).
     pub const fn file(&self) -> u32 {
         self.bank.number
     }
 
-    /// Whether the texts of the clip are in its bank, too.
+    /// Whether the bank of the clip also contains its texts.
     #[inline]
     pub(crate) const fn has_texts(&self) -> bool {
         self.has_texts != 0
     }
 
-    /// The name that a cursor has kept, if it is one of the bank or of the dialogue.
+    /// Returns the name that a cursor has stored, if it belongs to the bank or the dialogue.
     pub(crate) fn name(&self, key: NameKey) -> Option<EventName<'a>> {
         if key.bank == self.bank.origin {
             return EventName::numbered(self.bank, key.id);
@@ -95,33 +96,32 @@ impl<'a> Clip<'a> {
         (queries.name)(home, key)
     }
 
-    /// The dialogue that the clip was found in, and the queries that its files answer together, if it has more than one.
+    /// Returns the dialogue that the clip was found in, and the queries over all of its files, if it has more than one.
     #[inline(always)]
     pub(crate) fn together(&self) -> Option<(&'a Dialogue<'a>, &'static Queries)> {
         let home = self.home?;
         Some((home, home.queries()?))
     }
 
-    /// The frame rate; `None` if it is unspecified and none was given with [`Clip::or_fps`], or if it is damaged.
-    /// Without a frame rate no time leads to a frame.
+    /// Returns the frame rate; `None` if it is damaged, or unspecified and not set with [`Clip::or_fps`]. Without a
+    /// frame rate, no time leads to a frame.
     pub fn fps(&self) -> Option<Fps> {
         self.fps?.checked()
     }
 
-    /// The frame rate as the bank has it.
+    /// Returns the frame rate as stored in the bank.
     #[inline]
     pub(crate) const fn stored_fps(&self) -> Option<StoredFps> {
         self.fps
     }
 
-    /// The viseme type; `None` if it is unspecified and none was given with
-    /// [`Clip::or_viseme_type`].
+    /// Returns the viseme type; `None` if it is unspecified and not set with [`Clip::or_viseme_type`].
     pub fn viseme_type(&self) -> Option<VisemeType> {
         VisemeType::from_number(self.viseme_type)
     }
 
-    /// Whether the file has a `visemes` element. Without one, a clip has texts or events but no
-    /// frames, and its segments no times.
+    /// Whether the file has a `visemes` element. Without one, a clip has texts or events but no frames, and its
+    /// segments have no times.
     pub const fn has_visemes(&self) -> bool {
         self.record.flags & FLAG_VISEMES != 0
     }
@@ -131,39 +131,38 @@ impl<'a> Clip<'a> {
         (self.record.segments_first.get() as usize) < self.bank.event_refs.len()
     }
 
-    /// The number of frames.
+    /// Returns the number of frames.
     #[inline]
     pub fn frame_count(&self) -> u32 {
         self.record.frame_count.get()
     }
 
-    /// The frame codes, one byte per frame, without delimiters. Empty if damaged.
+    /// Returns the frame codes, one byte per frame, without delimiters. Empty if damaged.
     pub fn frames(&self) -> &'a [u8] {
         let start = self.record.frames_offset_bytes.get() as usize;
         let end = start.checked_add(self.frame_count() as usize);
         end.and_then(|end| self.bank.frames.get(start..end)).unwrap_or(&[])
     }
 
-    /// Microseconds from the start of the first frame to the end of the last, rounded up; `None`
-    /// without a frame rate.
+    /// Returns the microseconds from the start of the first frame to the end of the last, rounded up; `None` without a
+    /// frame rate.
     pub fn duration_us(&self) -> Option<u64> {
         Some(self.fps?.start_of_frame_us(self.frame_count()))
     }
 
-    /// The index of the frame that shows at `time`; `None` before the start, from the end on, and
-    /// without a frame rate.
+    /// Returns the index of the frame at `time`; `None` before the start, from the end on, and without a frame rate.
     #[inline]
     pub fn frame_at<T: Time>(&self, time: T) -> Option<u32> {
         time.frame(self.fps?, self.frame_count())
     }
 
-    /// The viseme of frame `index`; rest outside the clip.
+    /// Returns the viseme of frame `index`, or rest outside the clip.
     #[inline]
     pub fn viseme(&self, index: u32) -> Viseme {
         if index < self.frame_count() { self.viseme_of(index) } else { Viseme::REST }
     }
 
-    /// The viseme of a frame that the clip has.
+    /// Returns the viseme of a frame, which must be in the clip.
     #[inline]
     fn viseme_of(&self, index: u32) -> Viseme {
         let offset = (self.record.frames_offset_bytes.get() as usize).checked_add(index as usize);
@@ -173,8 +172,7 @@ impl<'a> Clip<'a> {
         }
     }
 
-    /// The viseme that shows at `time`; rest before the start, from the end on, and without a frame
-    /// rate.
+    /// Returns the viseme at `time`, or rest before the start, from the end on, and without a frame rate.
     #[inline]
     pub fn viseme_at<T: Time>(&self, time: T) -> Viseme {
         match self.frame_at(time) {
@@ -183,50 +181,51 @@ impl<'a> Clip<'a> {
         }
     }
 
-    /// The number of segments, at least 1 in a verified bank. Whatever a damaged bank says, there
-    /// are no more than it has starts for.
+    /// Returns the number of segments, at least 1 in a verified bank. Even in a damaged bank, it is at most the number
+    /// of stored starts.
     #[inline]
     pub fn segment_count(&self) -> u32 {
         let count = self.key_record().map_or(0, |record| record.segment_count.get());
         u32::from(count).min(self.bank.starts.len() as u32)
     }
 
-    /// The segment with this index.
-    #[inline(always)] // otherwise the whole clip is copied for the call
+    /// Returns the segment with this index.
+    #[inline(always)] // otherwise the call copies the whole clip
     pub fn segment(&self, index: u32) -> Option<Segment<'a>> {
         if index < self.segment_count() { Some(Segment::new(*self, index)) } else { None }
     }
 
-    /// All segments in order.
+    /// Returns all segments in order.
     pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<'a>> + Clone {
         Segments::new(*self)
     }
 
-    /// The segment that frame `index` belongs to. Segments of no frames are never found by frame.
+    /// Returns the segment that contains frame `index`. Never returns an empty segment.
     #[inline(always)]
     pub fn segment_of_frame(&self, index: u32) -> Option<Segment<'a>> {
         if index < self.frame_count() { self.segment_that_has(index) } else { None }
     }
 
-    /// The segment at `time`; `None` before the start, from the end on, and without a frame rate.
+    /// Returns the segment at `time`; `None` before the start, from the end on, and without a frame rate.
     #[inline(always)]
     pub fn segment_at<T: Time>(&self, time: T) -> Option<Segment<'a>> {
         self.segment_that_has(self.frame_at(time)?)
     }
 
-    /// The segment of a frame that the clip has.
+    /// Returns the segment that contains a frame, which must be in the clip.
     #[inline(always)]
     fn segment_that_has(&self, frame: u32) -> Option<Segment<'a>> {
         Some(Segment::new(*self, crate::segment::index_of_frame(self, frame)?))
     }
 }
 
-/// The key, unless it is damaged.
+/// Returns the key, unless it is damaged.
 pub(crate) fn key<'data>(bank: &Bank<'data>, record: &KeyRecord) -> Option<&'data str> {
     bank.names.text_at(record.key_offset_bytes.get(), u32::from(record.key_length_bytes.get()))
 }
 
-/// Equal are the same clips of one bank, if they have the same texts and were given the same frame rate and viseme type.
+/// Two clips are equal if they are the same clip of one bank, have the same texts, and were given the same frame rate
+/// and viseme type.
 impl PartialEq for Clip<'_> {
     fn eq(&self, other: &Self) -> bool {
         let place = |clip: &Self| (clip.bank.origin, clip.slot(), clip.has_texts, clip.fps, clip.viseme_type);
@@ -235,14 +234,14 @@ impl PartialEq for Clip<'_> {
 }
 impl Eq for Clip<'_> {}
 
-/// The key and the slot, not the frames.
+/// Prints the key and the slot, not the frames.
 impl fmt::Debug for Clip<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Clip").field("key", &self.key()).field("slot", &self.slot()).finish_non_exhaustive()
     }
 }
 
-/// Clips of a bank in the order of their keys.
+/// Clips of a bank, ordered by key.
 #[derive(Clone)]
 pub(crate) struct Clips<'a> {
     bank: &'a Bank<'a>,
@@ -255,7 +254,7 @@ impl<'a> Clips<'a> {
         Clips { bank, next, end }
     }
 
-    /// The same without the first ones.
+    /// Returns the iterator without the first `passed` clips.
     pub(crate) fn behind(self, passed: usize) -> Self {
         Clips { next: self.next.saturating_add(passed).min(self.end), ..self }
     }

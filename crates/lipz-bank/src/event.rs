@@ -1,4 +1,4 @@
-//! Typed events: what the event string of a segment says, if it is Character Event Syntax.
+//! Typed events: a segment's event string, parsed as Character Event Syntax.
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -14,8 +14,8 @@ use lipz_layout::{VERB_STOPS_POINTING, VERB_STOPS_STARING};
 
 /// A name that events mention: a character, an emotion, a target or an action.
 ///
-/// Names are equal if they are spelled alike, whichever bank they are from, and in the order of their bytes. Compare them
-/// with each other or with a string: `event.character.map_or(false, |name| name == "mara")`. Names of one bank are compared
+/// Names from any banks are equal if they have the same spelling, and are ordered by their bytes. Compare them with
+/// each other or with a string: `event.character.map_or(false, |name| name == "mara")`. Names of one bank are compared
 /// as numbers.
 #[derive(Clone, Copy)]
 pub struct EventName<'a> {
@@ -23,7 +23,7 @@ pub struct EventName<'a> {
     id: u32,
 }
 
-/// What identifies a name, and borrows nothing: its bank, and its number there.
+/// The identity of a name, which borrows nothing: its bank, and its number there.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(crate) struct NameKey {
     pub(crate) bank: Origin,
@@ -31,14 +31,14 @@ pub(crate) struct NameKey {
 }
 
 impl<'a> EventName<'a> {
-    /// The name with this number in a bank.
+    /// Returns the name with this number in a bank.
     #[inline]
     pub(crate) fn numbered(bank: &'a Bank<'a>, id: u32) -> Option<EventName<'a>> {
         bank.event_names.get(id as usize)?;
         Some(EventName { bank, id })
     }
 
-    /// The name as it is spelled in the Lipz file. Empty only in a damaged bank.
+    /// Returns the name as spelled in the Lipz file. Empty only in a damaged bank.
     pub fn as_str(self) -> &'a str {
         let record = self.record();
         record
@@ -46,7 +46,7 @@ impl<'a> EventName<'a> {
             .unwrap_or("")
     }
 
-    /// The bytes of the name, which need no check to be UTF-8 to be compared with known names; none of a damaged one.
+    /// Returns the bytes of the name, for comparison with known names without a UTF-8 check. Empty for a damaged name.
     pub(crate) fn bytes(self) -> &'a [u8] {
         self.record().and_then(|record| bytes_of(self.bank, record)).unwrap_or(&[])
     }
@@ -55,25 +55,25 @@ impl<'a> EventName<'a> {
         self.bank.event_names.get(self.id as usize)
     }
 
-    /// The name as numbers that borrow nothing, for a struct of another language:
+    /// Returns the name as numbers that borrow nothing, for a struct of another language:
     /// [`Dialogue::event_name_of_words`](crate::Dialogue::event_name_of_words).
     pub const fn to_words(self) -> [u32; 2] {
         [self.bank.origin.to_u32(), self.id]
     }
 
-    /// The number of the name in its bank.
+    /// Returns the number of the name in its bank.
     pub(crate) const fn id(self) -> u32 {
         self.id
     }
 
-    /// What identifies the name.
+    /// Returns the identity of the name.
     pub(crate) const fn key(self) -> NameKey {
         NameKey { bank: self.bank.origin, id: self.id }
     }
 }
 
 impl NameKey {
-    /// What [`EventName::to_words`] said.
+    /// Returns the identity from [`EventName::to_words`].
     pub(crate) const fn from_words([bank, id]: [u32; 2]) -> NameKey {
         NameKey { bank: Origin::from_u32(bank), id }
     }
@@ -109,7 +109,7 @@ impl PartialOrd for EventName<'_> {
 impl Ord for EventName<'_> {
     fn cmp(&self, other: &Self) -> Ordering {
         match self.bank.origin == other.bank.origin {
-            true => self.id.cmp(&other.id), // which are in the order of the bytes
+            true => self.id.cmp(&other.id), // ids are in the order of the bytes
             false => self.bytes().cmp(other.bytes()),
         }
     }
@@ -133,19 +133,19 @@ impl fmt::Debug for EventName<'_> {
     }
 }
 
-/// The bytes of the name with this record, if they lie in the bank.
+/// Returns the bytes of the name with this record, if they are in the bank.
 fn bytes_of<'a>(bank: &Bank<'a>, record: &EventNameRecord) -> Option<&'a [u8]> {
     let start = record.offset_bytes.get() as usize;
     bank.event_strings.slice(start, start.checked_add(record.length_bytes.get() as usize)?)
 }
 
 impl Bank<'_> {
-    /// The name that events mention, spelled as there (`amy`); `None` if no event does.
+    /// Returns the name as spelled in events (`amy`); `None` if no event contains it.
     pub fn event_name(&self, name: &str) -> Option<EventName<'_>> {
         EventName::numbered(self, self.event_name_id(name.as_bytes())?)
     }
 
-    /// The number of the name that is spelled so.
+    /// Returns the number of the name with this spelling.
     pub(crate) fn event_name_id(&self, name: &[u8]) -> Option<u32> {
         let id = self.event_names.partition_point(|record| bytes_of(self, record) < Some(name));
         let found = bytes_of(self, self.event_names.get(id)?);
@@ -157,14 +157,14 @@ impl Bank<'_> {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub struct Event<'a> {
-    /// Who; `None` for the speaker of the clip.
+    /// The character that acts; `None` for the speaker of the clip.
     pub character: Option<EventName<'a>>,
-    /// What.
+    /// The action of the character.
     pub command: Command<EventName<'a>>,
 }
 
 impl<'a> Event<'a> {
-    /// The event of a record of a bank; `None` if it is damaged.
+    /// Returns the event of a record of a bank; `None` if it is damaged.
     pub(crate) fn new(bank: &'a Bank<'a>, record: &TypedEventRecord) -> Option<Self> {
         let name = |id| EventName::numbered(bank, id);
         let object = name(record.object.get());
@@ -196,7 +196,7 @@ impl<'a> Event<'a> {
     }
 }
 
-/// As it is written in Lipz files.
+/// Prints the event as written in Lipz files.
 impl fmt::Display for Event<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(character) = self.character {
@@ -215,7 +215,7 @@ impl fmt::Display for Event<'_> {
     }
 }
 
-/// The events of a segment in the order of their string.
+/// The events of a segment, in the order of its event string.
 #[derive(Clone)]
 pub(crate) struct Events<'a> {
     records: &'a [TypedEventRecord],
@@ -223,14 +223,14 @@ pub(crate) struct Events<'a> {
 }
 
 impl<'a> Events<'a> {
-    /// The events of an event string; none if that is damaged.
+    /// Returns the events of an event string, or no events if it is damaged.
     pub(crate) fn new(bank: &'a Bank<'a>, of: Option<&EventRecord>) -> Self {
         let records = of.and_then(|record| typed_events(bank, record)).unwrap_or(&[]);
         Events { records, bank }
     }
 }
 
-/// The records of the events that an event string is made of; `None` if damaged.
+/// Returns the records of the events in an event string; `None` if damaged.
 pub(crate) fn typed_events<'data>(bank: &Bank<'data>, record: &EventRecord) -> Option<&'data [TypedEventRecord]> {
     let first = record.typed_first.get() as usize;
     bank.typed_events.get(first..first.checked_add(record.typed_count.get() as usize)?)

@@ -1,16 +1,16 @@
-//! What all files of the format have: a header, a directory, and sections.
+//! The parts that all files of the format share: a header, a directory, and sections.
 
 use crate::{Error, ErrorKind};
 use core::mem::size_of;
 use lipz_layout::{DirectoryEntry, Header, Tag};
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
-/// Where the number of sections stands in the header.
+/// The offset of the number of sections in the header.
 const SECTION_COUNT_OFFSET: u32 = 40;
 
 const DIRECTORY_OUT_OF_BOUNDS: Error = Error::new(ErrorKind::DirectoryOutOfBounds, SECTION_COUNT_OFFSET);
 
-/// A file of which header and directory are checked.
+/// A file whose header and directory are checked.
 #[derive(Clone, Copy)]
 pub(crate) struct File<'data> {
     pub(crate) bytes: &'data [u8],
@@ -21,17 +21,17 @@ pub(crate) struct File<'data> {
 /// The contents of the sections that every bank has, in the order of [`Tag::REQUIRED`].
 pub(crate) type Sections<'data> = [&'data [u8]; Tag::REQUIRED.len()];
 
-/// Which of [`Sections`] a file needs: a bit each.
+/// The [`Sections`] that a file needs, one bit each.
 pub(crate) type SectionSet = u32;
 
-/// Every section of a bank.
+/// All sections of a bank.
 pub(crate) const ALL_SECTIONS: SectionSet = (1 << Tag::REQUIRED.len()) - 1;
 
-/// What a text bank has of them.
+/// The sections of a text bank.
 pub(crate) const TEXT_SECTIONS: SectionSet =
     1 << place::NAMES | 1 << place::LOCALES | 1 << place::TEXT_STARTS | 1 << place::TEXTS;
 
-/// The places of sections in [`Sections`].
+/// The indices of sections in [`Sections`].
 pub(crate) mod place {
     use super::place_of;
     use lipz_layout::Tag;
@@ -54,7 +54,7 @@ pub(crate) mod place {
     pub(crate) const EVENT_STRINGS: usize = place_of(Tag::EVENT_STRINGS);
 }
 
-/// The place of a tag, found while compiling.
+/// Returns the index of a tag, at compile time.
 #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)]
 const fn place_of(tag: Tag) -> usize {
     let mut place = 0;
@@ -66,13 +66,13 @@ const fn place_of(tag: Tag) -> usize {
 
 impl<'data> File<'data> {
     /// Checks header and directory, but not the places of the sections.
-    #[inline(always)] // a result of several words otherwise takes code that copies it
+    #[inline(always)] // otherwise, a result of several words is copied
     pub(crate) fn open(bytes: &'data [u8]) -> Result<File<'data>, Error> {
         check_header(bytes)?;
         File::read(bytes).ok_or(DIRECTORY_OUT_OF_BOUNDS)
     }
 
-    /// Header and directory, if there is room for them.
+    /// Returns header and directory, if the file is long enough.
     #[inline(always)]
     pub(crate) fn read(bytes: &'data [u8]) -> Option<File<'data>> {
         let (header, rest) = Header::ref_from_prefix(bytes).ok()?;
@@ -81,15 +81,15 @@ impl<'data> File<'data> {
         Some(File { bytes, header, directory })
     }
 
-    /// Whether the file begins as a text bank does.
+    /// Whether the file starts like a text bank.
     pub(crate) fn has_texts_only(&self) -> bool {
         self.directory.first().map_or(false, |first| first.tag == Tag::NAMES.0)
     }
 
-    /// Checks the places of all sections and finds those that are `needed`, which stand in the order of
+    /// Checks the places of all sections and finds those that are `needed`, which must be in the order of
     /// [`Tag::REQUIRED`], in a time that depends only on the number of sections.
     ///
-    /// They are put into place, because returning so many costs a copy.
+    /// They are stored in an argument, because returning so many costs a copy.
     pub(crate) fn find(&self, mut needed: SectionSet, sections: &mut Sections<'data>) -> Result<(), Error> {
         for (index, entry) in self.directory.iter().enumerate() {
             self.place(entry, &mut needed, sections).map_err(|kind| Error::new(kind, entry_offset(index)))?;
@@ -97,7 +97,7 @@ impl<'data> File<'data> {
         if needed == 0 { Ok(()) } else { Err(Error::new(ErrorKind::SectionMissing, SECTION_COUNT_OFFSET)) }
     }
 
-    /// Puts the contents of a section to its place, if it is the next of those that are still needed.
+    /// Stores the contents of a section, if it is the next of those still needed.
     fn place(
         &self,
         entry: &DirectoryEntry,
@@ -121,33 +121,33 @@ impl<'data> File<'data> {
         }
     }
 
-    /// The contents of a section, if they lie in the file.
+    /// Returns the contents of a section, if they are in the file.
     pub(crate) fn contents(&self, entry: &DirectoryEntry) -> Option<&'data [u8]> {
         let start = entry.offset_bytes.get() as usize;
         let end = start.checked_add(entry.length_bytes.get() as usize)?;
         self.bytes.get(start..end)
     }
 
-    /// The place in the directory of a section that a file need not have.
-    #[inline(never)] // asked for in several places, once per file
+    /// Returns the directory entry of an optional section.
+    #[inline(never)] // used in several places, once per file
     pub(crate) fn entry(&self, tag: Tag) -> Option<&'data DirectoryEntry> {
         self.directory.iter().find(|entry| entry.tag == tag.0)
     }
 
-    /// The contents of a section that a file need not have; empty without it, and if it does not lie in the file.
-    // Short code where memory is scarce: it is needed in several places.
+    /// Returns the contents of an optional section; empty if it is missing or not inside the file.
+    // Not inlined where memory is scarce, because several places need it.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn section(&self, tag: Tag) -> &'data [u8] {
         self.entry(tag).and_then(|entry| self.contents(entry)).unwrap_or(&[])
     }
 
-    /// The sections in the order of the directory, known or not.
+    /// Returns the sections in the order of the directory, known or not.
     pub(crate) fn sections(&self) -> impl Iterator<Item = ([u8; 4], &'data [u8])> + '_ {
         self.directory.iter().filter_map(move |entry| Some((entry.tag, self.contents(entry)?)))
     }
 }
 
-/// The contents of a section as entries of type `T`, which fill it: [`File::open`] has made sure of that.
+/// Returns the contents of a section as entries of type `T`, which fill it: [`File::open`] has checked that.
 pub(crate) fn entries<T>(contents: &[u8]) -> &[T]
 where
     T: FromBytes + Immutable + KnownLayout + Unaligned,
@@ -155,7 +155,7 @@ where
     <[T]>::ref_from_prefix(contents).map_or(&[], |(entries, _)| entries)
 }
 
-/// Checks everything of the header but the checksum, and that the directory may be as long as it is.
+/// Checks the whole header except the checksum, and checks that the directory may have its length.
 fn check_header(bytes: &[u8]) -> Result<(), Error> {
     let magic_start = bytes.get(..4);
     let (header, _) = Header::ref_from_prefix(bytes).map_err(|_| match magic_start {
@@ -179,19 +179,19 @@ fn check_header(bytes: &[u8]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Where a directory entry stands in the file.
-#[allow(clippy::arithmetic_side_effects)] // the directory lies in a file of less than 4 GiB
+/// Returns the offset of a directory entry in the file.
+#[allow(clippy::arithmetic_side_effects)] // the directory is inside a file of less than 4 GiB
 fn entry_offset(index: usize) -> u32 {
     (size_of::<Header>() + index * size_of::<DirectoryEntry>()) as u32
 }
 
 /// The first profile of a section, and the bytes after it; `None` if it is damaged.
-type First<'data, T> = Option<(T, &'data [u8])>;
+type FirstProfile<'data, T> = Option<(T, &'data [u8])>;
 
-/// The profiles of a section, one after the other.
+/// Returns the profiles of a section, which follow each other.
 pub(crate) fn profiles<'data, T: 'data>(
     mut rest: &'data [u8],
-    split_first: fn(&'data [u8]) -> First<'data, T>,
+    split_first: fn(&'data [u8]) -> FirstProfile<'data, T>,
 ) -> impl Iterator<Item = T> + Clone + 'data {
     core::iter::from_fn(move || {
         // A damaged profile ends the iteration.

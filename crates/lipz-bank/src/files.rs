@@ -1,4 +1,4 @@
-//! The files of a dialogue, one by one: for programs that keep them in their own way, and for tools.
+//! The individual files of a dialogue, for programs with their own storage, and for tools.
 
 pub use crate::dialogue::{DialogueError, DialogueFile, FileKind, Files, Layer};
 pub use crate::set_index::{SetBank, SetIndex};

@@ -1,22 +1,22 @@
 //! Reader of lipz dialogue banks: `no_std`, no allocation, no `unsafe`.
 //!
-//! A *bank* is one packed file that holds the mouth shapes, subtitles and events of many spoken
-//! lines. It is used in place: from a memory map, from ROM, from any `&[u8]`. A *dialogue* is a bank, or the set of
-//! several, with any patches and text banks. Data flows one way, files → [`Dialogue`] → [`Clip`] → [`Segment`].
+//! A *bank* is one packed file with the visemes, subtitles and events of many spoken lines. It is used in place: from a
+//! memory map, from ROM, from any `&[u8]`. A *dialogue* is a bank or a set of banks, with any patches and text banks.
+//! Data flows one way, files → [`Dialogue`] → [`Clip`] → [`Segment`].
 //!
-//! Four types are the ones to read first:
+//! Start with four types:
 //!
-//! * [`Dialogue`] opens the files, and finds clips, locales and names. [`Bank`] does it for one file.
-//! * [`Clip`] is one spoken line: mouth shapes and segments by time.
-//! * [`Segment`] is a stretch of it: subtitles and events.
-//! * [`Cursor`] follows the audio through a clip and fires each event once. A game keeps it from rendered frame to rendered
-//!   frame, next to its dialogue.
+//! * [`Dialogue`] opens the files, and finds clips, locales and names. [`Bank`] does the same for one file.
+//! * [`Clip`] is one spoken line: visemes and segments by time.
+//! * [`Segment`] is a part of a clip, with subtitles and events.
+//! * [`Cursor`] follows the audio through a clip and fires each event once. A game keeps it between rendered frames,
+//!   next to its dialogue.
 //!
 //! ```
 //! use lipz_bank::files::DialogueFile;
 //! use lipz_bank::{ClipId, Dialogue, Micros};
 //!
-//! // Ids are computed while compiling; a key is the path of a Lipz file without extension.
+//! // Ids are computed at compile time; a key is the path of a Lipz file without extension.
 //! const GOOD_EVENING: ClipId = ClipId::from_key("act1/mara-good-evening");
 //!
 //! # fn main() -> Result<(), lipz_bank::files::DialogueError> {
@@ -33,26 +33,27 @@
 //! # }
 //! ```
 //!
-//! [design.md](https://github.com/lipz/lipz/blob/main/docs/inside/design.md) gives the reasons for this API.
+//! [design.md](https://github.com/lipz/lipz/blob/main/docs/inside/design.md) explains this API.
 //!
 //! # Features
 //!
-//! `std`, on by default, implements `std::error::Error` for [`Error`]. The reader itself never needs it: for
-//! firmware, depend on `lipz-bank` with `default-features = false`.
+//! `std`, on by default, implements `std::error::Error` for [`Error`]. The reader itself never needs it: for firmware,
+//! depend on `lipz-bank` with `default-features = false`.
 //!
 //! # Trust
 //!
-//! [`Dialogue::open`] and [`Bank::verify`] check every byte and every reference. Afterwards, no query fails for which the
-//! compiler stored data, and texts are returned without being checked again.
+//! [`Dialogue::open`] and [`Bank::verify`] check every byte and every reference. Afterwards, no query fails for which
+//! the compiler stored data, and texts are returned without being checked again.
 //!
-//! [`Dialogue::open_unverified`], [`Dialogue::open_bank`] and [`Bank::open`] look at headers and directories only. After them, too, no call panics, reads
-//! out of bounds or loops without bound, whatever the bytes are: on damage a query returns `None` or rest.
+//! [`Dialogue::open_unverified`], [`Dialogue::open_bank`] and [`Bank::open`] check headers and directories only. Even
+//! then, no call panics, reads out of bounds or loops forever, whatever the bytes are. For damaged data, a query
+//! returns `None` or rest.
 //!
-//! A [`Locale`] or a [`Voice`] of a different dialogue, or of a different version of it, leads to nothing: to no text, and to
-//! the clip itself.
+//! A [`Locale`] from a different dialogue, or a different version of it, leads to no text. A [`Voice`] leads to the
+//! clip itself.
 //!
-//! The checksum finds damage. It does not prove who wrote a file: sign files that come from
-//! strangers, as any other code or asset.
+//! The checksum detects damage. It does not authenticate the author: sign files from untrusted sources, like any other
+//! code or asset.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -105,7 +106,7 @@ pub use playback::Cursor;
 pub use recording::Recording;
 pub use segment::Segment;
 pub use text::Text;
-pub use voice::{Spoken, Voice, VoicedClip};
+pub use voice::{Voice, VoiceSource, VoicedClip};
 
 pub use lipz_types::{AnyTime, ClipId, Command, Fps, Micros, Samples, Seconds, Strength, Time, Viseme, VisemeType};
 

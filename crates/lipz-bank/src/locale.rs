@@ -1,4 +1,4 @@
-//! The locales of a file: handles that text queries take.
+//! The locales of a file: handles for text queries.
 
 use crate::Bank;
 use crate::file::{Sections, entries, place};
@@ -8,47 +8,47 @@ use crate::text::{FoundText, TextPlace};
 use lipz_layout::{ClipRecord, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, U32};
 use lipz_types::hash::{FINISH, STEP, mix};
 
-/// A locale of a [`Dialogue`](crate::Dialogue) or of a [`Bank`]: what a text is asked for by.
+/// A locale of a [`Dialogue`](crate::Dialogue) or of a [`Bank`], for text queries.
 ///
 /// Look it up once, with `locale("de-de")`, and keep it: it is two numbers that borrow nothing. Its tag is
 /// `locale_tag(locale)`.
 ///
-/// A locale belongs to the dialogue that it was looked up in. With segments of another dialogue, or of another version
-/// of it, there is no text: look the locale up again after a refresh.
+/// A locale belongs to the dialogue in which it was looked up. It leads to no text in another dialogue, or in another
+/// version of the same dialogue: look it up again after a refresh.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Locale {
-    /// Of the dialogue, and of the list that `index` counts in.
+    /// The origin of the dialogue, and of the list that `index` refers to.
     pub(crate) origin: Origin,
-    /// The file that has the list.
+    /// The file that contains the list.
     pub(crate) file: u16,
     pub(crate) index: u16,
 }
 
 impl Locale {
-    /// The handle as numbers, for a struct of another language.
+    /// Returns the handle as numbers, for a struct of another language.
     pub const fn to_words(self) -> [u32; 2] {
         [self.origin.to_u32(), (self.file as u32) << 16 | self.index as u32]
     }
 
-    /// The handle of [`Locale::to_words`]. Any numbers are accepted: those of no locale lead to no text.
+    /// Returns the handle of [`Locale::to_words`]. Any numbers are accepted; invalid ones lead to no text.
     pub const fn from_words([origin, place]: [u32; 2]) -> Locale {
         Locale { origin: Origin::from_u32(origin), file: (place >> 16) as u16, index: place as u16 }
     }
 }
 
-/// The locales of a file with their texts: four of the sections of a bank, all that a text bank has.
+/// The locales of a file with their texts: four of a bank's sections, and all sections of a text bank.
 #[derive(Clone, Copy)]
 pub(crate) struct LocaleTable<'data> {
     pub(crate) records: &'data [LocaleRecord],
     pub(crate) names: Pool<'data>,
-    /// For each locale in turn, one entry per segment, and one behind them.
+    /// For each locale in turn, one entry per segment, and a final one.
     pub(crate) starts: &'data [U32],
     pub(crate) texts: Pool<'data>,
     pub(crate) segment_count: usize,
 }
 
 impl<'data> LocaleTable<'data> {
-    /// The table of a file about clips with this number of segments.
+    /// Returns the table of a file whose clips have this number of segments.
     pub(crate) fn new(sections: &Sections<'data>, segment_count: usize) -> LocaleTable<'data> {
         LocaleTable {
             records: entries(sections[place::LOCALES]),
@@ -59,30 +59,30 @@ impl<'data> LocaleTable<'data> {
         }
     }
 
-    /// The tag of the locale with this index, not checked to be UTF-8.
+    /// Returns the tag of the locale with this index, without a UTF-8 check.
     pub(crate) fn tag_bytes(&self, index: usize) -> Option<&'data [u8]> {
         let record = self.records.get(index)?;
         let start = record.tag_offset_bytes.get() as usize;
         self.names.slice(start, start.checked_add(usize::from(record.tag_length_bytes.get()))?)
     }
 
-    /// The tag of the locale with this index.
+    /// Returns the tag of the locale with this index.
     pub(crate) fn tag(&self, index: usize) -> Option<&'data str> {
         let record = self.records.get(index)?;
         self.names.text_at(record.tag_offset_bytes.get(), u32::from(record.tag_length_bytes.get()))
     }
 
-    /// The index of the locale with this tag.
+    /// Returns the index of the locale with this tag.
     pub(crate) fn index_of(&self, tag: &[u8]) -> Option<usize> {
         (0..self.records.len()).find(|&index| self.tag_bytes(index) == Some(tag))
     }
 
-    /// The index of the default locale, if one is marked.
+    /// Returns the index of the default locale, if one is marked.
     pub(crate) fn default_index(&self) -> Option<usize> {
         self.records.iter().position(|record| record.flags.get() & LOCALE_DEFAULT != 0)
     }
 
-    /// A hash of the tags in their order: files with equal lists have equal ones.
+    /// Returns a hash of the tags in their order. Equal lists have equal hashes.
     pub(crate) fn list_hash(&self) -> u32 {
         let mut hash = self.records.len() as u64;
         for index in 0..self.records.len() {
@@ -94,13 +94,14 @@ impl<'data> LocaleTable<'data> {
         (hash >> 32) as u32
     }
 
-    /// The text of a segment in the locale with this index, given the number of the clip's first segment and its own.
+    /// Returns the text of a segment in the locale with this index. `first` is the number of the clip's first segment,
+    /// and `number` that of the segment.
     #[inline(always)]
     pub(crate) fn find(&'data self, index: usize, first: usize, number: usize) -> Option<FoundText<'data>> {
         let list = index.wrapping_mul(self.segment_count);
         let (first, number) = (list.wrapping_add(first), list.wrapping_add(number));
-        // A clip has texts in all of its segments or in none. Its first entry is mostly in one line of the cache with
-        // that of the segment: the processor fetches it while it still looks for the segment.
+        // A clip has texts in all of its segments or in none. Its first entry is usually in the same cache line as that
+        // of the segment, so the processor fetches it while it searches for the segment.
         if self.starts.get(first)?.get() == NO_TEXT {
             return None;
         }
@@ -115,29 +116,29 @@ impl<'data> LocaleTable<'data> {
 }
 
 impl<'data> Bank<'data> {
-    /// The locale with this tag, spelled as in the bank (`en-us`). Look it up once and pass it to text queries.
+    /// Returns the locale with this tag, spelled as in the bank (`en-us`). Look it up once and pass it to text queries.
     pub fn locale(&self, tag: &str) -> Option<Locale> {
         Some(self.numbered_locale(self.texts.index_of(tag.as_bytes())?))
     }
 
-    /// The default locale, if one was set when the bank was packed.
+    /// Returns the default locale, if one was set when the bank was packed.
     pub fn default_locale(&self) -> Option<Locale> {
         Some(self.numbered_locale(self.texts.default_index()?))
     }
 
-    /// All locales of the bank, in the order of their tags.
+    /// Returns all locales of the bank, ordered by tag.
     pub fn locales(&self) -> impl ExactSizeIterator<Item = Locale> + Clone + '_ {
         (0..self.texts.records.len() as u32).map(move |index| self.numbered_locale(index as usize))
     }
 
-    /// The tag of a locale, as in `text_en-us` of a Lipz file: `en-us`. Empty for a locale of another bank, and in a
-    /// damaged bank.
+    /// Returns the tag of a locale, as in `text_en-us` of a Lipz file: `en-us`. Empty for a locale of another bank, and
+    /// in a damaged bank.
     pub fn locale_tag(&self, locale: Locale) -> &'data str {
         let tag = if locale.origin == self.origin { self.texts.tag(usize::from(locale.index)) } else { None };
         tag.unwrap_or("")
     }
 
-    /// The text of the segment with this index of a clip of the bank, if the locale is one of the bank.
+    /// Returns the text of the segment with this index of a clip of the bank, if the locale belongs to the bank.
     #[inline(always)]
     pub(crate) fn text_of(&'data self, clip: &ClipRecord, segment: u32, locale: Locale) -> Option<FoundText<'data>> {
         if locale.origin != self.origin {
@@ -147,7 +148,7 @@ impl<'data> Bank<'data> {
         self.texts.find(usize::from(locale.index), first, first.wrapping_add(segment as usize))
     }
 
-    /// The handle of the locale with this index.
+    /// Returns the handle of the locale with this index.
     fn numbered_locale(&self, index: usize) -> Locale {
         Locale { origin: self.origin, file: 0, index: index as u16 }
     }

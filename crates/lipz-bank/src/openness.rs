@@ -1,11 +1,10 @@
-//! How far a mouth is open: one question for shapes, loudness and babble.
+//! The openness of the mouth: one query for shapes, loudness and babble.
 
 use crate::babble::{Babble, Power, Weight};
 use crate::{Clip, Time};
 
 impl Clip<'_> {
-    /// How far the mouth is open at `time`; `None` if the clip does not say: it has no frames, or no viseme
-    /// type.
+    /// Returns how far the mouth is open at `time`; `None` if the clip has no frames, or no viseme type.
     pub fn openness_at<T: Time>(&self, time: T) -> Option<Weight> {
         match self.viseme_type() {
             Some(viseme_type) if self.frame_count() > 0 => Some(self.viseme_at(time).openness(viseme_type)),
@@ -13,7 +12,8 @@ impl Clip<'_> {
         }
     }
 
-    /// How far the mouth is open at `time`; as `babble` says it if the clip does not, at the power of the voice.
+    /// Returns how far the mouth is open at `time`. If the clip has no openness, `babble` generates it from the power
+    /// of the voice.
     ///
     /// ```
     /// use lipz_bank::babble::VoiceLevel;

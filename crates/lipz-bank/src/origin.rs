@@ -1,50 +1,50 @@
-//! Which bank or dialogue a handle came from.
+//! The origin of a handle: a bank or a dialogue.
 
 use lipz_layout::Header;
 use lipz_types::hash::{FINISH, STEP, mix};
 
-/// The bank or the dialogue that a handle came from: 32 bits made of checksums, which differ between files of different
-/// contents.
+/// The bank or the dialogue that a handle comes from, as 32 bits made of checksums. These differ between files of
+/// different contents.
 ///
 /// Each bit of a checksum depends on all of the contents. A forged bank can have any checksum: a handle then leads to
-/// other contents, but never out of the bank.
+/// wrong contents, but never out of the bank.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Origin(u32);
 
 impl Origin {
-    /// The origin of no handle.
+    /// An origin that no handle has.
     pub(crate) const NONE: Origin = Origin(0);
 
-    /// The origin that a program has kept as a number.
+    /// Returns the origin from a stored number.
     pub(crate) const fn from_u32(number: u32) -> Origin {
         Origin(number)
     }
 
-    /// The number to keep.
+    /// Returns a number to store.
     pub(crate) const fn to_u32(self) -> u32 {
         self.0
     }
 
-    /// The file with this header.
+    /// Returns the origin of the file with this header.
     #[inline]
     pub(crate) fn of_file(header: &Header) -> Origin {
         Origin::of_hash(header.checksum.get())
     }
 
-    /// The files with this hash of their checksums.
+    /// Returns the origin of the files whose checksums have this hash.
     #[inline]
     pub(crate) fn of_hash(hash: u64) -> Origin {
         Origin((hash as u32).max(1))
     }
 
-    /// The origin of handles that are numbered by a list of which this is the hash.
+    /// Returns the origin of handles into the list with this hash.
     #[inline]
     pub(crate) fn with_list(self, list: u32) -> Origin {
         Origin(self.0 ^ list)
     }
 }
 
-/// The hash of one more checksum behind those that `hash` is of.
+/// Adds a checksum to the hash of those before it.
 pub(crate) fn add_checksum(hash: u64, checksum: u64) -> u64 {
     mix(mix(hash, STEP) ^ checksum, FINISH)
 }

@@ -1,16 +1,16 @@
-//! String pools: UTF-8 bytes that are checked once by `verify`, or per query before it.
+//! String pools: UTF-8 bytes that `verify` checks once. Before that, each query checks them.
 
 /// A section of interned strings.
 #[derive(Clone, Copy)]
 pub(crate) enum Pool<'data> {
-    /// Not verified: each string is checked when it is asked for.
+    /// Not verified: each string is checked on each query.
     Bytes(&'data [u8]),
-    /// Verified: strings are cut out of it at character boundaries, without another check.
+    /// Verified: strings are slices at character boundaries, without another check.
     Checked(&'data str),
 }
 
 impl<'data> Pool<'data> {
-    /// Whether `verify` has marked it.
+    /// Whether `verify` has marked the pool as checked.
     pub(crate) const fn is_checked(&self) -> bool {
         matches!(self, Pool::Checked(_))
     }
@@ -22,13 +22,13 @@ impl<'data> Pool<'data> {
         }
     }
 
-    /// The bytes from `start` to `end`, if they lie in the pool.
+    /// Returns the bytes from `start` up to, but not including, `end`, if they are in the pool.
     #[inline]
     pub(crate) fn slice(self, start: usize, end: usize) -> Option<&'data [u8]> {
         self.bytes().get(start..end)
     }
 
-    /// The string from `start` to `end`, if it lies in the pool and is UTF-8.
+    /// Returns the string from `start` up to, but not including, `end`, if it is in the pool and is UTF-8.
     #[inline]
     pub(crate) fn text(self, start: usize, end: usize) -> Option<&'data str> {
         match self {
@@ -37,8 +37,8 @@ impl<'data> Pool<'data> {
         }
     }
 
-    /// The string of `length` bytes at `offset`.
-    #[inline(never)] // names and tags: asked for in many places, none of which is in a hurry
+    /// Returns the string of `length` bytes at `offset`.
+    #[inline(never)] // names and tags: used in many places, none of which is critical for speed
     pub(crate) fn text_at(self, offset: u32, length: u32) -> Option<&'data str> {
         let start = offset as usize;
         self.text(start, start.checked_add(length as usize)?)

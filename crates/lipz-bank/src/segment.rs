@@ -8,7 +8,7 @@ use core::iter::FusedIterator;
 use core::ops::Range;
 use lipz_layout::{ClipRecord, EventRecord};
 
-/// A stretch of a clip, between two `|` of its Lipz file.
+/// A part of a clip, between two `|` of its Lipz file.
 #[derive(Clone, Copy)]
 pub struct Segment<'a> {
     clip: Clip<'a>,
@@ -21,39 +21,39 @@ impl<'a> Segment<'a> {
         Segment { clip, index }
     }
 
-    /// The clip that this is a segment of.
+    /// Returns the clip of the segment.
     pub const fn clip(&self) -> &Clip<'a> {
         &self.clip
     }
 
-    /// The place of the segment in its clip, from 0.
+    /// Returns the index of the segment in its clip, from 0.
     pub const fn index(&self) -> u32 {
         self.index
     }
 
-    /// The place of the clip's first segment among those of all clips.
+    /// Returns the index of the clip's first segment among those of all clips.
     #[inline]
     fn first_number(&self) -> usize {
         self.clip.record.segments_first.get() as usize
     }
 
-    /// The place of the segment among those of all clips.
+    /// Returns the index of the segment among those of all clips.
     #[inline]
     fn number(&self) -> usize {
         self.first_number().wrapping_add(self.index as usize)
     }
 
-    /// The first frame of the segment.
+    /// Returns the first frame of the segment.
     pub fn start_frame(&self) -> u32 {
         self.frame_range().start.saturating_sub(self.clip.record.frames_offset_bytes.get())
     }
 
-    /// The frame after the last one; equal to the start for a segment of no frames.
+    /// Returns the frame after the last one, which is the start frame if the segment is empty.
     pub fn end_frame(&self) -> u32 {
         self.frame_range().end.saturating_sub(self.clip.record.frames_offset_bytes.get())
     }
 
-    /// The frames of the segment among those of all clips; none if damaged.
+    /// Returns the frames of the segment among those of all clips; empty if damaged.
     fn frame_range(&self) -> Range<u32> {
         match self.clip.bank.starts.get(self.number()..) {
             Some([start, end, ..]) => start.get()..end.get(),
@@ -61,26 +61,26 @@ impl<'a> Segment<'a> {
         }
     }
 
-    /// The first microsecond of the segment, rounded up; `None` without a frame rate.
+    /// Returns the first microsecond of the segment, rounded up; `None` without a frame rate.
     pub fn start_us(&self) -> Option<u64> {
         Some(self.clip.stored_fps()?.start_of_frame_us(self.start_frame()))
     }
 
-    /// The first microsecond after the segment, rounded up; `None` without a frame rate.
+    /// Returns the first microsecond after the segment, rounded up; `None` without a frame rate.
     pub fn end_us(&self) -> Option<u64> {
         Some(self.clip.stored_fps()?.start_of_frame_us(self.end_frame()))
     }
 
-    /// The frame codes of the segment, one byte per frame.
+    /// Returns the frame codes of the segment, one byte per frame.
     pub fn frames(&self) -> &'a [u8] {
         let Range { start, end } = self.frame_range();
         self.clip.bank.frames.get(start as usize..end as usize).unwrap_or(&[])
     }
 
-    /// The display text in `locale`, or in the locale that it falls back to; `None` if neither has a text for this clip.
+    /// Returns the display text in `locale`, or in its fallback locale; `None` if neither has a text for this clip.
     ///
-    /// A segment of an existing text may be empty. In a locale of another bank or dialogue there is no text.
-    #[inline(always)] // otherwise the whole segment is copied for the call
+    /// A segment of an existing text may be empty. A locale of another bank or dialogue leads to no text.
+    #[inline(always)] // otherwise the call copies the whole segment
     pub fn text(&self, locale: Locale) -> Option<Text<'a>> {
         match self.clip.home {
             None => self.own_text(locale)?.text(),
@@ -91,8 +91,7 @@ impl<'a> Segment<'a> {
         }
     }
 
-    /// Like [`Segment::text`], as bytes that are not checked to be UTF-8: for programs that cannot
-    /// afford the checker's code.
+    /// Like [`Segment::text`], as bytes without a UTF-8 check, for programs that cannot afford the code of the check.
     #[inline(always)]
     pub fn text_bytes(&self, locale: Locale) -> Option<&'a [u8]> {
         match self.clip.home {
@@ -101,7 +100,7 @@ impl<'a> Segment<'a> {
         }
     }
 
-    /// Whether `locale` has a text of its own for this clip, which may be empty in this segment. Reads no byte of it.
+    /// Whether `locale` has its own text for this clip, which may be empty in this segment. Does not read the text.
     pub fn has_own_text(&self, locale: Locale) -> bool {
         let found = match self.clip.home {
             None => self.own_text(locale),
@@ -110,30 +109,30 @@ impl<'a> Segment<'a> {
         found.map_or(false, |found| !found.place.is_fallback())
     }
 
-    /// The text in `locale`, if that is one of the bank.
+    /// Returns the text in `locale`, if that belongs to the bank.
     #[inline(always)]
     fn own_text(&self, locale: Locale) -> Option<FoundText<'a>> {
         self.clip.bank.text_of(self.clip.record, self.index, locale)
     }
 
-    /// The text in `locale`, wherever the dialogue has it.
-    #[inline(always)] // otherwise the whole segment is copied for the call
+    /// Returns the text in `locale` from any file of the dialogue.
+    #[inline(always)] // otherwise the call copies the whole segment
     fn text_in(&self, home: &'a Dialogue<'a>, locale: Locale) -> Option<FoundText<'a>> {
         let Clip { bank, record, .. } = self.clip;
         home.find_text(bank, record, (self.index, self.clip.has_texts()), locale)
     }
 
-    /// The event string, trimmed; empty if nothing happens at this segment, `None` if the file has
+    /// Returns the trimmed event string, which is empty if there are no events in this segment; `None` if the file has
     /// no `events` element.
     pub fn event(&self) -> Option<&'a str> {
         let record = self.event_record()?;
         self.clip.bank.event_strings.text_at(record.offset_bytes.get(), record.length_bytes.get())
     }
 
-    /// The events of the segment, if they are Character Event Syntax.
+    /// Returns the events of the segment, if they are Character Event Syntax.
     ///
-    /// The iterator is empty if nothing happens, and if the event string has a different syntax, such as
-    /// a script: [`Segment::event`] returns it.
+    /// The iterator is empty if there are no events, or if the event string has a different syntax, such as a script.
+    /// [`Segment::event`] returns the string.
     ///
     /// ```
     /// use lipz_bank::{Bank, Command};
@@ -158,7 +157,7 @@ impl<'a> Segment<'a> {
     }
 }
 
-/// Equal are segments of one clip with equal indices.
+/// Two segments are equal if they have the same clip and index.
 impl PartialEq for Segment<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.clip == other.clip && self.index == other.index
@@ -166,17 +165,18 @@ impl PartialEq for Segment<'_> {
 }
 impl Eq for Segment<'_> {}
 
-/// The clip and the index, not the texts.
+/// Prints the clip and the index, not the texts.
 impl fmt::Debug for Segment<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Segment").field("clip", &self.clip).field("index", &self.index).finish()
     }
 }
 
-/// Starts that are compared at once: as many as fit a vector.
+/// The number of starts that are compared at once, which fit a vector.
 const NEAR_STARTS: usize = 4;
 
-/// The last segment that starts at or before `frame`, one of the clip: the segment that contains it.
+/// Returns the index of the segment that contains `frame`: the last one that starts at or before it. The frame must be
+/// in the clip.
 #[inline(always)]
 pub(crate) fn index_of_frame(clip: &Clip<'_>, frame: u32) -> Option<u32> {
     let offset = clip.record.frames_offset_bytes.get().wrapping_add(frame);
@@ -190,9 +190,9 @@ pub(crate) fn index_of_frame(clip: &Clip<'_>, frame: u32) -> Option<u32> {
     index_in_starts(clip.bank, clip.record, second, offset)
 }
 
-/// How many of the starts from this one on are at or before an offset, if that is not all that are compared at once.
+/// Returns how many of the starts from `first` on are at or before `offset`, unless all that are compared at once are.
 ///
-/// Starts ascend from clip to clip, so those that are not the clip's own do no harm.
+/// Starts ascend from clip to clip, so those after the clip's own do no harm.
 #[inline(always)]
 fn passed_of_near(bank: &Bank<'_>, first: usize, offset: u32) -> Option<u32> {
     let near = bank.starts.get(first..first.wrapping_add(NEAR_STARTS))?;
@@ -200,7 +200,7 @@ fn passed_of_near(bank: &Bank<'_>, first: usize, offset: u32) -> Option<u32> {
     if passed < NEAR_STARTS as u32 { Some(passed) } else { None }
 }
 
-/// A segment behind the fifth one, or of one of the last clips: rare, so it is kept out of the way.
+/// Finds a segment after the fifth one, or of one of the last clips. Both are rare, so the code is kept out of line.
 #[cold]
 #[inline(never)]
 fn index_in_starts(bank: &Bank<'_>, record: &ClipRecord, second: usize, offset: u32) -> Option<u32> {

@@ -1,4 +1,4 @@
-//! The index of a set: which banks it is made of, and which of them has a clip.
+//! The index of a set: its banks, and the location of each clip.
 
 use crate::file::{File, entries};
 use crate::pool::Pool;
@@ -9,9 +9,10 @@ use lipz_layout::{Header, KeyRecord, MAX_SET_BANKS, SECTION_REQUIRED, SetBankRec
 
 /// The index of a set, used in place: a small file (`.lipzset`) that names the banks of a project, one for each shard.
 ///
-/// It says which bank has a clip without looking into one: the one of the top bits of its id, or another for dubs, which are in
-/// the bank of their originals. The program opens the banks, or only those that it needs, and asks the one that
-/// [`bank_of`](SetIndex::bank_of) names; a [`Dialogue`](crate::Dialogue) does it with all of them.
+/// It finds the bank of a clip without reading any bank. The top bits of the clip's id select the bank, except for
+/// dubs, which are in the bank of their originals. The program opens all banks, or only those that it needs, and
+/// queries the one that [`bank_of`](SetIndex::bank_of) returns; a [`Dialogue`](crate::Dialogue) does this for all of
+/// them.
 ///
 /// ```
 /// use lipz_bank::files::SetIndex;
@@ -29,31 +30,31 @@ use lipz_layout::{Header, KeyRecord, MAX_SET_BANKS, SECTION_REQUIRED, SetBankRec
 pub struct SetIndex<'data> {
     file: File<'data>,
     banks: &'data [SetBankRecord],
-    /// Ids of clips that are not in the bank of their id, ascending, and the numbers of the banks that they are in.
+    /// Ids of the clips that are not in the bank of their id, ascending, and the numbers of their banks.
     moved: &'data [U64],
     homes: &'data [U16],
     names: Pool<'data>,
 }
 
-/// What an index says about a bank.
+/// An index's entry for a bank.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct SetBank<'data> {
-    /// The name of its file, which is beside the index. Empty in a damaged index that was not verified.
+    /// The name of its file, which is in the folder of the index. Empty in a damaged index that was not verified.
     pub file_name: &'data str,
     /// Its [checksum](crate::Bank::checksum).
     pub checksum: u64,
     /// Its [fingerprint](crate::Bank::fingerprint).
     pub fingerprint: u64,
-    /// Its length.
+    /// Its length in bytes.
     pub length_bytes: u32,
-    /// Its clips.
+    /// The number of its clips.
     pub clip_count: u32,
 }
 
 impl SetBank<'_> {
-    /// Whether a bank is this one, by all that the index says of it. Of a bank that is not [verified](crate::Bank::verify), that is
-    /// what its header claims.
+    /// Whether this entry describes `bank`, by all of its values. If the bank is not [verified](crate::Bank::verify),
+    /// only its header is compared.
     pub fn is_of(&self, bank: &Bank<'_>) -> bool {
         let length_bytes = bank.length_bytes() as u64;
         self.checksum == bank.checksum()
@@ -63,14 +64,16 @@ impl SetBank<'_> {
     }
 }
 
-/// Where the places of the sections stand in the header.
+/// The offset of the number of sections in the header.
 const SECTION_COUNT_OFFSET: u32 = 40;
 
 impl<'data> SetIndex<'data> {
-    /// Opens the index that fills `bytes`: checks header and directory, in a time that depends only on the number of sections.
+    /// Opens the index that fills `bytes`. Checks its header and directory, in a time that depends only on the number
+    /// of sections.
     ///
     /// # Errors
-    /// When the bytes are not an index of a known format version, were cut off, or have a directory that leads out of them.
+    /// If the bytes are not an index of a known format version, are cut off, or have a directory that reaches past
+    /// their end.
     pub fn open(bytes: &'data [u8]) -> Result<SetIndex<'data>, Error> {
         let file = open_file(bytes)?;
         let mut found: [&[u8]; Tag::SET.len()] = [&[]; Tag::SET.len()];
@@ -111,7 +114,8 @@ impl<'data> SetIndex<'data> {
         }
     }
 
-    /// Checks every byte, and returns the index with its names marked as checked. The banks are verified on their own.
+    /// Checks every byte, and returns the index with its names marked as checked. The banks have to be verified
+    /// separately.
     ///
     /// # Errors
     /// The first damage found.
@@ -143,18 +147,18 @@ impl<'data> SetIndex<'data> {
         Ok(self)
     }
 
-    /// Checks that a bank is the one with this number, and that each of its clips is looked for in it: elsewhere a clip is never
-    /// found. Reads all ids. The bank is [verified](crate::Bank::verify) on its own.
+    /// Checks that a bank is the one with this number, and that the index leads to it for each of its clips. Otherwise,
+    /// a clip would never be found. Reads all ids. The bank has to be [verified](crate::Bank::verify) separately.
     ///
     /// # Errors
-    /// [`ErrorKind::OtherBank`] if the index names a different bank, or says that a clip is in a different one.
+    /// [`ErrorKind::OtherBank`] if the index names a different bank, or leads to a different bank for a clip.
     pub fn verify_bank(&self, number: usize, bank: &Bank<'_>) -> Result<(), Error> {
         self.check_bank(number, bank)?;
         let is_here = |record: &KeyRecord| self.bank_of(ClipId::from_u64(record.id.get())) == number;
         if bank.keys.iter().all(is_here) { Ok(()) } else { Err(Error::new(ErrorKind::OtherBank, 0)) }
     }
 
-    /// Checks that a bank is the one with this number, by all that the index says of it.
+    /// Checks that a bank is the one with this number, by all values in the index.
     ///
     /// # Errors
     /// [`ErrorKind::OtherBank`] if the index names a different bank.
@@ -163,53 +167,53 @@ impl<'data> SetIndex<'data> {
         if is_named { Ok(()) } else { Err(Error::new(ErrorKind::OtherBank, 0)) }
     }
 
-    /// The number of banks.
+    /// Returns the number of banks.
     pub const fn bank_count(&self) -> usize {
         self.banks.len()
     }
 
-    /// The banks in their order: that of shard 0 first.
+    /// Returns the banks in their order, that of shard 0 first.
     pub fn banks(&self) -> impl ExactSizeIterator<Item = SetBank<'data>> + '_ {
         self.banks.iter().map(move |record| self.bank(record))
     }
 
-    /// The bank with this number.
+    /// Returns the bank with this number.
     pub fn bank_at(&self, number: usize) -> Option<SetBank<'data>> {
         self.banks.get(number).map(|record| self.bank(record))
     }
 
-    /// The number of clips in all banks.
+    /// Returns the number of clips in all banks.
     pub fn clip_count(&self) -> u64 {
         self.banks.iter().fold(0, |count: u64, bank| count.saturating_add(bank.clip_count.get().into()))
     }
 
-    /// The number of the bank that has the clip with this id, if any bank has it.
+    /// Returns the number of the bank with the clip with this id, if any bank has it.
     #[inline]
     pub fn bank_of(&self, id: ClipId) -> usize {
         self.moved_to(id.get()).unwrap_or_else(|| self.shard(id.get()))
     }
 
-    /// Hash of what the clips of all banks are.
+    /// Returns a hash of the clips of all banks.
     pub fn fingerprint(&self) -> u64 {
         self.file.header.fingerprint.get()
     }
 
-    /// Checksum of the index: sets of different contents have different ones.
+    /// Returns the checksum of the index, which differs between sets of different contents.
     pub fn checksum(&self) -> u64 {
         self.file.header.checksum.get()
     }
 
-    /// Length of the index.
+    /// Returns the length of the index in bytes.
     pub const fn length_bytes(&self) -> usize {
         self.file.bytes.len()
     }
 
-    /// The number of clips that are not in the bank of their id.
+    /// Returns the number of clips that are not in the bank of their id.
     pub const fn moved_count(&self) -> usize {
         self.moved.len()
     }
 
-    /// The bank that a clip is in, if that is not the one of its id.
+    /// Returns the bank of a clip, if it is not the one of its id.
     pub(crate) fn moved_to(&self, id: u64) -> Option<usize> {
         let place = self.moved.binary_search_by_key(&id, |moved| moved.get()).ok()?;
         self.homes.get(place).map(|home| usize::from(home.get()))
@@ -235,7 +239,7 @@ impl<'data> SetIndex<'data> {
     }
 }
 
-/// Whether a name leads to a file beside the index, and to no other folder, on every system.
+/// Whether a name is that of a file in the folder of the index, on every system.
 fn is_file_name(name: &str) -> bool {
     let is_other = |letter: char| matches!(letter, '/' | '\\' | ':') || letter.is_control();
     !name.is_empty() && !name.starts_with('.') && !name.contains(is_other)
@@ -261,13 +265,13 @@ fn open_file(bytes: &[u8]) -> Result<File<'_>, Error> {
 }
 
 impl File<'_> {
-    /// Where something stands in the file.
+    /// Returns the offset of an item in the file.
     fn place_of<T: ?Sized>(&self, item: &T) -> u32 {
         (item as *const T as *const u8 as usize).wrapping_sub(self.bytes.as_ptr() as usize) as u32
     }
 }
 
-/// How many banks, not their names.
+/// Prints the number of banks, not their names.
 impl fmt::Debug for SetIndex<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("SetIndex")

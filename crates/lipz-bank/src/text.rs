@@ -1,4 +1,4 @@
-//! Display texts, and where they stand in the pool.
+//! Display texts, and their positions in the pool.
 
 use crate::pool::Pool;
 use core::fmt;
@@ -13,12 +13,12 @@ pub struct Text<'data> {
 }
 
 impl<'data> Text<'data> {
-    /// The text as a player sees it: trimmed, without `{meta}`.
+    /// Returns the text as players see it: trimmed, without `{meta}`.
     pub const fn as_str(self) -> &'data str {
         self.text
     }
 
-    /// Whether the locale has no text for this clip, so that this is the text of the locale that it falls back to.
+    /// Whether the locale has no text for this clip, so that this is the text of its fallback locale.
     pub const fn is_fallback(self) -> bool {
         self.is_fallback
     }
@@ -44,7 +44,7 @@ impl fmt::Display for Text<'_> {
     }
 }
 
-/// A text that was found: its place, and the pool that the place is in.
+/// A text that was found: its position, and the pool of the position.
 #[derive(Clone, Copy)]
 pub(crate) struct FoundText<'a> {
     pub(crate) place: TextPlace,
@@ -63,14 +63,14 @@ impl<'a> FoundText<'a> {
         self.texts.slice(self.place.start, self.place.end)
     }
 
-    /// The same text, marked as a fallback if `stands_in`.
+    /// Returns the same text, marked as a fallback if `stands_in`.
     pub(crate) fn marked(mut self, stands_in: bool) -> FoundText<'a> {
         self.place.is_fallback |= stands_in;
         self
     }
 }
 
-/// Where a text stands in the pool.
+/// The position of a text in the pool.
 #[derive(Clone, Copy)]
 pub(crate) struct TextPlace {
     start: usize,
@@ -79,8 +79,8 @@ pub(crate) struct TextPlace {
 }
 
 impl TextPlace {
-    /// The place of the text with this entry, `next` being the one behind it. Without a text there is no place, or
-    /// nothing in it; a damaged entry may lead to another text.
+    /// Returns the position of the text with this entry, followed by `next`. Returns `None` or an empty range if there
+    /// is no text. A damaged entry may lead to another text.
     #[inline(always)]
     pub(crate) fn between(entry: U32, next: U32, texts: Pool<'_>) -> Option<TextPlace> {
         let (entry, next) = (entry.get(), next.get());
@@ -94,23 +94,23 @@ impl TextPlace {
         Some(TextPlace { start, end, is_fallback: entry & TEXT_FALLBACK != 0 })
     }
 
-    /// Whether the text is that of another locale.
+    /// Whether the text comes from another locale.
     pub(crate) const fn is_fallback(&self) -> bool {
         self.is_fallback
     }
 
-    /// Whether the place lies in the pool, and is no longer than a text may be.
+    /// Whether the position is in the pool, and no longer than a text may be.
     pub(crate) fn fits(&self, texts: Pool<'_>) -> bool {
         texts.slice(self.start, self.end).map_or(false, |text| text.len() <= TEXT_MAX_BYTES)
     }
 
-    /// The same, and that of a string.
+    /// Whether the position also contains a string.
     pub(crate) fn is_valid(&self, texts: Pool<'_>) -> bool {
         texts.text(self.start, self.end).map_or(false, |text| text.len() <= TEXT_MAX_BYTES)
     }
 }
 
-/// The length of the text behind the count at `offset`. Where there is no text, that is behind the pool.
+/// Returns the length of the text after the count at `offset`. If there is no text, that is past the end of the pool.
 #[inline(never)] // few texts have a count
 fn length_at(pool: &[u8], offset: usize) -> Option<usize> {
     Some(counted_length(pool.get(offset..offset.wrapping_add(TEXT_COUNT_BYTES))?))

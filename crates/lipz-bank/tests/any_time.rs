@@ -1,12 +1,12 @@
-//! Times in a unit that is known only at run time, and times that are later.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Tests times in units that are known only at run time, and shifted times.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
 use lipz_bank::{AnyTime, Fps, Micros, Samples, Seconds, Time};
 use proptest::prelude::*;
 
 proptest! {
-    /// A sum of floats has two roundings, and so at most one unit in the last place more or less.
+    /// The sum of floats is rounded twice, so it may be off by one unit in the last place.
     #[test]
     fn floats_are_later_without_floating_point(time in 0.0_f64..1e6, us in any::<u32>()) {
         let sum = time + f64::from(us) / 1e6;
@@ -18,7 +18,7 @@ proptest! {
         prop_assert!(units <= 1, "{time} {us}: {units}");
     }
 
-    /// A lead may show the first shapes before the audio starts.
+    /// A lead may show the first visemes before the audio starts.
     #[test]
     fn a_time_before_the_start_can_become_one_after_it(before_us in 0_i64..200_000, us in 0_u32..200_000) {
         let at = |time_us: i64| (time_us as f64 / 1e6, time_us as f32 / 1e6);
@@ -26,7 +26,7 @@ proptest! {
         let fps = Fps::whole(1000);
         let expected = Micros(-before_us).later(us).frame(fps, 1000);
         prop_assert_eq!(Seconds(double).later(us).frame(fps, 1000), expected);
-        // Half of a millisecond is far from where single precision is rounded.
+        // Half a millisecond is far larger than the rounding of single precision.
         if (i64::from(us) - before_us) % 1000 == 500 {
             prop_assert_eq!(Seconds(single).later(us).frame(fps, 1000), expected);
         }

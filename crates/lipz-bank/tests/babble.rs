@@ -1,5 +1,5 @@
-//! Babble against the viewer's arithmetic, and the one question for all mouths.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Compares babble with the viewer's arithmetic, and tests openness for all viseme types.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -8,10 +8,10 @@ use lipz_bank::{Fps, Micros, Samples, Seconds, Viseme, VisemeType};
 use lipz_testkit::golden::{SMALL, verified};
 use std::time::Duration;
 
-/// Frames after which loops of 28 and 24 digits repeat together.
+/// The period of loops of 28 and 24 digits together, in digits.
 const PERIOD: u32 = 168;
 
-/// A morph as the viewer's documentation describes it, in its floating point.
+/// Computes a morph as in the viewer's documentation, with its floating point.
 fn viewer(digits: &str, transfer: &str, rate: f32, elapsed_s: f32, power: f32) -> f32 {
     let values = |digits: &str| -> Vec<f32> { digits.bytes().map(|digit| f32::from(digit - b'0') * 0.11).collect() };
     let (values, transfers) = (values(digits), values(transfer));

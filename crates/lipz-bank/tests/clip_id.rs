@@ -1,12 +1,12 @@
-//! Clip ids: test vectors for other implementations, and how well they spread.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Clip ids: test vectors for other implementations, and tests of their distribution.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
 use lipz_bank::ClipId;
 use std::collections::HashSet;
 
-/// Also in `docs/reference/bank-format.md`, for readers in other languages.
+/// The same vectors are in `docs/reference/bank-format.md`, for readers in other languages.
 #[test]
 fn vectors() {
     let vectors: [(&str, u64); 8] = [
@@ -33,7 +33,7 @@ fn the_same_while_compiling() {
     assert_eq!(format!("{ID} {ID:?}"), "ffff95a90441eeda ClipId(0xffff95a90441eeda)");
 }
 
-/// Keys as projects name them: folders, speakers, numbers that differ in few bits.
+/// Returns keys as in real projects: folders, speakers, and numbers that differ in few bits.
 fn keys() -> impl Iterator<Item = String> {
     let count: u32 = if cfg!(miri) { 1_000 } else { 1_000_000 };
     (0..count).map(|n| match n % 4 {
@@ -52,7 +52,7 @@ fn a_million_keys_are_distinct() {
     }
 }
 
-/// Keys whose lengths or blanks at the end differ only.
+/// Keys that differ only in length or in trailing spaces.
 #[test]
 fn length_counts() {
     let mut seen = HashSet::new();
@@ -63,7 +63,7 @@ fn length_counts() {
     }
 }
 
-/// Each bit is set in about half of the ids: within five standard deviations.
+/// Each bit is set in half of the ids, within five standard deviations.
 #[test]
 #[cfg_attr(miri, ignore)]
 fn every_bit_is_set_half_of_the_time() {
@@ -83,7 +83,7 @@ fn every_bit_is_set_half_of_the_time() {
     }
 }
 
-/// A change of one bit of the key changes each bit of the id about half of the time.
+/// A change of one bit of the key changes each bit of the id half of the time, on average.
 #[test]
 #[cfg_attr(miri, ignore)]
 fn every_bit_of_the_key_reaches_every_bit_of_the_id() {
@@ -99,7 +99,7 @@ fn every_bit_of_the_key_reaches_every_bit_of_the_id() {
                 let difference = before ^ id(&key);
                 changes.iter_mut().enumerate().for_each(|(bit, count)| *count += (difference >> bit & 1) as u32);
             }
-            // A one-byte key has only 128 values, so few distinct pairs: a wide band.
+            // One-byte keys have only 128 values, and so few distinct pairs: a wide tolerance.
             assert!(
                 changes.iter().all(|&count| (300..700).contains(&count)),
                 "{length} bytes, {byte}.{bit}: {changes:?}"

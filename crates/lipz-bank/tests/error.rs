@@ -1,5 +1,5 @@
-//! Why a bank is refused: each kind of damage is named, with the place where it is.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Errors of banks: each kind of damage is reported with its offset.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -9,7 +9,7 @@ use lipz_testkit::golden::{
     RECORDED, SMALL, STRIPPED, changed, entry_of, key_record_of, put, record_of, refusal, section, u32_at,
 };
 
-/// The kind and place found in a small bank that `change` has changed.
+/// Returns the kind and offset of the error in a small bank that `change` has changed.
 fn found(change: impl FnOnce(&mut Vec<u8>)) -> (ErrorKind, usize) {
     let error = refusal(&changed(SMALL, change)).expect("damage");
     (error.kind(), error.offset_bytes() as usize)
@@ -19,7 +19,7 @@ fn start(tag: Tag) -> usize {
     section(SMALL, tag).start
 }
 
-/// Numbers are in scripts, logs and bug reports of others: they never get another meaning.
+/// Numbers appear in users' scripts, logs and bug reports, so their meanings never change.
 #[test]
 fn numbers_are_stable() {
     use ErrorKind::*;
@@ -76,7 +76,7 @@ fn numbers_are_stable() {
 #[test]
 fn messages_say_number_and_place() {
     let error = refusal(&SMALL[..100]).expect("damage");
-    let message = "the file is not as long as its header says (cut off, or something was appended)";
+    let message = "the file does not have the length in its header (cut off, or with bytes appended)";
     assert_eq!(error.to_string(), format!("{message} (bank error 5, at byte 16)"));
     for kind in ErrorKind::ALL {
         assert!(!kind.message().is_empty() && !kind.message().ends_with('.'));
@@ -92,7 +92,7 @@ fn beginnings_of_files() {
     assert_eq!(kind(&SMALL[..63]), Some((TooShort, 63)));
     assert_eq!(kind(b"{ \"visemes\": \"AO\" }"), Some((NotABank, 0)));
     assert_eq!(kind(&[0; 200]), Some((NotABank, 0)));
-    // What copying in text mode does to the magic: CR LF to LF, LF to CR LF.
+    // The effect of a text-mode copy on the magic number: CR LF to LF, or LF to CR LF.
     let replaced = |with: &[u8]| [with, &SMALL[8..]].concat();
     assert_eq!(kind(&replaced(b"\x89LPZ\n\x1a\n")), Some((TextMode, 0)));
     assert_eq!(kind(&replaced(b"\x89LPZ\r\r\n\x1a\r\n")), Some((TextMode, 0)));
@@ -125,12 +125,12 @@ fn header_and_directory() {
     };
     let last = entry_of(SMALL, Tag::EVENT_STRINGS);
     assert_eq!(found(|bank| optional(bank, last)), (SectionMissing, 40));
-    // The one behind a section that is missing is not where it belongs.
+    // The entry after a missing section is out of order.
     assert_eq!(found(|bank| optional(bank, frames)), (SectionUnknown, entry_of(SMALL, Tag::STARTS)));
     assert_eq!(found(|bank| put(bank, frames, b"ABCD")), (SectionUnknown, frames));
 }
 
-/// A newer minor version and sections that nobody knows are no damage.
+/// Newer minor versions and unknown sections are accepted.
 #[test]
 fn what_is_accepted() {
     let newer = changed(SMALL, |bank| put(bank, 22, [7, 0]));
@@ -154,7 +154,7 @@ fn checksum() {
 fn clip_records() {
     use ErrorKind::*;
     let (clip, key) = (record_of(SMALL, "act1/blair"), key_record_of(SMALL, "act1/blair"));
-    // The places of the fields are those of docs/reference/bank-format.md.
+    // The offsets of the fields are those of docs/reference/bank-format.md.
     let of_key = |at: usize, new: &[u8]| found(|bank| put(bank, key + at, new));
     assert_eq!(of_key(0, &[0; 8]), (ClipIndex, key), "id");
     assert_eq!(of_key(8, &u32::MAX.to_le_bytes()), (ClipKey, key), "key offset");
@@ -184,9 +184,9 @@ fn segment_starts() {
     use ErrorKind::*;
     let (clip, starts) = (record_of(SMALL, "act1/blair"), start(Tag::STARTS));
     let entry = |index: usize, new: u32| found(|bank| put(bank, starts + 4 * index, new.to_le_bytes()));
-    // The clip is the first; it has segments.
+    // The first clip, which has segments.
     assert_eq!(entry(0, 1), (FrameRange, clip), "the first frame of all");
-    assert_eq!(entry(1, 1000), (SegmentStarts, clip), "a start behind the next");
+    assert_eq!(entry(1, 1000), (SegmentStarts, clip), "a start after the next one");
     let count = section(SMALL, Tag::STARTS).len() / 4;
     assert_eq!(entry(count - 1, 1000).0, FrameRange, "behind the last frame of all");
     let shorter =
@@ -194,8 +194,8 @@ fn segment_starts() {
     assert_eq!(found(shorter).0, TextReference, "text starts are as many");
 }
 
-/// A rate is in lowest terms and comes with the one right reciprocal: also where that is a whole
-/// number, so that nothing was rounded. Whole rates stand in the clip records.
+/// A rate is in lowest terms and has exactly one valid reciprocal, even if that is a whole number without rounding.
+/// Whole rates are in the clip records.
 #[test]
 fn frame_rates() {
     let rate = start(Tag::RATES);
@@ -236,7 +236,7 @@ fn index_and_order() {
 fn texts_and_locales() {
     use ErrorKind::*;
     let starts = section(SMALL, Tag::TEXT_STARTS);
-    // In the second locale, of a clip of several segments.
+    // In the second locale, of a clip with several segments.
     let segment_count = section(SMALL, Tag::STARTS).len() / 4 - 1;
     let first = u32_at(SMALL, record_of(SMALL, "act1/blair") + 8) as usize;
     let of_clip = starts.start + 4 * (segment_count + first);
@@ -276,7 +276,7 @@ fn events() {
     for verb in [0, 13, 255] {
         assert_eq!(found(|bank| put(bank, typed + 8, [verb])), (TypedEvent, typed), "verb {verb}");
     }
-    // The first is `amy feels sad`: it can have another character, but no other kind of verb.
+    // The first is `amy feels sad`. Its character may change, but its verb may not change to another kind.
     assert_eq!(found(|bank| put(bank, typed + 8, [4])), (TypedEvent, typed), "an object that is too many");
     assert_eq!(found(|bank| put(bank, typed, [4])), (TypedEvent, typed), "character");
     assert_eq!(found(|bank| put(bank, typed + 4, [4])), (TypedEvent, typed), "object");
@@ -311,12 +311,12 @@ fn recordings() {
         *records.iter().find(|record| has_none(record)).unwrap(),
         *records.iter().find(|record| !has_none(record)).unwrap(),
     );
-    // Any length and any hash may be right, but for lengths that no time holds.
+    // Any length and any hash may be valid, except for lengths that exceed every time.
     for byte in 0..16 {
         let is_sign = byte == 7;
         let found = finding_in(&|bank| bank[some + byte] ^= 0x80);
         assert_eq!(found, is_sign.then_some((Recording, some)), "byte {byte}");
-        // What has no recording has this one length and no hash. (Without the sign it is the longest time.)
+        // A missing recording has one fixed length and no hash. (Without the sign, it is the longest time.)
         let found = finding_in(&|bank| bank[none + byte] ^= 0x80);
         assert_eq!(found, (!is_sign).then_some((Recording, none)), "byte {byte}");
     }

@@ -1,5 +1,5 @@
-//! Forged banks: the checksum is right, and yet `verify` refuses them.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Forged banks with a correct checksum, which `verify` rejects.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -8,7 +8,7 @@ use lipz_layout::{TEXT_HAS_LENGTH, Tag};
 use lipz_testkit::forge::{ForgedClip, bank};
 use lipz_testkit::golden::{SMALL, changed, entry_of, put, record_of, refusal, section, u32_at};
 
-/// Every reference is checked, also those of sections that only the compiler reads.
+/// Every reference is checked, including those of sections that only the compiler reads.
 #[test]
 fn optional_sections_lie_in_the_file() {
     let entry = entry_of(SMALL, Tag::SOURCES);
@@ -24,13 +24,13 @@ fn optional_sections_appear_once() {
     assert!(refusal(&changed(SMALL, |bank| put(bank, entry, b"SRCE"))).is_some());
 }
 
-/// The fingerprint tells which files belong together.
+/// The fingerprint identifies files that belong together.
 #[test]
 fn the_fingerprint_is_that_of_the_clips() {
     assert!(refusal(&changed(SMALL, |bank| put(bank, 24, [0]))).is_some());
 }
 
-/// Sections start at multiples of 64, one behind the other.
+/// Sections start at multiples of 64 and follow each other.
 #[test]
 fn sections_are_aligned_and_apart() {
     let entry = entry_of(SMALL, Tag::SOURCES);
@@ -44,15 +44,15 @@ fn sections_are_aligned_and_apart() {
     assert!(refusal(&shared).is_some(), "sources on top of the header");
 }
 
-/// With two default locales, `default_locale` would return the first of them.
+/// With two default locales, `default_locale` would return the first one.
 #[test]
 fn one_locale_is_the_default() {
     let locales = section(SMALL, Tag::LOCALES).start;
     assert!(refusal(&changed(SMALL, |bank| put(bank, locales + 6, [1]))).is_some());
 }
 
-/// Were clips allowed to claim the same frames, each claim would be checked anew, and verification
-/// would take time in the square of the length.
+/// If clips could share frames, the same frames would be checked for each clip, and verification would take quadratic
+/// time.
 #[test]
 fn clips_do_not_share_frames() {
     let (blair, nine) = (record_of(SMALL, "act1/blair"), record_of(SMALL, "act2/nine"));
@@ -64,7 +64,7 @@ fn clips_do_not_share_frames() {
     assert!(refusal(&shared).is_some());
 }
 
-/// Many locales that share the text of many segments: verification looks at the ends of each, not at all of it.
+/// Many locales share the texts of many segments. Verification then checks only the ends of each text.
 #[test]
 fn shared_texts_are_whole() {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; 2999] };

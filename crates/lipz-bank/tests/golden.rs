@@ -1,5 +1,5 @@
-//! Golden banks of every format version: they open, verify, and answer as they always did.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Golden banks of every format version: they open, verify, and return the same answers as ever.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -66,7 +66,7 @@ fn recorded() {
     check(DUBBED, "dubbed.dump");
 }
 
-/// Leaving the sources out changes no answer: the dump is that of the bank with sources.
+/// Stripping the sources changes no answer: the dump is that of the bank with sources.
 #[test]
 fn stripped() {
     check(STRIPPED, "small.dump");
@@ -74,13 +74,13 @@ fn stripped() {
     assert_eq!(verified(STRIPPED).fingerprint(), verified(SMALL).fingerprint());
 }
 
-/// The bank that other tests change byte by byte must stay small for them to stay fast.
+/// Tests that change each byte of this bank are only fast while it is small.
 #[test]
 fn small_is_small() {
     assert!(SMALL.len() < 4096, "{} bytes", SMALL.len());
 }
 
-/// The wide bank is there for long texts, and for last ones that are counted: own ones and such reached by fallback.
+/// The wide bank has long texts and final texts with counts, both own texts and fallbacks.
 #[test]
 fn wide_has_long_and_counted_texts() {
     use lipz_layout::{TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_OFFSET, Tag};

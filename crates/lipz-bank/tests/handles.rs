@@ -1,5 +1,5 @@
-//! Handles belong to their bank: with a different one they lead to nothing, never to a different text, and never to a panic.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Handles belong to their bank. In a different bank, they lead to nothing: neither to a wrong text nor to a panic.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::incompatible_msrv)]
 
@@ -11,7 +11,7 @@ use std::collections::HashSet;
 static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank");
 static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
 
-/// The bank as another writer would have made it: the same clips in other bytes.
+/// Returns the bank as another writer would have made it: the same clips in different bytes.
 fn newer(bytes: &[u8]) -> Vec<u8> {
     changed(bytes, |bank| put(bank, 22, [9, 0])) // minor version
 }
@@ -41,7 +41,7 @@ fn a_locale_of_another_bank_has_no_text() {
     }
 }
 
-/// The same bytes are the same bank, wherever they are, verified or not.
+/// Equal bytes are the same bank, at any address, verified or not.
 #[test]
 fn a_copy_is_the_same_bank() {
     let copy = DRAMA.to_vec();
@@ -89,7 +89,7 @@ fn a_character_is_the_same_in_every_bank() {
     assert!(cursor.finish(&clip).events().any(|event| matches!(event.command, Command::Feels(_))));
     let states = [&bank, &newer].map(|bank| cursor.state(&clip, bank.event_name("mara")));
     assert!(states[0] == states[1] && states[0].emotion.is_some());
-    // A cursor keeps a name as numbers, which count in its own bank only.
+    // A cursor stores a name as numbers, which are valid only in their own bank.
     let mut cursor = cursor.with_speaker(newer.event_name("otto"));
     cursor.seek(&clip, lipz_bank::Micros(0));
     assert!(cursor.finish(&clip).events().all(|event| event.character.map_or(true, |name| name != "otto")));
@@ -122,7 +122,7 @@ fn texts_are_verified_against_verified_banks_only() {
     assert!(bank.is_verified() && with_texts(&bank, GERMAN).is_ok());
     let damaged = changed(BASE, |bytes| {
         let last = bytes.len() - 1;
-        bytes[last] = 0xFF; // of the last string
+        bytes[last] = 0xFF; // the last byte of the last string
     });
     let bank = Bank::open(&damaged).expect("a directory without fault");
     assert!(bank.verify().is_err() && !bank.is_verified());

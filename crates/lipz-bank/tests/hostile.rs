@@ -1,5 +1,5 @@
-//! Damaged and forged banks: nothing panics, nothing leaves the bytes, every change is noticed.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Damaged and forged banks: nothing panics, nothing reads outside the bytes, and every change is detected.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -11,7 +11,7 @@ use lipz_testkit::golden::{
 };
 use std::ops::Range;
 
-/// Where the tests are interpreted or emulated, a sample of the changes has to do.
+/// The step between changes, because interpreted and emulated runs only have time for a sample.
 const STEP: usize = match () {
     () if cfg!(miri) => 997,
     () if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) => 1,
@@ -34,7 +34,7 @@ fn every_truncation() {
     for bank in [SMALL, STRIPPED, &WIDE[..2000]] {
         for length in (0..bank.len()).step_by(STEP) {
             assert!(refusal(&bank[..length]).is_some(), "{length} bytes");
-            // The header that a forger would write: right length, right checksum.
+            // The header of a forger: correct length and checksum.
             let mut forged = bank[..length].to_vec();
             if length >= 64 {
                 put(&mut forged, 16, (length as u32).to_le_bytes());
@@ -54,7 +54,7 @@ fn appended_bytes_are_noticed() {
     }
 }
 
-/// `verify` notices each of the 255 other values of each byte; no query panics before.
+/// `verify` detects each of the 255 other values of each byte. Before it, no query panics.
 #[test]
 fn every_change_of_a_byte() {
     in_parallel(0..SMALL.len(), |at| {
@@ -69,8 +69,7 @@ fn every_change_of_a_byte() {
     });
 }
 
-/// The same by someone who computes the checksum again: `verify` decides, and what it lets
-/// through answers every query.
+/// The same with a corrected checksum: `verify` decides, and each bank that passes answers every query.
 #[test]
 fn every_forged_byte() {
     let of_curves = section(CURVES, Tag::CURVE_CLIPS).start..section(CURVES, Tag::CURVE_KEYS).end;
@@ -89,7 +88,7 @@ fn every_forged_byte() {
     }
 }
 
-/// Every number of the sections of curves, verified or not.
+/// Changes every number in the sections of curves, verified or not.
 #[test]
 fn every_forged_field_of_curves() {
     for range in [Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS].map(|tag| section(CURVES, tag)) {
@@ -101,7 +100,7 @@ fn every_forged_field_of_curves() {
     }
 }
 
-/// Numbers that are likely to be wrong in an interesting way.
+/// Returns numbers that are likely to cause errors.
 fn interesting(bytes: &[u8], old: u32) -> Vec<u32> {
     let length = bytes.len() as u32;
     let mut numbers = vec![0, 1, 2, 0xFF, 0xFFFF, 0x1_0000, 1 << 30, (1 << 31) - 1, 1 << 31, (1 << 31) + 1];
@@ -114,8 +113,8 @@ fn interesting(bytes: &[u8], old: u32) -> Vec<u32> {
     numbers
 }
 
-/// Every field of 32 or 16 bits, of header, directory and records: all of them stand at multiples
-/// of their size. The pools behind the records get the 32-bit numbers only.
+/// Changes every 32-bit or 16-bit field of header, directory and records, all of which are aligned. The pools after the
+/// records only get the 32-bit numbers.
 #[test]
 fn every_forged_field() {
     let records_end = section(SMALL, Tag::RATES).end;
@@ -135,7 +134,7 @@ fn every_forged_field() {
     });
 }
 
-/// Each section cut off anywhere, and each moved towards the end of the file.
+/// Cuts off each section at every point, and moves each towards the end of the file.
 #[test]
 fn every_shortened_section() {
     for index in 0..directory(SMALL).len() {
@@ -150,7 +149,7 @@ fn every_shortened_section() {
     }
 }
 
-/// Several changes at once: bytes, numbers, copied stretches, sections that swap places.
+/// Makes several changes at once: bytes, numbers, copied ranges, swapped sections.
 #[test]
 fn forged_at_random() {
     in_parallel(0..20_000 / STEP, |seed| {
@@ -165,7 +164,7 @@ fn forged_at_random() {
 }
 
 fn one_change(bytes: &mut [u8], random: &mut Random) {
-    // Half of the changes hit the clip records and the directory, where most of the trust lies.
+    // Half of the changes are in the clip records and the directory, which are trusted most.
     let end = if random.below(2) == 0 { section(STRIPPED, Tag::RATES).end } else { bytes.len() };
     let at = random.below(end - 64).max(16);
     match random.below(5) {
@@ -196,7 +195,7 @@ fn noise() {
     for length in 0..600 {
         let mut bytes: Vec<u8> = (0..length).map(|_| random.next_u64() as u8).collect();
         assert!(refusal(&bytes).is_some());
-        // Behind a right header, so that the directory is noise too.
+        // After a valid header, so that the directory is noise as well.
         if length >= 64 {
             bytes[..64].copy_from_slice(&SMALL[..64]);
             put(&mut bytes, 16, (length as u32).to_le_bytes());

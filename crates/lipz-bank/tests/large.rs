@@ -1,5 +1,5 @@
-//! Numbers that need more bits than those of small banks.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Tests numbers with more bits than those of small banks.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -12,7 +12,7 @@ fn clip(key: &'static str, frame_count: usize, starts: Vec<u32>) -> ForgedClip {
     ForgedClip { key, frames: vec![b'A'; frame_count], starts }
 }
 
-/// A text that does not end where the next one starts has its length in front, six bits a byte.
+/// A text that does not end at the start of the next one is preceded by its length, with six bits per byte.
 #[test]
 fn counted_texts_are_as_long_as_they_say() {
     assert_eq!(text_count(0xFFFF), [0x0F, 0x3F, 0x3F]);
@@ -31,7 +31,7 @@ fn counted_texts_are_as_long_as_they_say() {
     }
 }
 
-/// The texts of a clip of one segment.
+/// The texts of a clip with one segment.
 #[test]
 fn texts_that_are_not_there_or_too_long() {
     let kind = |start, pool: &[u8]| refusal(&bank(&[clip("a", 0, vec![])], 1, &[start], pool)).map(Error::kind);
@@ -40,7 +40,7 @@ fn texts_that_are_not_there_or_too_long() {
     assert_eq!([kind(TEXT_HAS_LENGTH, b"\0\0\x02a"), kind(0, &[b'x'; TEXT_MAX_BYTES + 1])], [damage; 2]);
 }
 
-/// The same in front of the text of another clip, where no text ends with the pool.
+/// The same before the text of another clip, so that no text ends with the pool.
 #[test]
 fn a_text_before_others_that_is_too_long() {
     let kind = |length: usize| {
@@ -50,7 +50,7 @@ fn a_text_before_others_that_is_too_long() {
     assert_eq!([TEXT_MAX_BYTES, TEXT_MAX_BYTES + 1].map(kind), [None, Some(ErrorKind::TextReference)]);
 }
 
-/// What `verify` wants of the texts of a clip.
+/// The conditions of `verify` for the texts of a clip.
 #[test]
 fn texts_are_all_of_one_kind() {
     let kind = |starts: [u32; 2], pool: &str| {
@@ -64,7 +64,7 @@ fn texts_are_all_of_one_kind() {
     assert_eq!(kind([0, TEXT_HAS_LENGTH], "\0\0"), damage, "no room for a count");
 }
 
-/// Clips of more segments than are compared at once, in front of others and as the last one.
+/// Clips with more segments than are compared at once, before other clips and as the last one.
 #[test]
 fn segments_behind_many_others() {
     let few: Vec<u32> = vec![1, 1, 2, 3, 5, 8, 8, 9, 10, 11];
@@ -81,7 +81,7 @@ fn segments_behind_many_others() {
     }
 }
 
-/// A clip of an hour, at the highest rate.
+/// A clip of one hour, at the highest rate.
 #[test]
 fn clips_of_many_frames() {
     let bytes = bank(&[clip("a", 3_600_000, vec![70_000])], 0, &[], &[]);

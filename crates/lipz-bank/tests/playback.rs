@@ -1,5 +1,5 @@
-//! Playback: each event once, whatever the ticks; jumps, loops and ends; state, lead and hold.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Playback: each event fires once, for any ticks; jumps, loops and ends; state, lead and hold.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// Every clip of the golden banks, those of no frames and of no segments' frames among them.
+/// Returns every clip of the golden banks, including clips without frames and clips with empty segments.
 fn clips<'bank>(banks: &'bank [Bank<'static>; 2]) -> Vec<Clip<'bank>> {
     banks.iter().flat_map(Bank::clips).map(|clip| clip.or_fps(Fps::whole(24))).collect()
 }
@@ -19,7 +19,7 @@ fn start(clip: &Clip<'_>) -> Cursor {
     Cursor::new(clip).expect("a frame rate")
 }
 
-/// A clip, and a cursor at its start.
+/// Returns a clip, and a cursor at its start.
 fn started<'bank>(bank: &'bank Bank<'static>, key: &str) -> (Clip<'bank>, Cursor) {
     let clip = bank.clip_by_key(key).expect("a clip");
     (clip, start(&clip))
@@ -38,7 +38,7 @@ fn events(due: DueSegments<'_>) -> Vec<String> {
 
 #[derive(Clone, Copy, Debug)]
 enum Step {
-    /// The sound is at this time, as one of the engine's clocks tells it.
+    /// The audio is at this time, in the unit of one of the engine's clocks.
     Tick(i64, u8),
     Seek(i64),
     Loop(i64),
@@ -56,7 +56,7 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
     prop::collection::vec(step, 1..30)
 }
 
-/// Ticks in any order, as after jitter, in any unit.
+/// Applies a tick in any order, as with jitter, and in any unit.
 fn tick(cursor: &mut Cursor, clip: &Clip<'_>, time: i64, unit: u8) -> Vec<u32> {
     let unsigned = u64::try_from(time);
     indices(match (unit, unsigned) {
@@ -67,7 +67,7 @@ fn tick(cursor: &mut Cursor, clip: &Clip<'_>, time: i64, unit: u8) -> Vec<u32> {
     })
 }
 
-/// The segments that begin before `time`, or also in its frame: all of them, from the first on.
+/// Returns the number of segments that begin before `time`, optionally including those in its frame.
 fn begun(clip: &Clip<'_>, time: i64, with_its_frame: bool) -> u32 {
     let Ok(us) = u64::try_from(time) else { return 0 };
     let fps = clip.fps().expect("a frame rate");
@@ -77,7 +77,7 @@ fn begun(clip: &Clip<'_>, time: i64, with_its_frame: bool) -> u32 {
     clip.segments().filter(|segment| has_begun(segment.start_frame())).count() as u32
 }
 
-/// What the events of `segments` leave, by name.
+/// Returns the state of each character after the events of `segments`, by name.
 fn states(segments: impl Iterator<Item = String>) -> BTreeMap<String, [Option<String>; 3]> {
     let mut all: BTreeMap<String, [Option<String>; 3]> = BTreeMap::new();
     for event in segments {
@@ -102,7 +102,7 @@ fn names(state: CharacterState<'_>) -> [Option<String>; 3] {
 }
 
 proptest! {
-    /// The promise: however the sound moves on, the same segments in the same order as in one pass.
+    /// The guarantee: any sequence of audio times fires the same segments in the same order as one pass.
     #[test]
     fn any_ticks_fire_what_one_pass_fires(times in prop::collection::vec((-9_000_i64..9_000_000, 0_u8..4), 0..40)) {
         let banks = [verified(SMALL), verified(DRAMA)];
@@ -119,7 +119,7 @@ proptest! {
         }
     }
 
-    /// Ticks, jumps, loops and ends against the table of docs/guides/playback.md, in plain words.
+    /// Compares ticks, jumps, loops and ends with a simple implementation of the table in docs/guides/playback.md.
     #[test]
     fn jumps_do_what_the_page_says(steps in steps()) {
         let banks = [verified(SMALL), verified(DRAMA)];
@@ -250,7 +250,7 @@ fn state_is_rebuilt_by_a_jump_and_outlasts_a_round() {
     assert_eq!(names(cursor.state(&clip, None))[0], None, "a jump forgets rounds");
 }
 
-/// Mouth, frame of the sound and number of segments that fire at `time`.
+/// Returns the viseme, the frame of the audio and the number of segments that fire at `time`.
 fn shown(clip: Clip<'_>, lead: Lead, time: impl Time) -> (char, Option<u32>, usize) {
     let mut cursor = start(&clip).with_lead(lead);
     let fired = cursor.advance_to(&clip, time).count();
@@ -305,7 +305,7 @@ fn a_held_consonant_reaches_slow_displays() {
     assert_eq!(rms.viseme(&clip).to_char(), '1');
 }
 
-/// Looked up again, a clip does not know the frame rate and the viseme type that it was given.
+/// A clip that is looked up again has lost the frame rate and the viseme type that were set on it.
 #[test]
 fn a_cursor_remembers_what_its_clip_was_given() {
     let bank = verified(SMALL);
@@ -323,18 +323,18 @@ fn a_cursor_remembers_what_its_clip_was_given() {
     let expected = shown(&mut cursor, &given);
     assert_eq!(shown(&mut cursor, &clip), expected);
     assert!(cursor.is_over());
-    // What the clip says itself goes first.
+    // The clip's own values take precedence.
     let faster = clip.or_fps(Fps::whole(20));
     cursor.seek(&faster, Micros(50_000));
     assert_eq!(cursor.frame(), Some(1));
 }
 
-/// A bank whose clips have other ids of events, as a new version may.
+/// Returns a bank with different ids of events, as a new version may have.
 fn other_version() -> Vec<u8> {
-    changed(DRAMA, |bank| put(bank, 22, [9, 0])) // a newer minor version: a bank of other bytes
+    changed(DRAMA, |bank| put(bank, 22, [9, 0])) // a newer minor version, and so a bank with different bytes
 }
 
-/// A game keeps its cursor while the bank is replaced.
+/// A game keeps its cursor when the bank is replaced.
 #[test]
 fn a_cursor_goes_on_with_a_new_version_of_its_clip() {
     let (bank, newer) = (verified(DRAMA), other_version());
@@ -344,14 +344,18 @@ fn a_cursor_goes_on_with_a_new_version_of_its_clip() {
     let start_us = clip.segment(1).and_then(|segment| segment.start_us()).expect("a time") as i64;
     assert_eq!(events(cursor.advance_to(&clip, Micros(start_us - 1))), ["otto feels sad"]);
     let clip = newer.clip(clip.id()).expect("the clip");
-    assert_eq!(events(cursor.advance_to(&clip, Micros(start_us))), ["stares parcel"], "a name of another bank is none");
+    assert_eq!(
+        events(cursor.advance_to(&clip, Micros(start_us))),
+        ["stares parcel"],
+        "a name of a different bank is not valid"
+    );
     cursor = cursor.with_speaker(newer.event_name("otto"));
     let rest = events(cursor.finish(&clip));
     assert_eq!(rest, ["otto stops staring", "mara feels thinking"]);
 }
 
 proptest! {
-    /// A cursor of any clip with any other: nothing panics, and no more is due than the clip has.
+    /// Using the cursor of any clip with any other never panics, and at most the clip's segments are due.
     #[test]
     fn a_cursor_of_another_clip_is_harmless(steps in steps(), first in 0_usize..40, each in 1_usize..40) {
         let newer = other_version();
@@ -373,7 +377,7 @@ proptest! {
                 Step::Finish => cursor.finish(&clip),
             };
             prop_assert!(indices(due).len() <= 2 * clip.segment_count() as usize);
-            // Asked about the next clip, before the cursor has moved in it.
+            // Query the next clip before the cursor moves in it.
             let next = clips[(first + (at + 1) * each) % clips.len()];
             prop_assert!(cursor.segment(&next).map_or(true, |segment| segment.index() < next.segment_count()));
             prop_assert!(cursor.characters(&next).count() <= 10);

@@ -1,15 +1,15 @@
-//! The reader's public API names no type of the binary layout: that may change without a change of the reader.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! The reader's public API names no type of the binary layout, so the layout can change without changing the API.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::incompatible_msrv)]
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Crates whose types stay inside.
+/// Crates whose types must not be public.
 const PRIVATE: [&str; 2] = ["lipz_layout", "zerocopy"];
 
-/// All files of the reader.
+/// Returns all files of the reader.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the sources of the reader");
     let paths = entries.map(|entry| entry.expect("an entry").path());
@@ -20,14 +20,14 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
-/// The names that `use` takes from private crates: `use lipz_layout::{A, B};`.
+/// Returns the names that `use` imports from private crates: `use lipz_layout::{A, B};`.
 fn private_names(source: &str) -> BTreeSet<&str> {
     let imports = source.split("use ").skip(1).filter_map(|rest| rest.split(';').next());
     let of_private = imports.filter(|import| words(import).next().map_or(false, |name| PRIVATE.contains(&name)));
     of_private.flat_map(words).collect()
 }
 
-/// What is public in a file: each `pub` up to its body or end, and the names of implemented traits.
+/// Returns the public items of a file: each `pub` up to its body or end, and the names of implemented traits.
 fn signatures(source: &str) -> Vec<&str> {
     let code = source.split("#[cfg(test)]").next().unwrap_or(source);
     let mut found = Vec::new();
@@ -35,7 +35,7 @@ fn signatures(source: &str) -> Vec<&str> {
         let is_start = code[..at].lines().last().map_or(true, |line| line.trim_start().is_empty());
         if is_start {
             let rest = &code[at..];
-            // A struct's public fields are found by themselves.
+            // The public fields of a struct are found separately.
             found.push(&rest[..rest.find(['{', ';']).unwrap_or(rest.len())]);
         }
     }
@@ -46,7 +46,7 @@ fn signatures(source: &str) -> Vec<&str> {
     found
 }
 
-/// What is said of types that are not public.
+/// Whether a signature belongs to a type that is not public.
 fn is_private(signature: &str, private_types: &BTreeSet<String>) -> bool {
     signature.starts_with("impl") && words(signature).any(|word| private_types.contains(word))
 }
@@ -75,7 +75,7 @@ fn no_signature_names_the_layout() {
     assert!(checked > 150, "{checked} signatures");
 }
 
-/// The check sees what it looks for.
+/// The check finds a violation.
 #[test]
 fn a_layout_type_in_a_signature_is_found() {
     let source = "use lipz_layout::{Header, Tag};\nuse core::fmt;\nimpl Bank {\n    pub fn tag(\n        &self,\n    ) -> Tag {}\n    pub(crate) fn header(&self) -> Header {}\n}\n";

@@ -1,5 +1,5 @@
-//! Queries on a small bank whose answers are written out here.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Queries on a small bank, with their expected answers.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -21,7 +21,7 @@ const KEYS: [&str; 12] = [
     "行",
 ];
 
-/// Both kinds of bank: what one test says holds before and after verification.
+/// Runs `check` on the bank before and after verification.
 fn both(check: impl Fn(&Bank<'static>)) {
     check(&Bank::open(SMALL).expect("a golden bank"));
     check(&verified(SMALL));
@@ -71,7 +71,7 @@ fn find_misses() {
     });
 }
 
-/// A key is compared whole: an id alone proves nothing about it.
+/// A key is compared in full, because an id alone does not prove equality.
 #[test]
 fn find_by_key_compares_the_key() {
     let bytes = lipz_testkit::golden::changed(SMALL, |bank| {
@@ -165,7 +165,7 @@ fn texts_and_where_they_come_from() {
         );
         assert_eq!(texts("act2/silent", german), [Some(("seen,", true)), Some(("not heard", true))]);
         assert_eq!(texts("act1/toonboom", german), [Some(("Nur", false)), Some(("deutsch", false))]);
-        // A default locale has nothing to fall back to.
+        // A default locale has no fallback.
         assert_eq!(texts("act1/toonboom", english), [None, None]);
         assert_eq!(texts("act1/rms", english), [None, None]);
         let escapes = ["\"Quote\" \\ tab\there", "naïve 😀", "nul\0end"];
@@ -185,14 +185,14 @@ fn typed_events() {
         assert_eq!((at(2), segments[2].event()), (vec![], Some("")));
         assert_eq!(at(4), ["sees door", "stares door", "stops staring"]);
         assert_eq!(segments[4].event(), Some("sees door, stares door,stops staring"));
-        // Another syntax has a string only, and a clip without events has nothing.
+        // Other syntaxes return only a string, and a clip without events returns nothing.
         let script = clip(bank, "act1/rms").segment(1).expect("two segments");
         assert_eq!((script.event(), script.events().count()), (Some("say(\"a, b\")"), 0));
         assert!(clip(bank, "act1/toonboom").segments().all(|segment| segment.events().next().is_none()));
     });
 }
 
-/// A game compares names with strings, and with names that it has looked up.
+/// A game compares names with strings, and with names from earlier look-ups.
 #[test]
 fn names_in_events() {
     both(|bank| {
@@ -238,7 +238,7 @@ fn what_a_clip_leaves_open_the_caller_fills_in() {
         let filled = open.or_fps(Fps::whole(10)).or_viseme_type(VisemeType::Blair);
         assert_eq!((filled.viseme_at(Micros(150_000)).code(), filled.viseme_type()), (b'A', Some(VisemeType::Blair)));
         assert_eq!(filled.duration_us(), Some(400_000));
-        // What the file says stays.
+        // The file's own values are kept.
         let fixed = clip(bank, "act1/blair").or_fps(Fps::whole(10)).or_viseme_type(VisemeType::Rms);
         assert_eq!((fixed.fps(), fixed.viseme_type()), (Some(Fps::whole(24)), Some(VisemeType::Blair)));
         assert_eq!(clip(bank, "act1/toonboom").fps(), Fps::new(2997, 125));

@@ -1,5 +1,5 @@
-//! Frame rates of banks that were opened and not verified: a program gets a valid one, or none.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Frame rates of unverified banks: a program gets a valid rate or `None`.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::incompatible_msrv)]
 
@@ -9,11 +9,11 @@ use lipz_layout::Tag;
 use lipz_testkit::exercise::{Effort, every_query};
 use lipz_testkit::golden::{SMALL, changed, put, record_of, section};
 
-/// The offset of `rate` in a clip record, and the first rate that stands in `RATE`.
+/// The offset of `rate` in a clip record, and the first stored rate of `RATE`.
 const RATE: usize = 12;
 const FIRST_RECORD: u16 = lipz_layout::MAX_INTEGER_FPS + 1;
 
-/// What docs/guides/playback.md does with the rate of a clip.
+/// Handles the rate of a clip as in docs/guides/playback.md.
 fn play_as_documented(bytes: &[u8], key: &str) -> Option<Fps> {
     let bank = Bank::open(bytes).expect("the header is whole");
     let clip = bank.clip_by_key(key).expect("a clip");

@@ -1,12 +1,12 @@
-//! Seconds in floating point: the rule of two units in the last place, in exact arithmetic.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Seconds in floating point: tests the rule of two units in the last place in exact arithmetic.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
 use lipz_bank::{Fps, Seconds, Time};
 use proptest::prelude::*;
 
-/// Rates as authors write them, with the exact ratio of each.
+/// Rates as authors write them, each with its exact ratio.
 const RATES: [(f64, u32, u32); 9] = [
     (24.0, 24, 1),
     (25.0, 25, 1),
@@ -23,22 +23,22 @@ fn fps(numerator: u32, denominator: u32) -> Fps {
     Fps::new(numerator, denominator).expect("from 1 to 1000")
 }
 
-/// A number as mantissa · 2^exponent, without rounding.
+/// Returns a number as mantissa · 2^exponent, without rounding.
 fn exactly(number: f64) -> (u128, i32) {
     let bits = number.to_bits();
     let (exponent, fraction) = ((bits >> 52) as i32 & 0x7FF, u128::from(bits & ((1 << 52) - 1)));
     if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) }
 }
 
-/// ⌊mantissa · 2^exponent · fps⌋ if it is below `frame_count`, by plain division.
+/// Returns ⌊mantissa · 2^exponent · fps⌋ by plain division, if it is below `frame_count`.
 fn floor_product((mantissa, exponent): (u128, i32), fps: Fps, frame_count: u32) -> Option<u32> {
     let (numerator, denominator) = (u128::from(fps.numerator()), u128::from(fps.denominator()));
     let frame = match exponent {
-        // 2^54 · 2^32 < 2^95: nothing is left of such a product.
+        // 2^54 · 2^32 < 2^95, so such a product rounds down to 0.
         ..=-96 => 0,
         -95..=-1 => mantissa * numerator / (denominator << exponent.unsigned_abs()),
         0..=40 => (mantissa << exponent) * numerator / denominator,
-        // At least 2^41 seconds, unless the mantissa is small: but then the exponent is small too.
+        // At least 2^41 seconds, unless the mantissa is small, in which case the exponent is small too.
         _ => return None,
     };
     u32::try_from(frame).ok().filter(|&frame| frame < frame_count)
@@ -50,7 +50,7 @@ fn rule_f64(time: f64, fps: Fps, frame_count: u32) -> Option<u32> {
     floor_product((mantissa + 2, exponent), fps, frame_count)
 }
 
-/// The rule for `f32`: every sum below is exact in `f64`.
+/// The rule for `f32`. Every sum below is exact in `f64`.
 fn rule_f32(time: f32, fps: Fps, frame_count: u32) -> Option<u32> {
     let next = f32::from_bits(time.to_bits() + 1);
     if next.is_infinite() {
@@ -70,7 +70,7 @@ fn assert_starts_f32(n: u32, rate: f64, exact: Fps) {
     assert_eq!(Seconds(start).frame(exact, u32::MAX), Some(n), "{n} / {rate}");
 }
 
-/// `n / fps` leads to frame n: for every n in `f64`.
+/// `n / fps` leads to frame n, for every n in `f64`.
 #[test]
 fn the_start_that_hosts_compute_f64() {
     for (rate, numerator, denominator) in RATES {
@@ -81,7 +81,7 @@ fn the_start_that_hosts_compute_f64() {
     }
 }
 
-/// Up to 2²¹ in `f32`, a day at 24 frames per second.
+/// The same up to 2²¹ in `f32`, one day at 24 frames per second.
 #[test]
 fn the_start_that_hosts_compute_f32() {
     for (rate, numerator, denominator) in RATES {
@@ -92,8 +92,7 @@ fn the_start_that_hosts_compute_f32() {
     }
 }
 
-/// The rule is no wider than it says: three units before a start that is exact still show the
-/// frame before.
+/// The tolerance is no greater than documented: three units before an exact start, the previous frame still shows.
 #[test]
 fn three_units_before_is_before() {
     for n in (24..240_000_u32).step_by(24) {
@@ -129,7 +128,7 @@ fn next_to_nothing_leads_to_the_first_frame() {
     }
 }
 
-/// Where the unit in the last place is a whole number of seconds.
+/// Times at which the unit in the last place is a whole number of seconds.
 #[test]
 fn decades() {
     let rate = fps(1, 1);
@@ -142,7 +141,7 @@ fn decades() {
     assert_eq!(Seconds(2_147_483_648.0_f32).frame(rate, u32::MAX), Some((1 << 31) + 512));
 }
 
-/// Times that any rate reaches, in every binade.
+/// Times of any magnitude within reach of some rate, in every binade.
 fn any_time() -> impl Strategy<Value = f64> {
     let bits = prop_oneof![any::<u64>(), (1000_u64..1080, any::<u64>()).prop_map(|(e, f)| e << 52 | f >> 12)];
     bits.prop_map(|bits| f64::from_bits(bits & !(1 << 63))).prop_filter("a number", |time| time.is_finite())
@@ -174,7 +173,7 @@ proptest! {
     }
 }
 
-/// Two units in the last place behind -0.0 are as little as behind 0.0.
+/// Two units in the last place after -0.0 are as small as after 0.0.
 #[test]
 fn negative_zero_is_zero() {
     for rate in [1, 24, 1000] {

@@ -1,6 +1,6 @@
-//! Text banks: they answer as the bank from which they were split, belong to one bank only, and
-//! damage in them is found as in any bank.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Text banks return the same answers as the bank from which they were split, match one bank only, and have their
+//! damage detected like any bank.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -14,7 +14,7 @@ static BASE: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.lipzbank")
 static GERMAN: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.de-de.lipztexts");
 static ENGLISH: &[u8] = include_bytes!("../../../fixtures/banks/v1/split.en-us.lipztexts");
 
-/// What opening and verifying the texts finds.
+/// Returns the error of opening and verifying the texts.
 fn refusal(bank: &Bank<'_>, bytes: &[u8]) -> Option<Error> {
     with_texts(bank, bytes).err()
 }
@@ -59,7 +59,7 @@ fn a_text_bank_is_no_bank() {
     assert_eq!(Bank::open(GERMAN).expect_err("no clips").kind(), ErrorKind::TextsOnly);
 }
 
-/// A whole bank of the same clips serves as a text bank of all its locales.
+/// A complete bank of the same clips can serve as a text bank for all its locales.
 #[test]
 fn a_bank_with_texts_is_a_text_bank() {
     let base = verified(BASE);
@@ -87,7 +87,7 @@ fn every_truncation_and_every_change_is_noticed() {
     }
 }
 
-/// With the checksum made right, `verify` decides, and what it lets through is whole.
+/// After the checksum is corrected, `verify` decides, and each file that passes is consistent.
 #[test]
 fn every_forged_byte() {
     let base = verified(BASE);

@@ -1,5 +1,5 @@
-//! From times to frames: every unit against plain wide arithmetic.
-// Tests and their helpers: they run with the workspace's compiler, not with the oldest one of the reader.
+//! Conversion of times to frames, with every unit compared to plain wide arithmetic.
+// Tests run with the workspace's compiler, not with the oldest one that the reader supports.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -17,7 +17,7 @@ fn fps(numerator: u32, denominator: u32) -> Fps {
     Fps::new(numerator, denominator).expect("from 1 to 1000")
 }
 
-/// Common rates and the extremes of what a ratio of 32-bit numbers can be.
+/// Returns common rates, and the extremes of ratios of 32-bit numbers.
 fn rates() -> Vec<Fps> {
     let ratios = [
         (1, 1),
@@ -40,14 +40,14 @@ fn rates() -> Vec<Fps> {
     ratios.into_iter().map(|(numerator, denominator)| fps(numerator, denominator)).collect()
 }
 
-/// Frame numbers at which things go wrong if they do.
+/// Returns frame numbers that are likely to cause errors.
 fn frames() -> impl Iterator<Item = u32> {
     let small = 0..3000;
     let powers = (12..32).flat_map(|bit| [(1 << bit) - 1, 1_u32 << bit, (1 << bit) + 1]);
     small.chain(powers).chain([u32::MAX - 2, u32::MAX - 1])
 }
 
-/// The first time in these units at which `frame` shows.
+/// Returns the first time in these units at which `frame` shows.
 fn first_unit(frame: u32, units_per_second: u128, fps: Fps) -> u128 {
     (u128::from(frame) * u128::from(fps.denominator()) * units_per_second).div_ceil(u128::from(fps.numerator()))
 }
@@ -76,7 +76,7 @@ fn samples_around_every_boundary() {
                 assert_eq!(at(start - 1), frame.checked_sub(1), "{rate:?} at {rate_hz}: before {frame}");
             }
         }
-        // Fewer samples than frames: not every frame has one.
+        // There are fewer samples than frames, so some frames have no sample.
         for position in 0..2000 {
             for rate_hz in [1, 2, 7] {
                 let expected = reference(position as u128, u128::from(rate_hz), rate, u32::MAX);
@@ -114,7 +114,7 @@ fn before_the_start_and_after_the_end() {
         assert_eq!(Samples { position: 0, rate_hz: 0 }.frame(rate, u32::MAX), None);
         assert_eq!(Micros(0).frame(rate, 0), None);
     }
-    // At the highest sample rate the largest position is still within reach.
+    // At the highest sample rate, the largest position is still within range.
     let farthest = Samples { position: i64::MAX, rate_hz: u32::MAX };
     assert_eq!(farthest.frame(fps(1, 1), u32::MAX), Some(1 << 31));
 }
@@ -139,7 +139,7 @@ fn rates_outside_1_to_1000_are_none() {
     assert_eq!(fps(48, 2), Fps::whole(24));
 }
 
-/// Any rate from 1 to 1000.
+/// Returns any rate from 1 to 1000.
 fn any_fps() -> impl Strategy<Value = Fps> {
     let denominator = prop_oneof![1..2000_u32, any::<u32>().prop_map(|denominator| denominator.max(1))];
     denominator.prop_flat_map(|denominator| {
@@ -149,7 +149,7 @@ fn any_fps() -> impl Strategy<Value = Fps> {
 }
 
 proptest! {
-    // No files of failed cases: the tests run where there is nowhere to write.
+    // Failed cases are not stored, because some of the machines cannot write files.
     #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]

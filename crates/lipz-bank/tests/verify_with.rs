@@ -1,4 +1,4 @@
-//! Verifying with a UTF-8 check that the program brings.
+//! Verifies with the program's own UTF-8 check.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::{Bank, ErrorKind};

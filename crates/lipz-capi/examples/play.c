@@ -15,14 +15,14 @@
 
 #define MOST_FILES 16
 
-/* Time between two rendered frames: 24 a second, rounded up, so that each frame of the clip starts one. */
+/* Time between two rendered frames, at 24 per second, rounded up so that each frame of the clip starts one. */
 #define RENDERED_FRAME_US 41667
 
 static const char *const VERBS[] = {"",              "feels",  "sees",           "stares",
                                     "stops staring", "points", "stops pointing", "does",
                                     "nods", "shakes", "breathes", "blinks", "looks away"};
 
-/* Strings have a length and no terminator; where there is none, the pointer is null. */
+/* Strings have a length and no terminator. The pointer of a missing string is null. */
 static void print(const char *data, size_t length_bytes) {
     if (length_bytes > 0) {
         fwrite(data, 1, length_bytes, stdout);
@@ -36,7 +36,7 @@ static int failed(const char *what, lipz_status status) {
     return 1;
 }
 
-/* Maps a whole file; no bytes if that fails or the file is empty. */
+/* Maps a whole file. Returns no bytes if that fails, or if the file is empty. */
 static lipz_bytes mapped(const char *path) {
     lipz_bytes bytes = {NULL, 0};
     struct stat about;
@@ -103,7 +103,7 @@ static int play(const lipz_dialogue *dialogue, const char *key, const char *tag)
             print_subtitle(dialogue, &segment, &locale);
             shown = segment.index;
         }
-        /* Of all segments that have begun since the last rendered frame, also of those without frames. */
+        /* Includes the events of all segments that have begun since the last rendered frame, even of empty segments. */
         while (lipz_cursor_take_event(dialogue, &cursor, &event) == LIPZ_OK) {
             print_event(&event);
         }

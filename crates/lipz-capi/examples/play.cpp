@@ -1,4 +1,4 @@
-// Plays a clip in C++17, by an audio clock of 48,000 samples per second: play <key> <locale> <file>...
+// Plays a clip in C++17, with an audio clock of 48,000 samples per second: play <key> <locale> <file>...
 //
 // The files are a bank or the index of a set, then patches and text banks.
 #include <lipz.hpp>
@@ -13,7 +13,7 @@
 namespace {
 
 constexpr std::uint32_t RATE_HZ = 48'000;
-/// Time between two rendered frames: 24 a second.
+/// The time between two rendered frames, at 24 per second.
 constexpr std::int64_t RENDERED_FRAME_SAMPLES = RATE_HZ / 24;
 
 constexpr std::array<std::string_view, 13> VERBS = {
@@ -25,7 +25,7 @@ void print(const lipz::Event &event) {
               << (event.whom() ? " " : "") << event.whom().str() << '\n';
 }
 
-/// What must be there.
+/// Returns the answer, or fails if there is none.
 template <typename T> T found(const std::optional<T> &answer, std::string_view what) {
     if (!answer) {
         throw std::runtime_error(std::string(what) + ": there is no such thing");
@@ -50,7 +50,7 @@ void play(const lipz::Dialogue &dialogue, std::string_view key, std::string_view
                       << (text && text->is_fallback ? " (fallback)" : "") << '\n';
             shown = segment->index;
         }
-        // Of all segments that have begun since the last rendered frame, also of those without frames.
+        // Includes the events of all segments that have begun since the last rendered frame, even of empty segments.
         for (const auto &event : cursor.events(dialogue)) {
             print(event);
         }

@@ -1,22 +1,24 @@
 /*
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
  *
- * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
- * docs/guides/c.md has a first program, and a page of what each struct has.
+ * MIT OR Apache-2.0. Generated from the code by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header`.
+ * docs/guides/c.md has a first program, and lists the fields of each struct.
  *
- * Arguments come in one order: the dialogue, the value that is asked, the time, who, the profile, options,
- * and the answer last.
+ * Arguments come in one order: the dialogue, the queried value, the time, who, the profile, options, and the
+ * answer last.
  *
- * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
- * beside it says; that holds for the pointers in a lipz_bytes and a lipz_who, too. The words of a
- * lipz_dialogue and of its files are those that the library has written; the files, where they are,
- * and their contents stay for as long as the dialogue and strings from it are used. Nobody writes to
- * any of them meanwhile, and answers do not overlap arguments.
+ * Contract: the caller guarantees only the following.
  *
- * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
- * bytes of the files and the numbers in the other structs are. Each returns a status, and writes an
- * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All but lipz_dialogue_supply
- * may be called from several threads at once.
+ * - Each pointer is null or leads to a value of its type, or to as many bytes as the length next to it. This
+ *   includes the pointers in a lipz_bytes and a lipz_who.
+ * - Only the library has written the words of a lipz_dialogue and of its files. The files stay at their
+ *   addresses, and their contents stay valid, while the dialogue and strings from it are used.
+ * - No thread writes to any of these during a call, and answers do not overlap arguments.
+ *
+ * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the bytes of
+ * the files and the numbers in the other structs are. Each function returns a status. Unless that is LIPZ_OK, the
+ * answer is empty: zeros, null, or the viseme at rest. All functions except lipz_dialogue_supply may be called
+ * from several threads at once.
  */
 
 #ifndef LIPZ_H
@@ -35,10 +37,10 @@
 // Damage: the bank was damaged by a copy in text mode (line endings were converted).
 #define LIPZ_TEXT_MODE 3
 
-// Damage: the bank has a format version that this reader does not know.
+// Damage: the bank has a format version that this reader does not support.
 #define LIPZ_UNSUPPORTED_VERSION 4
 
-// Damage: the file is not as long as its header says (cut off, or something was appended).
+// Damage: the file does not have the length in its header (cut off, or with bytes appended).
 #define LIPZ_WRONG_LENGTH 5
 
 // Damage: the directory reaches past the end of the file.
@@ -71,7 +73,7 @@
 // Damage: the clips are not listed in the order of their keys.
 #define LIPZ_CLIP_ORDER 15
 
-// Damage: the frames of a clip are not where they belong.
+// Damage: the frames of a clip have a wrong offset.
 #define LIPZ_FRAME_RANGE 16
 
 // Damage: a frame code is not one of the clip's viseme type.
@@ -110,7 +112,7 @@
 // Damage: the texts belong to a bank with other clips.
 #define LIPZ_OTHER_CLIPS 28
 
-// Damage: the file has texts only, for the clips of another bank.
+// Damage: the file contains only texts, for the clips of another bank.
 #define LIPZ_TEXTS_ONLY 29
 
 // Damage: a typed event is not valid.
@@ -125,22 +127,22 @@
 // Damage: the bank of the texts was not verified.
 #define LIPZ_BANK_NOT_VERIFIED 33
 
-// Damage: what the bank says about a recording is not valid.
+// Damage: the record of a recording is not valid.
 #define LIPZ_RECORDING 34
 
 // Damage: a curve is not valid.
 #define LIPZ_CURVE 35
 
-// Damage: what the layer says about the banks below it is not valid.
+// Damage: the description of the banks below a patch is not valid.
 #define LIPZ_LAYER 36
 
-// Damage: the layer was made over other banks than those below it.
+// Damage: the patch was packed over different banks from those below it.
 #define LIPZ_OTHER_BASE 37
 
-// Damage: the bank is not a layer: it was not packed over another bank.
+// Damage: the bank is not a patch, because it was not packed over another bank.
 #define LIPZ_NOT_A_LAYER 38
 
-// Damage: there is no bank, or there are more than the program has room for.
+// Damage: the number of banks is 0, or more than the program has room for.
 #define LIPZ_LAYER_COUNT 39
 
 // Damage: a voice or a dub is not valid.
@@ -152,16 +154,15 @@
 // Damage: the file is not the index of a set of banks.
 #define LIPZ_NOT_A_SET 42
 
-// Damage: what the index of a set says about its banks is not valid.
+// Damage: the description of the banks in the index of a set is not valid.
 #define LIPZ_SET 43
 
-// Damage: the banks are not those of the set, in their order.
+// Damage: the banks are not those of the set in its order.
 #define LIPZ_OTHER_BANK 44
 
 
 
-// Version of this header: changes of the first number break programs; so do, while it is 0, those
-// of the second.
+// Version of this header. A change of the first number breaks programs. While it is 0, so does a change of the second.
 #define LIPZ_VERSION_MAJOR 0
 
 // Second number of the version.
@@ -170,13 +171,13 @@
 // Third number of the version.
 #define LIPZ_VERSION_PATCH 0
 
-// Words of a `lipz_dialogue`.
+// The number of words in a `lipz_dialogue`.
 #define LIPZ_DIALOGUE_WORDS 80
 
-// Words of a `lipz_file`.
+// The number of words in a `lipz_file`.
 #define LIPZ_FILE_WORDS 80
 
-// Kind of a file: a bank of a set that is not there yet.
+// Kind of a file: a missing bank of a set.
 #define LIPZ_FILE_ABSENT 0
 
 // Kind of a file: a bank with clips.
@@ -191,8 +192,8 @@
 // Kind of a file: the index of a set of banks.
 #define LIPZ_FILE_SET 4
 
-// For `lipz_dialogue_open`: verifies nothing. Queries are as safe as ever, but a damaged file may have wrong answers, and each
-// text is checked to be UTF-8 when it is asked for.
+// For `lipz_dialogue_open`: verifies nothing. Queries are just as safe, but may return wrong answers for a damaged
+// file, and each text is checked to be UTF-8 on each query.
 #define LIPZ_UNVERIFIED 1
 
 // The `rate_hz` of a time in seconds.
@@ -210,25 +211,25 @@
 // Viseme type: loudness, `-0123456789`.
 #define LIPZ_RMS 3
 
-// The clip is the original: the line is not dubbed, or the original was asked for.
+// The clip is the original: the line is not dubbed, or the original was requested.
 #define LIPZ_ORIGINAL 0
 
-// The clip is the dub in the voice that was asked for.
+// The clip is the dub in the requested voice.
 #define LIPZ_DUB 1
 
-// The clip is the dub in a voice that the one that was asked for falls back to.
+// The clip is the dub in a voice that the requested one falls back to.
 #define LIPZ_OTHER_DUB 2
 
-// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
+// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the default one for faces.
 #define LIPZ_BUILT_IN 4294967295
 
-// The `bank` where there is no name.
+// The `bank` of a missing name.
 #define LIPZ_NO_NAME 0
 
-// Verb: `feels emotion`, lasts until changed.
+// Verb: `feels emotion`, which lasts until changed.
 #define LIPZ_FEELS 1
 
-// Verb: `sees target`, a character or a prop, for a moment.
+// Verb: `sees target`, a character or a prop, which is momentary.
 #define LIPZ_SEES 2
 
 // Verb: `stares target`, until `stops staring`.
@@ -246,7 +247,7 @@
 // Verb: `does action`, an action of the game.
 #define LIPZ_DOES 7
 
-// Verb: `nods`, as far as `strength_thousandths` says.
+// Verb: `nods`, with the strength `strength_thousandths`.
 #define LIPZ_NODS 8
 
 // Verb: `shakes`, the head, with a strength as `LIPZ_NODS`.
@@ -261,20 +262,20 @@
 // Verb: `looks away`.
 #define LIPZ_LOOKS_AWAY 12
 
-// The `strength_thousandths` where the event says none.
+// The `strength_thousandths` of an event without a strength.
 #define LIPZ_NO_STRENGTH 4294967295
 
-// In place of a frame: the audio is past the last one. All events of the clip have been due.
+// Stands for a frame: the audio is past the last one. All events of the clip have been due.
 #define LIPZ_OVER 4294967295
 
-// In place of a frame: the audio has not begun.
+// Stands for a frame: the audio has not begun.
 #define LIPZ_WAITING 4294967294
 
-// The level of a voice that the program does not measure: three quarters, where all digits of the viewer's profile show, but not
-// at their widest.
+// The level for a voice that the program does not measure: three quarters. At this level all digits of the viewer's
+// profile show, but not at their widest.
 #define LIPZ_UNMEASURED 49152
 
-// Attribute of emotion: `sadness`, place in `thousandths`.
+// Attribute of emotion: `sadness`, as an index of `thousandths`.
 #define LIPZ_SADNESS 0
 
 // Attribute of emotion: `anger`.
@@ -310,18 +311,18 @@
 // Attribute of emotion: `shout`.
 #define LIPZ_SHOUT 11
 
-// How many attributes of emotion there are.
+// The number of attributes of emotion.
 #define LIPZ_EMOTION_COUNT 12
 
-// `strongest` of a neutral face.
+// The value of `strongest` for a neutral face.
 #define LIPZ_NEUTRAL 4294967295
 
-// The result of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage
-// that was found in a file, from 1 to 255. Numbers are never given a new meaning.
+// The result of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage in a file, from 1 to
+// 255. Numbers are never reused.
 typedef uint32_t lipz_status;
 
-// A string in UTF-8, without terminator: it stands in the bytes of the bank and lives as long as
-// they do. It may contain U+0000.
+// A string in UTF-8, without terminator. It is part of the bytes of the bank and lives as long as they do. It may
+// contain U+0000.
 typedef struct {
   // The first byte; null only if there is no string.
   const char *data;
@@ -329,16 +330,16 @@ typedef struct {
   size_t length_bytes;
 } lipz_string;
 
-// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. The library writes it,
-// and no program reads or writes its words. It owns nothing: forget it when you no longer need it.
+// Files that return answers like one bank: a bank or a set of banks, with patches and text banks. Only the library
+// reads and writes its words. It owns nothing, and need not be closed.
 typedef struct {
   // Written by the library.
   size_t words[LIPZ_DIALOGUE_WORDS];
 } lipz_dialogue;
 
-// What a dialogue has.
+// A summary of a dialogue.
 typedef struct {
-  // Number of clips. Counted, if there are patches: that takes time in proportion.
+  // Number of clips. If there are patches, they are counted, which takes time in proportion.
   uint64_t clip_count;
   // Number of files.
   uint32_t file_count;
@@ -352,9 +353,9 @@ typedef struct {
 
 // A file of a dialogue.
 typedef struct {
-  // The checksum in its header: files of different contents have different ones.
+  // The checksum in its header, which differs between files of different contents.
   uint64_t checksum;
-  // Hash of what its clips are: a bank and its text banks share it; 0 for other files.
+  // A hash of its clips, which a bank and its text banks share; 0 for other files.
   uint64_t fingerprint;
   // `LIPZ_FILE_BANK` and so on.
   uint32_t kind;
@@ -366,44 +367,44 @@ typedef struct {
 typedef struct {
   // The first byte.
   const uint8_t *data;
-  // Length of the file; 0 for a bank of a set that is not there yet.
+  // Length of the file in bytes; 0 for a missing bank of a set.
   size_t length_bytes;
 } lipz_bytes;
 
-// What the index of a set says about a bank.
+// The entry for a bank in the index of a set.
 typedef struct {
-  // The name of its file, which is next to the index.
+  // The name of its file, which is in the folder of the index.
   lipz_string file_name;
   // The checksum of the bank.
   uint64_t checksum;
-  // Its length.
+  // Its length in bytes.
   uint32_t length_bytes;
   // Number of its clips.
   uint32_t clip_count;
 } lipz_set_bank;
 
-// A place for an open file of a dialogue, which the library fills.
+// An open file of a dialogue, which the library fills in.
 typedef struct {
   // Written by the library.
   size_t words[LIPZ_FILE_WORDS];
 } lipz_file;
 
-// Which file is damaged or does not fit the others, and where.
+// The damaged or mismatched file, and the position of the problem.
 typedef struct {
-  // Its number, from 0.
+  // The number of the file, from 0.
   uint32_t file;
-  // Bytes from its start.
+  // Bytes from the start of the file.
   uint32_t offset_bytes;
 } lipz_problem;
 
-// One spoken line, in the version of the dialogue that it was found in. The fields are there to be read, and two pairs to be set
-// where they are 0.
+// One spoken line, in the version of the dialogue in which it was found. Read the fields, and set only the frame rate
+// and the viseme type where they are 0.
 typedef struct {
-  // Hash of the key: names the clip in every version.
+  // Hash of the key, which identifies the clip in every version.
   uint64_t id;
   // The version of the dialogue. In a different version, queries of the clip return `LIPZ_NONE`.
   uint32_t version;
-  // The number of the file that it is in.
+  // The number of its file.
   uint32_t file;
   // Its number in that file.
   uint32_t slot;
@@ -411,12 +412,12 @@ typedef struct {
   uint32_t frame_count;
   // Number of segments, at least 1 in a verified bank.
   uint32_t segment_count;
-  // Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it:
-  // from 1 to 1000 frames per second.
+  // Frames per `fps_denominator` seconds, in lowest terms; 0 if unspecified. In that case, you can set both fields,
+  // to between 1 and 1000 frames per second.
   uint32_t fps_numerator;
   // Seconds in which `fps_numerator` frames pass; 0 if unspecified.
   uint32_t fps_denominator;
-  // `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified. Set it to supply it.
+  // `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified. In that case, you can set it.
   uint32_t viseme_type;
   // 1 if the Lipz file has visemes. Without them there are no frames, and segments have no times.
   uint32_t has_visemes;
@@ -424,10 +425,11 @@ typedef struct {
   uint32_t has_events;
 } lipz_clip;
 
-// A time since the audio began, as `lipz_time_us`, `lipz_time_samples`, `lipz_time_seconds` and `lipz_time_seconds_f32` make it.
+// A time since the audio began. Make it with `lipz_time_us`, `lipz_time_samples`, `lipz_time_seconds` or
+// `lipz_time_seconds_f32`.
 //
-// Each unit leads to the frame of exact arithmetic. Times before the start, from the end on, infinite or not a number lead to no
-// frame, and so to rest.
+// Each unit leads to the same frame as exact arithmetic. Times before the start, from the end on, infinite or NaN lead
+// to no frame, and so to rest.
 typedef struct {
   // Microseconds, samples per channel, or the bits of a `double` or a `float`.
   int64_t count;
@@ -437,50 +439,51 @@ typedef struct {
   uint32_t reserved;
 } lipz_time;
 
-// A mouth shape: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
+// A viseme: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
 typedef uint8_t lipz_viseme;
 
-// A stretch of a clip, between two `|` of its Lipz file, in the version of the dialogue that it was found in.
+// A part of a clip, between two `|` of its Lipz file, in the version of the dialogue in which it was found.
 typedef struct {
   // The clip.
   uint64_t clip_id;
   // The version of the dialogue. In a different version, queries of the segment return `LIPZ_NONE`.
   uint32_t version;
-  // The number of the file that the clip is in.
+  // The number of the clip's file.
   uint32_t file;
   // The number of the clip in that file.
   uint32_t slot;
-  // Place of the segment in its clip, from 0.
+  // Index of the segment in its clip, from 0.
   uint32_t index;
   // Its first frame.
   uint32_t start_frame;
-  // The frame behind its last one.
+  // The frame after its last one.
   uint32_t end_frame;
 } lipz_segment;
 
-// The recording that a clip was made for. Compare it with the audio that is about to be played.
+// The recording that a clip was made for. Compare it with the audio that you are about to play.
 typedef struct {
   // Length in microseconds, rounded to the nearest.
   uint64_t length_us;
-  // XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
+  // XXH3, 64 bits with seed 0, of all bytes of the file: the result of `XXH3_64bits` of xxHash.
   uint64_t content_hash;
 } lipz_recording;
 
-// A voice: a language in which lines are recorded. In another version of the dialogue it changes no clip: look it up again.
+// A voice: a language in which lines are recorded. In another version of the dialogue it leads to the clip itself:
+// look it up again.
 typedef struct {
   // The locale of the voice: `de-de`.
   lipz_string tag;
   // The version of the dialogue.
   uint32_t version;
-  // Where it is in the dialogue.
+  // Its position in the dialogue.
   uint32_t place;
   // 1 for the voice of the original recordings, in which no clip is a dub.
   uint32_t is_original;
 } lipz_voice;
 
-// A clip as it is played in a voice.
+// A clip as played in a voice.
 typedef struct {
-  // The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
+  // The clip. Its visemes, times, texts and events belong to the recording in that voice.
   lipz_clip clip;
   // `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
   uint32_t spoken;
@@ -494,27 +497,27 @@ typedef struct {
   lipz_string tag;
   // The version of the dialogue.
   uint32_t version;
-  // Where it is in the dialogue.
+  // Its position in the dialogue.
   uint32_t place;
   // 1 for the default locale.
   uint32_t is_default;
 } lipz_locale;
 
-// A display text, as a player sees it: UTF-8 without terminator, in the bytes of a file.
+// A display text, as players see it: UTF-8 without terminator, in the bytes of a file.
 typedef struct {
   // The first byte; null only if there is no text.
   const char *data;
   // Length in bytes.
   size_t length_bytes;
-  // 1 if the clip has no text of its own in the locale, and this is that of the locale that it falls back to.
+  // 1 if the clip has no text of its own in the locale, so that this is the text of the fallback locale.
   uint32_t is_fallback;
 } lipz_text;
 
-// A name that events mention: a character, an emotion, a target or an action. Equal names have equal strings.
+// A name in events: a character, an emotion, a target or an action. Equal names have equal strings.
 typedef struct {
-  // The name as it is spelled in the Lipz file.
+  // The name as spelled in the Lipz file.
   lipz_string name;
-  // Identifies the bank of the name; `LIPZ_NO_NAME` without a name.
+  // Identifies the bank of the name; `LIPZ_NO_NAME` for a missing name.
   uint32_t bank;
   // Its number in that bank.
   uint32_t id;
@@ -522,62 +525,64 @@ typedef struct {
 
 // One event of Character Event Syntax: `[character] verb object`.
 typedef struct {
-  // Who; no name for the speaker of the clip.
+  // The character; no name for the speaker of the clip.
   lipz_name character;
   // The emotion, target or action; without a name if the event has no object.
   lipz_name object;
-  // `LIPZ_FEELS` and so on. Verbs are added; skip those that you do not know.
+  // `LIPZ_FEELS` and so on. More verbs may be added; skip unknown ones.
   uint32_t verb;
-  // How far a gesture goes, 0 to 10,000, or `LIPZ_NO_STRENGTH`.
+  // The strength of a gesture, from 0 to 10,000, or `LIPZ_NO_STRENGTH`.
   uint32_t strength_thousandths;
 } lipz_event;
 
-// Where a clip is while it is played: a plain struct of numbers, which a program keeps next to its dialogue. Once per
-// rendered frame, move it to the position of the audio, take the events that are due, and draw what it shows.
+// The position in a clip during playback: a plain struct of numbers, which a program keeps next to its dialogue. Once
+// per rendered frame, move it to the position of the audio, take the events that are due, and draw its viseme.
 //
-// It remains right when a new version of the dialogue replaces the old one: it continues at the same time. For another line,
-// start another cursor. docs/guides/playback.md has a table of what happens when time goes on, stands still, jumps and loops.
+// It remains valid when a new version of the dialogue replaces the old one: it continues at the same time. For another
+// line, start another cursor. docs/guides/playback.md has a table of the results when the time advances, stands still,
+// jumps and loops.
 typedef struct {
-  // Size of this struct where it was started; each function looks at it.
+  // The size of this struct in the program that started it. Each function checks it.
   uint32_t size_bytes;
   // The frame at the position of the audio; `LIPZ_WAITING` before it begins, `LIPZ_OVER` from its end on.
   uint32_t frame;
   // The clip.
   uint64_t clip_id;
-  // Frames in `fps_denominator` seconds, if the clip has no frame rate.
+  // Frames per `fps_denominator` seconds, if the clip has no frame rate.
   uint32_t fps_numerator;
   // Seconds in which `fps_numerator` frames pass, if the clip has no frame rate.
   uint32_t fps_denominator;
-  // The viseme type, if the clip has none; 0 for none.
+  // The viseme type, if the clip has none; 0 if unspecified.
   uint32_t viseme_type;
-  // Set it: how many microseconds mouth shapes are ahead of the audio. Segments and events stay with the audio.
+  // You can set it: how many microseconds the mouth is ahead of the audio. Segments and events stay with the audio.
   uint32_t lead_us;
-  // Set it: how many frames a consonant shows at least; at most 255.
+  // You can set it: the least number of frames for which a consonant shows, at most 255.
   uint32_t hold_frames;
-  // Set it: who speaks, so whose events name no character: the `id` of a `lipz_name`.
+  // You can set it: the speaker, who is the character of events without a name. The `id` of a `lipz_name`.
   uint32_t speaker_id;
-  // Set it: the `bank` of that name. The names of another version do not count: set both again after a refresh.
+  // You can set it: the `bank` of that name. Names of another version are ignored, so set both again after a
+  // refresh.
   uint32_t speaker_bank;
-  // The frame that the mouth shows, which is ahead of the audio.
+  // The frame of the mouth, which is ahead of the audio.
   uint32_t mouth_frame;
   // The first segment whose events have not been due.
   uint32_t next_segment;
   // 1 if those before `next_segment` were due at `frame`; 2 if the clip has looped.
   uint32_t flags;
-  // The segment whose events are due next, of those that the last move has made due.
+  // The segment whose events are due next, among those that the last move made due.
   uint32_t due_segment;
   // The first segment that is not due.
   uint32_t due_end;
-  // The same, from the start on after a loop.
+  // The same for the segments from the start on, after a loop.
   uint32_t due_around_to;
   // The event of `due_segment` that is due next.
   uint32_t due_event;
 } lipz_cursor;
 
-// What a character feels, stares and points at. No name where no event has said anything: it is as it was before the
-// clip.
+// The emotion of a character, and the targets of staring and pointing. A missing name means that no event has set the
+// field; keep the state from before the clip.
 typedef struct {
-  // Who; no name for a speaker that the cursor does not have.
+  // The name of the character; missing for a speaker without a name in the cursor.
   lipz_name name;
   // The emotion, until changed.
   lipz_name feels;
@@ -587,17 +592,17 @@ typedef struct {
   lipz_name points_at;
 } lipz_character;
 
-// A babble profile of a dialogue. Look it up once; queries go by `index` and `version`.
+// A babble profile of a dialogue. Look it up once; queries use `index` and `version`.
 typedef struct {
-  // Its name: `default` for that of the project.
+  // Its name: `default` for the project's profile.
   lipz_string name;
-  // Its place among the profiles, or `LIPZ_BUILT_IN`.
+  // Its index among the profiles, or `LIPZ_BUILT_IN`.
   uint32_t index;
   // The version of the dialogue.
   uint32_t version;
 } lipz_babble;
 
-// What moves the mouth while a character babbles.
+// The weights of the two mouth movements of babble.
 typedef struct {
   // How far the lips are pursed, in ten-thousandths.
   uint32_t ooh;
@@ -605,7 +610,7 @@ typedef struct {
   uint32_t aah;
 } lipz_weights;
 
-// A curve of a clip, in the version of the dialogue that it was found in. The fields are there to be read.
+// A curve of a clip, in the version of the dialogue in which it was found. The fields are read-only.
 typedef struct {
   // Its name: `jawOpen`, `anger`.
   lipz_string name;
@@ -613,13 +618,13 @@ typedef struct {
   uint32_t key_count;
   // The version of the dialogue. In a different version, queries of the curve return `LIPZ_NONE`.
   uint32_t version;
-  // The number of the file that it is in.
+  // The number of its file.
   uint32_t file;
   // The number of its clip in that file.
   uint32_t slot;
-  // Its place among all curves of that file.
+  // Its index among all curves of that file.
   uint32_t place;
-  // Frames in `fps_denominator` seconds, of its clip.
+  // Frames of its clip per `fps_denominator` seconds.
   uint32_t fps_numerator;
   // Seconds in which `fps_numerator` frames pass.
   uint32_t fps_denominator;
@@ -635,27 +640,27 @@ typedef struct {
   int32_t thousandths;
 } lipz_curve_key_t;
 
-// Which key of a curve was needed last. Start with zeros: `lipz_curve_cursor cursor = {0}`.
+// The last key of a curve that was used. Start with zeros: `lipz_curve_cursor cursor = {0}`.
 //
-// With it, no key is searched for as long as time moves on by a few keys per rendered frame. The answers are the same, also
-// after a jump, and with a cursor of another curve.
+// With it, no search for keys is needed while the time advances by a few keys per rendered frame. The values are
+// always the same, even after a jump or with a cursor of another curve.
 typedef struct {
-  // The key, by its index.
+  // The index of the key.
   uint32_t key;
 } lipz_curve_cursor;
 
-// A character of a clip: `mara feels fear` and `mara nods` in its events are about mara, and in curves with this name in front.
+// A character of a clip. `mara feels fear` and `mara nods` in its events set curves whose names start with `mara`.
 typedef struct {
-  // The name as events have it: data and length.
+  // The name as spelled in events: data and length.
   lipz_string name;
-  // 1 for the speaker: then curves without a name are about them, too. Of two for the same, that one counts which is farther
-  // from neutral. 0 for other characters.
+  // 1 for the speaker, for whom curves without a name also count. If two curves have the same purpose, the value
+  // farther from neutral counts. 0 for other characters.
   uint32_t is_speaker;
 } lipz_who;
 
-// What a character feels: all zeros for a neutral face.
+// The emotions of a character: all zeros for a neutral face.
 typedef struct {
-  // Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
+  // Values in thousandths, from 0 to 10,000 unless the file exceeds this range: `thousandths[LIPZ_ANGER]`.
   int32_t thousandths[LIPZ_EMOTION_COUNT];
   // The attribute with the highest value, `LIPZ_NEUTRAL` if none is above 0.
   uint32_t strongest;
@@ -663,29 +668,29 @@ typedef struct {
   int32_t sum;
 } lipz_emotions;
 
-// A face profile of a dialogue. Look it up once; queries go by `index` and `version`.
+// A face profile of a dialogue. Look it up once; queries use `index` and `version`.
 typedef struct {
-  // Its name: `default` for that of the project.
+  // Its name: `default` for the project's profile.
   lipz_string name;
-  // Its place among the profiles, or `LIPZ_BUILT_IN`.
+  // Its index among the profiles, or `LIPZ_BUILT_IN`.
   uint32_t index;
   // The version of the dialogue.
   uint32_t version;
 } lipz_face_profile;
 
-// What a character looks at: a direction, as seen from the head at rest.
+// The target of a character's eyes: a direction, relative to the head at rest.
 typedef struct {
   // How far up it is.
   int32_t pitch;
   // How far to the left of the character it is.
   int32_t yaw;
-  // 1 for a person, over whose face, hands and body the eyes go; 0 for something that they stay on.
+  // 1 for a person, at whose face, hands and body the eyes look; 0 for a target on which they stay.
   uint32_t is_person;
 } lipz_look_at;
 
-// What a face does at a time, besides its mouth and its emotions. Numbers are in thousandths.
+// The state of a face at a time, except mouth and emotions. Numbers are in thousandths.
 typedef struct {
-  // How far the lids are closed: 0 to 1,000.
+  // How far the lids are closed, from 0 to 1,000.
   int32_t blink;
   // How far the head is raised.
   int32_t head_pitch;
@@ -697,65 +702,65 @@ typedef struct {
   int32_t eye_pitch;
   // How far the eyes are turned in the head.
   int32_t eye_yaw;
-  // How far the brows are raised: 0 to 1,000. Only curves raise them.
+  // How far the brows are raised, from 0 to 1,000. Only curves raise them.
   int32_t brows;
-  // A shrug of the face, 0 to 1,000. Only curves make one.
+  // A shrug of the face, from 0 to 1,000. Only curves set it.
   int32_t shrug;
-  // How hard the character breathes: 0 to 10,000. Only curves say so.
+  // How hard the character breathes, from 0 to 10,000. Only curves set it.
   int32_t breath;
 } lipz_face;
 
 // The answer was written.
 #define LIPZ_OK 0
 
-// There is no such thing: no clip with this id, no text in this locale, no frame at this time. The
-// answer is empty, a viseme rest.
+// The item does not exist: no clip with this id, no text in this locale, no frame at this time. The answer is empty,
+// and a viseme is rest.
 #define LIPZ_NONE 256
 
-// A pointer is null that must not be.
+// A required pointer is null.
 #define LIPZ_NULL_POINTER 257
 
-// A key, tag or name that was asked for is not UTF-8.
+// A key, tag or name in the arguments is not UTF-8.
 #define LIPZ_NOT_UTF8 258
 
 // The dialogue was not opened.
 #define LIPZ_NOT_OPENED 259
 
-// A struct has a different size in this library: the program was compiled with the header of another version, or
-// never started the struct.
+// A struct has a different size in this library: the program was compiled with the header of another version, or did
+// not start the struct.
 #define LIPZ_OTHER_VERSION 260
 
-// A bank of the set is not there that would have it. Of a clip, `file` is the number of the bank to supply.
+// The item may be in a missing bank of the set. For a clip, `file` is the number of the bank to supply.
 #define LIPZ_ABSENT 261
 
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
 
-// The version of the library that runs, as `major * 1000000 + minor * 1000 + patch`.
+// Returns the version of the running library, as `major * 1000000 + minor * 1000 + patch`.
 uint32_t lipz_version(void);
 
-// A status in one English sentence, without full stop; `LIPZ_NONE` for numbers that are no status.
+// Writes an English sentence about the status, without a full stop; `LIPZ_NONE` for unknown numbers.
 lipz_status lipz_status_message(lipz_status status, lipz_string *message);
 
-// What a dialogue has.
+// Writes a summary of the dialogue.
 lipz_status lipz_dialogue_info(const lipz_dialogue *dialogue, lipz_dialogue_info_t *info);
 
-// The file with this index: ask from 0 on until `LIPZ_NONE`.
+// Writes the file with this index. Call it from 0 on until `LIPZ_NONE`.
 lipz_status lipz_dialogue_file_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_file_info *file);
 
-// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The
-// first call verifies the index, the others only open it. The contents of all banks go behind the index in `lipz_dialogue_open`, in this order.
-lipz_status lipz_set_bank_by_index(const lipz_bytes *contents,
-                                   uint32_t index,
-                                   lipz_set_bank *bank);
+// Writes the entry with this index of a set's index, before the set is opened. Call it from 0 on until `LIPZ_NONE`.
+// The first call verifies the index, later ones only open it. In `lipz_dialogue_open`, the contents of all banks
+// follow the index, in this order.
+lipz_status lipz_set_bank_by_index(const lipz_bytes *contents, uint32_t index, lipz_set_bank *bank);
 
-// Opens the files whose contents are the `file_count` ones at `contents`, from the bottom to the top: the base first, a bank or
-// the index of a set with all of its banks behind it; then patches, each over those before it, and text banks, each behind
-// the bank of its clips. `files` has room for as many. Keep `files`, where they are, and the contents as long as you ask the
-// dialogue; copy `dialogue` as you like.
+// Opens the `file_count` files whose contents are at `contents`, from the bottom to the top. The base comes first: a
+// bank, or the index of a set followed by all of its banks. Then come patches, each after those below it, and text
+// banks, each after the bank of its clips. `files` has room for as many files. Keep `files` at its address, and keep
+// the contents, while you use the dialogue. You may copy `dialogue`.
 //
-// `flags` is 0 or `LIPZ_UNVERIFIED`. `problem` may be null. Unless the status is `LIPZ_OK`, the dialogue is not opened.
+// `flags` is 0 or `LIPZ_UNVERIFIED`. `problem` may be null. Unless the status is `LIPZ_OK`, the dialogue is not
+// opened.
 lipz_status lipz_dialogue_open(lipz_dialogue *dialogue,
                                lipz_file *files,
                                const lipz_bytes *contents,
@@ -763,15 +768,15 @@ lipz_status lipz_dialogue_open(lipz_dialogue *dialogue,
                                uint32_t flags,
                                lipz_problem *problem);
 
-// Opens a dialogue of one bank without verifying it: for firmware whose bank was verified when it was packed. The library keeps the
-// opened bank in `file`. As for `lipz_dialogue_open`, keep `file` and the contents where they are. Patches, text banks and sets are
-// refused. Unless the status is `LIPZ_OK`, the dialogue is not opened.
+// Opens a dialogue of one bank without verifying it: for firmware whose bank was verified when it was packed. The
+// library stores the opened bank in `file`. As for `lipz_dialogue_open`, keep `file` and the contents at their
+// addresses. Rejects patches, text banks and sets. Unless the status is `LIPZ_OK`, the dialogue is not opened.
 lipz_status lipz_dialogue_open_bank(lipz_dialogue *dialogue, lipz_file *file, const lipz_bytes *contents);
 
-// Puts a bank of a set into its place, with the number of its file, that was not there when the dialogue was opened. Handles
-// count as before. `files` are those of `lipz_dialogue_open`; no other function is called meanwhile.
+// Adds a bank of a set that was missing when the dialogue was opened, by the number of its file. Handles stay valid.
+// `files` is the argument of `lipz_dialogue_open`. Do not call other functions at the same time.
 //
-// `LIPZ_NONE` if the file is there already, or is not a bank of the set.
+// `LIPZ_NONE` if the file is already loaded, or is not a bank of the set.
 lipz_status lipz_dialogue_supply(lipz_dialogue *dialogue,
                                  lipz_file *files,
                                  uint32_t number,
@@ -779,166 +784,171 @@ lipz_status lipz_dialogue_supply(lipz_dialogue *dialogue,
                                  uint32_t flags,
                                  lipz_problem *problem);
 
-// The key of a clip: the path of its Lipz file below the source root, without extension.
+// Writes the key of a clip: the path of its Lipz file below the source root, without extension.
 lipz_status lipz_clip_key(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_string *key);
 
-// The frame codes of a clip, one byte per frame.
+// Writes the frame codes of a clip, one byte per frame.
 lipz_status lipz_clip_frames(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_string *frames);
 
-// The frame that shows at a time.
+// Writes the frame at a time.
 lipz_status lipz_clip_frame_at(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_time time, uint32_t *frame);
 
-// The viseme of a frame; rest outside the clip.
+// Writes the viseme of a frame, or rest outside the clip.
 lipz_status lipz_clip_viseme(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t frame, lipz_viseme *viseme);
 
-// The viseme that shows at a time; rest while the character does not speak.
+// Writes the viseme at a time, or rest while the character does not speak.
 lipz_status lipz_clip_viseme_at(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_time time, lipz_viseme *viseme);
 
-// The segment of a clip with this index.
+// Writes the segment of a clip with this index.
 lipz_status lipz_clip_segment(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t index, lipz_segment *segment);
 
-// The segment at a time.
+// Writes the segment at a time.
 lipz_status lipz_clip_segment_at(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_time time, lipz_segment *segment);
 
-// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the clip, that of frame 1 the
+// Writes the first microsecond of a frame. For frame `frame_count`, it is the length of the clip; for frame 1, the
 // `lead_us` of a cursor that leads by one frame. `LIPZ_NONE` without a frame rate.
 lipz_status lipz_clip_start_of_frame_us(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t frame, uint64_t *time_us);
 
-// The `hold_frames` of a cursor for a display that shows each rendered frame for so many microseconds: every consonant that has
-// the room is in at least one. For 0, two frames at 24 fps, which is the least that can be read. `LIPZ_NONE` without a frame rate.
+// Writes the `hold_frames` of a cursor for a display with rendered frames of this length in microseconds. Every
+// consonant with enough room is then in at least one. For 0, writes two frames at 24 fps, the minimum that can be
+// read. `LIPZ_NONE` without a frame rate.
 lipz_status lipz_clip_hold_frames(const lipz_dialogue *dialogue,
                                   const lipz_clip *clip,
                                   uint32_t rendered_frame_us,
                                   uint32_t *hold_frames);
 
-// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the clip had none.
+// Writes the bank's data about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the
+// clip had no recording.
 lipz_status lipz_clip_recording(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_recording *recording);
 
-// The clip as it is played in `voice`: the dub in it; without one, that in a voice that this one falls back to; otherwise
-// the original. The clip may be the original or any of its dubs. With a voice of another version, the clip itself.
+// Writes the clip as played in `voice`: its dub, or the dub in a voice that this one falls back to, or the original.
+// The clip may be the original or any of its dubs. With a voice of another version, writes the clip itself.
 lipz_status lipz_clip_in_voice(const lipz_dialogue *dialogue,
                                const lipz_clip *clip,
                                const lipz_voice *voice,
                                lipz_voiced_clip *voiced);
 
-// The voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` without dubs.
+// Writes the voice of the recording that a clip was made for. `LIPZ_NONE` without dubs.
 lipz_status lipz_clip_voice(const lipz_dialogue *dialogue, const lipz_clip *clip, lipz_voice *voice);
 
-// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
-// clips as constants.
+// Writes the id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all clips as
+// constants.
 lipz_status lipz_clip_id_of_key(const char *key, size_t key_length_bytes, uint64_t *id);
 
-// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
-// `file` of the clip is the number of the file to supply.
+// Writes the clip with this id, from the topmost file that has it. `LIPZ_ABSENT` if the clip would be in a missing
+// bank of a set: `file` of the clip is then the number of the file to supply.
 lipz_status lipz_dialogue_clip(const lipz_dialogue *dialogue, uint64_t id, lipz_clip *clip);
 
-// The clip with this key, compared whole; as `lipz_dialogue_clip`.
+// Writes the clip with this key, which is compared in full; otherwise like `lipz_dialogue_clip`.
 lipz_status lipz_dialogue_clip_by_key(const lipz_dialogue *dialogue, const char *key, size_t key_length_bytes, lipz_clip *clip);
 
-// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
-// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
+// Writes the next clip whose key starts with `prefix`, file by file, ordered by key in each. An empty prefix matches
+// all clips. `position` stores the progress, and is 0 at the start. `LIPZ_NONE` after the last clip.
 lipz_status lipz_dialogue_next_clip(const lipz_dialogue *dialogue,
                                     const char *prefix,
                                     size_t prefix_length_bytes,
                                     uint64_t *position,
                                     lipz_clip *clip);
 
-// The display text of a segment in a locale, or in the locale that it falls back to. `LIPZ_NONE` if neither has a text for this
-// clip, and for a locale of another version. A segment of an existing text may be empty.
+// Writes the display text of a segment in a locale, or in its fallback locale. `LIPZ_NONE` if neither has a text for
+// this clip, and for a locale of another version. A segment of an existing text may be empty.
 lipz_status lipz_segment_text(const lipz_dialogue *dialogue,
                               const lipz_segment *segment,
                               const lipz_locale *locale,
                               lipz_text *text);
 
-// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
-// `LIPZ_NONE` if the file has no events.
+// Writes the event string of a segment, trimmed and otherwise as in the Lipz file. Empty if there are no events in
+// this segment; `LIPZ_NONE` if the file has no events.
 lipz_status lipz_segment_event_string(const lipz_dialogue *dialogue, const lipz_segment *segment, lipz_string *string);
 
-// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. An event string in a
+// Writes the typed event of a segment with this index. Call it from 0 on until `LIPZ_NONE`. An event string in a
 // different syntax, such as a script, has no typed events.
 lipz_status lipz_segment_event(const lipz_dialogue *dialogue, const lipz_segment *segment, uint32_t index, lipz_event *event);
 
-// The locale with this tag, spelled as in the files; the default locale if `tag` is null. `LIPZ_ABSENT` if no bank of a set is
-// there.
+// Writes the locale with this tag, spelled as in the files, or the default locale if `tag` is null. `LIPZ_ABSENT` if
+// no bank of a set is loaded.
 lipz_status lipz_dialogue_locale(const lipz_dialogue *dialogue, const char *tag, size_t tag_length_bytes, lipz_locale *locale);
 
-// The locale with this index: ask from 0 on until `LIPZ_NONE`.
+// Writes the locale with this index. Call it from 0 on until `LIPZ_NONE`.
 lipz_status lipz_dialogue_locale_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_locale *locale);
 
-// The voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or the project names no such voice: play
-// the clips as they are. `LIPZ_ABSENT` if none is found while a bank of a set is not there: a bank without dubs names no voices.
+// Writes the voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or if the project does
+// not define this voice: play the clips unchanged. `LIPZ_ABSENT` if it is not found while a bank of a set is missing,
+// because a bank without dubs lists no voices.
 lipz_status lipz_dialogue_voice(const lipz_dialogue *dialogue, const char *tag, size_t tag_length_bytes, lipz_voice *voice);
 
-// The voice with this index, that of the originals first: ask from 0 on until `LIPZ_NONE`.
+// Writes the voice with this index, that of the originals first. Call it from 0 on until `LIPZ_NONE`.
 lipz_status lipz_dialogue_voice_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_voice *voice);
 
-// The name that events mention, spelled as there: for the speaker of a cursor. Of a set, those in the banks that are there.
+// Writes the name as spelled in events, for the speaker of a cursor. In a set, only loaded banks are searched.
 lipz_status lipz_dialogue_event_name(const lipz_dialogue *dialogue, const char *name, size_t name_length_bytes, lipz_name *found);
 
-// Starts a cursor that waits for the audio of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: unless that is the
-// size in the library that runs, the status is `LIPZ_OTHER_VERSION`, and nothing is written.
+// Starts a cursor that waits for the audio of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: if the size
+// differs in the running library, the status is `LIPZ_OTHER_VERSION`, and nothing is written.
 //
-// `LIPZ_NONE` if there is no such clip, and if it has no frame rate: set one in `clip`. The cursor remembers frame
-// rate and viseme type of `clip`, and uses them where the dialogue has none.
+// `LIPZ_NONE` if there is no such clip, or if it has no frame rate: set one in `clip`. The cursor stores the frame
+// rate and the viseme type of `clip`, and uses them where the dialogue has none.
 lipz_status lipz_cursor_new(const lipz_dialogue *dialogue, const lipz_clip *clip, size_t size_bytes, lipz_cursor *cursor);
 
-// The audio has reached `time`: the events of the segments that have begun since are due. A time before that of the last call
-// makes nothing due, and nothing comes again until the audio is past the point that it had reached: clocks jitter.
+// Moves the cursor to the audio position `time`. The events of the segments that have begun since the last call are
+// due. A time before that of the last call makes nothing due, and nothing is due again until the audio is past the
+// point that it had reached, because clocks jitter.
 lipz_status lipz_cursor_advance(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_time time);
 
-// The audio has jumped from its end to its start, and has reached `time` since: the segments that were left are due, then those
-// that have begun since. Call it once per round. What characters feel, stare and point at outlasts the end of a round.
+// Moves the cursor after the audio has jumped from its end to its start, and then reached `time`. The remaining
+// segments are due, then those that have begun since. Call it once per loop. Emotions, stares and pointing last beyond
+// the end of the clip.
 lipz_status lipz_cursor_loop(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_time time);
 
-// Jumps to `time`, forward or back. Nothing is due; the next advance starts with the segments that begin in the frame of this
-// time. States are as if the clip had been played once from its start to here.
+// Jumps to `time`, forward or back. Nothing is due; the next advance starts with the segments that begin in the frame
+// of this time. States are as if the clip had been played once from its start to here.
 lipz_status lipz_cursor_seek(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_time time);
 
-// Ends the clip before the audio does, as when a player skips it: the segments that are left become due, so that lasting states
-// take effect.
+// Ends the clip before the audio ends, as when a player skips it. The remaining segments become due, so that lasting
+// states take effect.
 lipz_status lipz_cursor_finish(const lipz_dialogue *dialogue, lipz_cursor *cursor);
 
-// Takes the next event that is due: of the segments that have begun since the move before the last one, in order, each
-// once, also of segments without frames. Events that name no character are the speaker's. Call it after each move until
-// `LIPZ_NONE`: events that are not taken before the next move do not come again.
+// Takes the next event that is due: those of the segments that have begun since the last move, in order, each once,
+// including empty segments. Events without a character are the speaker's. Call it after each move until `LIPZ_NONE`:
+// events that are not taken before the next move are lost.
 lipz_status lipz_cursor_take_event(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_event *event);
 
-// Takes the next segment that is due, with all its events: for event strings whose syntax differs from that of
+// Takes the next segment that is due, with all its events: for event strings in other syntaxes than that of
 // `lipz_cursor_take_event`. `LIPZ_NONE` when all are taken.
 lipz_status lipz_cursor_take_segment(const lipz_dialogue *dialogue, lipz_cursor *cursor, lipz_segment *segment);
 
-// The mouth shape to draw, with lead and hold; rest before the start and from the end on.
+// Writes the viseme to draw, with lead and hold, or rest before the start and from the end on.
 lipz_status lipz_cursor_viseme(const lipz_dialogue *dialogue, const lipz_cursor *cursor, lipz_viseme *viseme);
 
-// How far that mouth is open, in ten-thousandths; `LIPZ_NONE` if the clip has no frames or no viseme type: let the mouth
-// babble.
+// Writes how far that mouth is open, in ten-thousandths. `LIPZ_NONE` if the clip has no frames or no viseme type: let
+// the mouth babble.
 lipz_status lipz_cursor_openness(const lipz_dialogue *dialogue, const lipz_cursor *cursor, uint32_t *ten_thousandths);
 
-// The segment whose subtitle to show; `LIPZ_NONE` before the start and from the end on.
+// Writes the segment of the subtitle to show. `LIPZ_NONE` before the start and from the end on.
 lipz_status lipz_cursor_segment(const lipz_dialogue *dialogue, const lipz_cursor *cursor, lipz_segment *segment);
 
-// What `name` feels, stares and points at after the events that were due or were jumped over; the speaker if it is null
-// or no name. `LIPZ_NONE` for a name of another version.
+// Writes the emotion of `name`, and the targets of staring and pointing, after the events that were due or were jumped
+// over. The speaker if `name` is null or missing. `LIPZ_NONE` for a name of another version.
 //
-// Each call reads the events again, in a time that grows with their number.
+// Each call evaluates the events again, in a time that grows with their number.
 lipz_status lipz_cursor_character(const lipz_dialogue *dialogue,
                                   const lipz_cursor *cursor,
                                   const lipz_name *name,
                                   lipz_character *character);
 
-// A character that an event of the clip is about, also one to come, with its state: ask from 0 on until `LIPZ_NONE`
-// after a jump, to set the scene. They are in the order of their names.
+// Writes the character with this index among those in the events of the clip, including future events, with its state.
+// To set the scene after a jump, call it from 0 on until `LIPZ_NONE`. Characters are ordered by name.
 lipz_status lipz_cursor_character_by_index(const lipz_dialogue *dialogue,
                                            const lipz_cursor *cursor,
                                            uint32_t index,
                                            lipz_character *character);
 
-// The babble profile with this name. If `name` is null, that of the project, `[babble]` in its settings, or the viewer's own if it
-// has none.
+// Writes the babble profile with this name. If `name` is null, writes the project's profile (`[babble]` in its
+// settings), or the viewer's own if the project has none.
 lipz_status lipz_dialogue_babble(const lipz_dialogue *dialogue, const char *name, size_t name_length_bytes, lipz_babble *babble);
 
-// How lips and jaw are moved at a time since the character has begun to speak, at a `power` of the voice from 0 to 1. All zeros
-// before 0. `LIPZ_NONE` for a profile of another version.
+// Writes how far lips and jaw have moved at a time since the start of speech, at a `power` of the voice from 0 to 1.
+// All zeros before 0. `LIPZ_NONE` for a profile of another version.
 lipz_status lipz_babble_at(const lipz_dialogue *dialogue,
                            const lipz_babble *babble,
                            lipz_time time,
@@ -952,48 +962,48 @@ lipz_status lipz_babble_at_level(const lipz_dialogue *dialogue,
                                  uint32_t level,
                                  lipz_weights *weights);
 
-// The curve of a clip with this name. `LIPZ_NONE` if it has none.
+// Writes the curve of a clip with this name. `LIPZ_NONE` if it has none.
 lipz_status lipz_clip_curve(const lipz_dialogue *dialogue,
                             const lipz_clip *clip,
                             const char *name,
                             size_t name_length_bytes,
                             lipz_curve *curve);
 
-// The curve of a clip with this index, in the order of their names: ask from 0 on until `LIPZ_NONE`.
+// Writes the curve of a clip with this index, ordered by name. Call it from 0 on until `LIPZ_NONE`.
 lipz_status lipz_clip_curve_by_index(const lipz_dialogue *dialogue, const lipz_clip *clip, uint32_t index, lipz_curve *curve);
 
-// The key of a curve with this index, a number below its `key_count`.
+// Writes the key of a curve with this index, a number below its `key_count`.
 lipz_status lipz_curve_key(const lipz_dialogue *dialogue, const lipz_curve *curve, uint32_t index, lipz_curve_key_t *key);
 
-// The value of a curve at the start of a frame, in thousandths.
+// Writes the value of a curve at the start of a frame, in thousandths.
 lipz_status lipz_curve_value(const lipz_dialogue *dialogue, const lipz_curve *curve, uint32_t frame, int32_t *thousandths);
 
-// The value of a curve at a time, in thousandths. `LIPZ_NONE` without a frame rate. `cursor` may be null; with one, a rendered
-// frame needs no search among the keys.
+// Writes the value of a curve at a time, in thousandths. `LIPZ_NONE` without a frame rate. `cursor` may be null; with
+// one, a rendered frame needs no search for keys.
 lipz_status lipz_curve_value_at(const lipz_dialogue *dialogue,
                                 const lipz_curve *curve,
                                 lipz_time time,
                                 lipz_curve_cursor *cursor,
                                 int32_t *thousandths);
 
-// What a character of a clip feels at a time; the speaker if `who` is null. A neutral face without curves, and without a frame
-// rate.
+// Writes the emotions of a character of a clip at a time, or the speaker's if `who` is null. Neutral without curves,
+// and without a frame rate.
 lipz_status lipz_clip_emotions_at(const lipz_dialogue *dialogue,
                                   const lipz_clip *clip,
                                   lipz_time time,
                                   const lipz_who *who,
                                   lipz_emotions *emotions);
 
-// The face profile with this name. If `name` is null, that of the project, `[face]` in its settings, or the usual one if it has
-// none.
+// Writes the face profile with this name. If `name` is null, writes the project's profile (`[face]` in its settings),
+// or the default one if the project has none.
 lipz_status lipz_dialogue_face_profile(const lipz_dialogue *dialogue,
                                        const char *name,
                                        size_t name_length_bytes,
                                        lipz_face_profile *profile);
 
-// The face of a character of a clip at a time, generated as `profile` says; the speaker's if `who` is null. Curves of the clip win
-// over what is generated. `profile` may be null for that of the project, `look_at` for a person straight ahead. `LIPZ_NONE` for a
-// profile of another version.
+// Writes the face of a character of a clip at a time, generated from `profile`, or the speaker's if `who` is null.
+// Curves of the clip override generated values. A null `profile` stands for the project's, and a null `look_at` for a
+// person straight ahead. `LIPZ_NONE` for a profile of another version.
 lipz_status lipz_clip_face_at(const lipz_dialogue *dialogue,
                               const lipz_clip *clip,
                               lipz_time time,
@@ -1002,8 +1012,8 @@ lipz_status lipz_clip_face_at(const lipz_dialogue *dialogue,
                               const lipz_look_at *look_at,
                               lipz_face *face);
 
-// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; Give each character a different `seed`,
-// so that they do not blink at the same time. The rest as for `lipz_clip_face_at`.
+// Writes the face of a silent character, who blinks and looks. `time` may start anywhere. Give each character a
+// different `seed`, so that they do not blink at the same time. The other arguments are those of `lipz_clip_face_at`.
 lipz_status lipz_face_idle_at(const lipz_dialogue *dialogue,
                               lipz_time time,
                               uint64_t seed,
@@ -1016,28 +1026,28 @@ lipz_status lipz_face_idle_at(const lipz_dialogue *dialogue,
 #endif  // __cplusplus
 
 
-// A time in microseconds.
+// Returns a time in microseconds.
 static inline lipz_time lipz_time_us(int64_t us) {
   lipz_time time = {us, 0, 0};
   return time;
 }
 
-// A time in samples per channel, at a rate.
+// Returns a time in samples per channel, at a sample rate.
 static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
-  // Without a rate there is no time: as before the start.
+  // Without a valid rate, the time is before the start.
   int is_rate = rate_hz > 0 && rate_hz < LIPZ_SECONDS_F32;
   lipz_time time = {is_rate ? position : -1, is_rate ? rate_hz : 0, 0};
   return time;
 }
 
-// A time in seconds.
+// Returns a time in seconds.
 static inline lipz_time lipz_time_seconds(double seconds) {
   lipz_time time = {0, LIPZ_SECONDS, 0};
   memcpy(&time.count, &seconds, sizeof seconds);
   return time;
 }
 
-// A time in seconds of a clock that has no more than a float.
+// Returns a time in seconds, from a clock without `double`.
 static inline lipz_time lipz_time_seconds_f32(float seconds) {
   uint32_t bits;
   lipz_time time = {0, LIPZ_SECONDS_F32, 0};

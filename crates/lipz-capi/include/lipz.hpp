@@ -1,9 +1,10 @@
 // lipz.hpp - lipz.h for C++17: a dialogue that owns its files, std::string_view, std::optional and ranges.
 // https://github.com/lipz/lipz, MIT OR Apache-2.0. docs/guides/c.md shows how to use it.
 //
-// Header only. Opening allocates, and throws lipz::Error; nothing else does. Strings are views into the files of the dialogue.
-// Clips, segments and curves point to the dialogue that gave them, which outlives them; a cursor does not, and goes on in
-// another version of the dialogue. Every struct of lipz.h is the base of its class, so each function of lipz.h takes it, too.
+// Header only. Opening allocates, and throws lipz::Error; nothing else does. Strings are views into the files of the
+// dialogue. Clips, segments and curves point to their dialogue, which must outlive them. A cursor does not, and
+// continues in another version of the dialogue. Each struct of lipz.h is the base of its class, so functions of lipz.h
+// also accept the class.
 #ifndef LIPZ_HPP
 #define LIPZ_HPP
 
@@ -30,18 +31,18 @@ inline std::string_view view(const lipz_string &string) noexcept {
     return string.data == nullptr ? std::string_view() : std::string_view(string.data, string.length_bytes);
 }
 
-/// Why files make no dialogue; of a file that cannot be read, with the status LIPZ_NONE.
+/// Why files do not form a dialogue. The status is LIPZ_NONE for an unreadable file.
 class Error : public std::runtime_error {
   public:
     Error(lipz_status status, const std::filesystem::path &file, std::uint32_t offset_bytes = 0)
         : std::runtime_error(utf8(file) + ": " + message(status)), status_(status), offset_bytes_(offset_bytes) {}
     lipz_status status() const noexcept { return status_; }
-    /// Where the damage is: bytes from the start of the file.
+    /// The position of the damage: bytes from the start of the file.
     std::uint32_t offset_bytes() const noexcept { return offset_bytes_; }
 
   private:
     static std::string utf8(const std::filesystem::path &path) {
-        const auto text = path.u8string(); // of char8_t from C++20 on
+        const auto text = path.u8string(); // a string of char8_t since C++20
         return std::string(text.begin(), text.end());
     }
     static std::string message(lipz_status status) {
@@ -56,20 +57,20 @@ class Error : public std::runtime_error {
     std::uint32_t offset_bytes_;
 };
 
-/// What a function of lipz.h writes to its last pointer, if there is an answer: as it is, or as a class of this header.
+/// Returns the output of a function of lipz.h, if there is an answer, optionally as a class of this header.
 template <typename T, typename Of = T, typename Ask> std::optional<T> answer(Ask ask) noexcept {
     Of found;
     return ask(&found) == LIPZ_OK ? std::optional<T>(T(found)) : std::nullopt;
 }
 
-/// The same, as a class that points to the dialogue.
+/// The same for a class that points to the dialogue.
 template <typename T, typename Of, typename Ask>
 std::optional<T> answer_in(const lipz_dialogue &dialogue, Ask ask) noexcept {
     Of found;
     return ask(&found) == LIPZ_OK ? std::optional<T>(T(dialogue, found)) : std::nullopt;
 }
 
-/// What `next` gives until it gives nothing, for `for (auto item : range)`.
+/// Iterates over the results of `next` until there are none, for `for (auto item : range)`.
 template <typename T, typename Next> class Range {
   public:
     explicit Range(Next next) : next_(next) {}
@@ -107,14 +108,14 @@ template <typename T, typename Next> class Range {
 
 template <typename T, typename Next> auto range(Next next) { return Range<T, Next>(std::move(next)); }
 
-/// The range of what `ask(index, out)` answers from index 0 on.
+/// Returns the range of the outputs of `ask(index, out)`, from index 0.
 template <typename T, typename Of = T, typename Ask> auto by_index(Ask ask) {
     return range<T>([ask, index = std::uint32_t(0)]() mutable {
         return answer<T, Of>([&](Of *out) { return ask(index++, out); });
     });
 }
 
-/// The viseme that `ask(out)` writes, at rest without an answer.
+/// Returns the viseme that `ask(out)` writes, or rest without an answer.
 template <typename Ask> char viseme_of(Ask ask) noexcept {
     lipz_viseme viseme;
     ask(&viseme);
@@ -142,7 +143,7 @@ struct Time : lipz_time {
         : Time(Micros{std::chrono::floor<std::chrono::microseconds>(time).count()}) {}
 };
 
-/// A name that events mention; false if there is none.
+/// A name in events; false if it is missing.
 struct Name : lipz_name {
     Name() noexcept : lipz_name{{nullptr, 0}, LIPZ_NO_NAME, 0} {}
     Name(const lipz_name &name) noexcept : lipz_name(name) {}
@@ -152,7 +153,7 @@ struct Name : lipz_name {
     friend bool operator!=(const Name &a, const Name &b) noexcept { return !(a == b); }
 };
 
-/// One event: who does what, to whom or to what. `verb` is LIPZ_FEELS and so on.
+/// One event: a character, a verb and an object. `verb` is LIPZ_FEELS and so on.
 struct Event : lipz_event {
     Event(const lipz_event &event) noexcept : lipz_event(event) {}
     Name who() const noexcept { return character; }
@@ -165,14 +166,14 @@ struct Text : lipz_text {
     std::string_view str() const noexcept { return view({data, length_bytes}); }
 };
 
-/// A stretch of a clip.
+/// A part of a clip.
 struct Segment : lipz_segment {
     Segment(const lipz_dialogue &of, const lipz_segment &segment) noexcept : lipz_segment(segment), dialogue(&of) {}
-    /// Nothing if the clip has no text in this locale, nor in the one that it falls back to.
+    /// Returns the text; nothing if the clip has no text in this locale, nor in its fallback.
     std::optional<Text> text(const lipz_locale &locale) const noexcept {
         return answer<Text, lipz_text>([&](lipz_text *out) { return lipz_segment_text(dialogue, this, &locale, out); });
     }
-    /// The event string, in whatever syntax; nothing if the file has no events.
+    /// Returns the event string, in any syntax; nothing if the file has no events.
     std::optional<std::string_view> event_string() const noexcept {
         const auto found =
             answer<lipz_string>([&](lipz_string *out) { return lipz_segment_event_string(dialogue, this, out); });
@@ -197,28 +198,29 @@ struct Curve : lipz_curve {
     std::int32_t value(std::uint32_t frame) const noexcept {
         return answer<std::int32_t>([&](auto *out) { return lipz_curve_value(dialogue, this, frame, out); }).value_or(0);
     }
-    /// Nothing without a frame rate. With a cursor, no key is searched for.
+    /// Returns the value; nothing without a frame rate. With a cursor, no search for keys is needed.
     std::optional<std::int32_t> value_at(Time time, lipz_curve_cursor *cursor = nullptr) const noexcept {
         return answer<std::int32_t>([&](auto *out) { return lipz_curve_value_at(dialogue, this, time, cursor, out); });
     }
     const lipz_dialogue *dialogue;
 };
 
-/// Whose face and emotions: `Who("mara")` for a character who listens, `Who::speaker("mara")` for the one who speaks. The name
-/// outlives it.
+/// The character whose face and emotions are queried: `Who("mara")` for a listener, `Who::speaker("mara")` for the
+/// speaker. The name must outlive it.
 struct Who : lipz_who {
     explicit Who(std::string_view name, bool is_speaker = false) noexcept
         : lipz_who{{name.data(), name.size()}, is_speaker} {}
     static Who speaker(std::string_view name) noexcept { return Who(name, true); }
 };
 
-/// What a character looks at: a direction in thousandths of degrees, up and to the left, as seen from the head at rest.
+/// The target of a character's eyes: a direction in thousandths of a degree, up and to the left, relative to the head
+/// at rest.
 struct LookAt : lipz_look_at {
     /// A person straight ahead.
     LookAt() noexcept : LookAt(0, 0, 1) {}
-    /// A person, over whose face, hands and body the eyes go.
+    /// A person, at whose face, hands and body the eyes look.
     static LookAt person(std::int32_t pitch, std::int32_t yaw) noexcept { return LookAt(pitch, yaw, 1); }
-    /// A thing that the eyes stay on.
+    /// A target on which the eyes stay.
     static LookAt point(std::int32_t pitch, std::int32_t yaw) noexcept { return LookAt(pitch, yaw, 0); }
 
   private:
@@ -231,7 +233,7 @@ struct VoicedClip;
 /// One spoken line. `who` and `profile` may be null: the speaker, and the profile of the project.
 struct Clip : lipz_clip {
     Clip(const lipz_dialogue &of, const lipz_clip &clip) noexcept : lipz_clip(clip), dialogue(&of) {}
-    /// The clip with this frame rate, where its file has none.
+    /// Returns the clip with this frame rate, unless its file specifies one.
     Clip or_fps(std::uint32_t numerator, std::uint32_t denominator = 1) const noexcept {
         Clip given = *this;
         if (fps_denominator == 0) {
@@ -264,11 +266,12 @@ struct Clip : lipz_clip {
         return answer_in<Segment, lipz_segment>(
             *dialogue, [&](auto *out) { return lipz_clip_segment_at(dialogue, this, time, out); });
     }
-    /// The first microsecond at which a frame shows; nothing without a frame rate.
+    /// Returns the first microsecond of a frame; nothing without a frame rate.
     std::optional<std::uint64_t> start_of_frame_us(std::uint32_t frame) const noexcept {
         return answer<std::uint64_t>([&](auto *out) { return lipz_clip_start_of_frame_us(dialogue, this, frame, out); });
     }
-    /// The `hold_frames` of a cursor, for a display that shows each rendered frame so long; 0 for the least that can be read.
+    /// Returns the `hold_frames` of a cursor for a display with rendered frames of this length; with 0, the minimum
+    /// that can be read.
     std::optional<std::uint32_t> hold_frames(std::uint32_t rendered_frame_us = 0) const noexcept {
         return answer<std::uint32_t>(
             [&](auto *out) { return lipz_clip_hold_frames(dialogue, this, rendered_frame_us, out); });
@@ -276,9 +279,9 @@ struct Clip : lipz_clip {
     std::optional<lipz_recording> recording() const noexcept {
         return answer<lipz_recording>([&](auto *out) { return lipz_clip_recording(dialogue, this, out); });
     }
-    /// The clip as it is played in a voice.
+    /// Returns the clip as played in a voice.
     VoicedClip in_voice(const lipz_voice &voice) const noexcept;
-    /// The voice whose recording the mouth belongs to; nothing without dubs.
+    /// Returns the voice of the recording that the clip was made for; nothing without dubs.
     std::optional<lipz_voice> voice() const noexcept {
         return answer<lipz_voice>([&](auto *out) { return lipz_clip_voice(dialogue, this, out); });
     }
@@ -286,7 +289,7 @@ struct Clip : lipz_clip {
         return answer_in<Curve, lipz_curve>(
             *dialogue, [&](auto *out) { return lipz_clip_curve(dialogue, this, name.data(), name.size(), out); });
     }
-    /// All curves, in the order of their names.
+    /// Returns all curves, ordered by name.
     auto curves() const noexcept {
         return range<Curve>([clip = *this, index = std::uint32_t(0)]() mutable {
             return answer_in<Curve, lipz_curve>(
@@ -298,7 +301,7 @@ struct Clip : lipz_clip {
         lipz_clip_emotions_at(dialogue, this, time, who, &emotions);
         return emotions;
     }
-    /// Nothing for a profile of another version.
+    /// Returns the face; nothing for a profile of another version.
     std::optional<lipz_face> face_at(Time time, const lipz_who *who = nullptr, const lipz_face_profile *profile = nullptr,
                                      const LookAt &look_at = LookAt()) const noexcept {
         return answer<lipz_face>(
@@ -307,7 +310,7 @@ struct Clip : lipz_clip {
     const lipz_dialogue *dialogue;
 };
 
-/// A clip as it is played in a voice, and whose it is: `LIPZ_DUB`, `LIPZ_OTHER_DUB` or `LIPZ_ORIGINAL`.
+/// A clip as played in a voice, and its source: `LIPZ_DUB`, `LIPZ_OTHER_DUB` or `LIPZ_ORIGINAL`.
 struct VoicedClip {
     Clip clip;
     std::uint32_t spoken;
@@ -319,7 +322,8 @@ inline VoicedClip Clip::in_voice(const lipz_voice &voice) const noexcept {
     return status == LIPZ_OK ? VoicedClip{Clip(*dialogue, found.clip), found.spoken} : VoicedClip{*this, LIPZ_ORIGINAL};
 }
 
-/// Where a clip is while it is played: numbers, which go on in another version of the dialogue. Keep it next to the dialogue.
+/// The position in a clip during playback: numbers, which remain valid in another version of the dialogue. Keep it next
+/// to the dialogue.
 struct Cursor : lipz_cursor {
     Cursor(const lipz_cursor &cursor) noexcept : lipz_cursor(cursor) {}
     bool is_over() const noexcept { return frame == LIPZ_OVER; }
@@ -331,7 +335,7 @@ struct Cursor : lipz_cursor {
     lipz_status loop_to(const lipz_dialogue &in, Time time) noexcept { return lipz_cursor_loop(&in, this, time); }
     lipz_status seek(const lipz_dialogue &in, Time time) noexcept { return lipz_cursor_seek(&in, this, time); }
     lipz_status finish(const lipz_dialogue &in) noexcept { return lipz_cursor_finish(&in, this); }
-    /// Takes the events that are due, each once. The cursor and the dialogue outlive the range.
+    /// Takes the events that are due, each once. The cursor and the dialogue must outlive the range.
     auto events(const lipz_dialogue &in) noexcept {
         return by_index<Event, lipz_event>(
             [this, &in](std::uint32_t, lipz_event *out) { return lipz_cursor_take_event(&in, this, out); });
@@ -346,18 +350,18 @@ struct Cursor : lipz_cursor {
     char viseme(const lipz_dialogue &in) const noexcept {
         return viseme_of([&](auto *out) { lipz_cursor_viseme(&in, this, out); });
     }
-    /// How far the mouth is open, in ten-thousandths; nothing if the clip has no shapes: let the mouth babble.
+    /// Returns how far the mouth is open, in ten-thousandths; nothing if the clip has no visemes: let the mouth babble.
     std::optional<std::uint32_t> openness(const lipz_dialogue &in) const noexcept {
         return answer<std::uint32_t>([&](auto *out) { return lipz_cursor_openness(&in, this, out); });
     }
     std::optional<Segment> segment(const lipz_dialogue &in) const noexcept {
         return answer_in<Segment, lipz_segment>(in, [&](auto *out) { return lipz_cursor_segment(&in, this, out); });
     }
-    /// What a character feels, stares and points at; the speaker without a name.
+    /// Returns the emotion and targets of a character, or of the speaker without a name.
     std::optional<lipz_character> character(const lipz_dialogue &in, const lipz_name &name = Name()) const noexcept {
         return answer<lipz_character>([&](auto *out) { return lipz_cursor_character(&in, this, &name, out); });
     }
-    /// All characters that events of the clip are about.
+    /// Returns all characters in the events of the clip.
     auto characters(const lipz_dialogue &in) const noexcept {
         return by_index<lipz_character>([this, &in](std::uint32_t index, lipz_character *out) {
             return lipz_cursor_character_by_index(&in, this, index, out);
@@ -365,12 +369,12 @@ struct Cursor : lipz_cursor {
     }
 };
 
-/// Any number of files that answer as one: a bank or the index of a set, patches over it, and text banks. It owns what it needs;
-/// each function of lipz.h takes it.
+/// Any number of files that return answers like one: a bank or the index of a set, patches on top of it, and text
+/// banks. It owns its data, and functions of lipz.h accept it.
 class Dialogue {
   public:
-    /// Reads and opens files, the base first, and verifies them unless `flags` is `LIPZ_UNVERIFIED`. Behind the index of a set stand
-    /// its banks, which are read from the same folder. Throws an Error.
+    /// Reads and opens files, the base first, and verifies them unless `flags` is `LIPZ_UNVERIFIED`. The banks of a set
+    /// are read from the folder of its index, and follow the index. Throws an Error.
     static Dialogue open(const std::vector<std::filesystem::path> &paths, std::uint32_t flags = 0) {
         Dialogue dialogue(flags);
         for (const auto &path : paths) {
@@ -383,7 +387,8 @@ class Dialogue {
         }
         return dialogue.opened();
     }
-    /// Opens contents that the program keeps; no bytes for a bank of a set that `supply` adds. Throws an Error.
+    /// Opens contents that the program keeps. Pass no bytes for a bank of a set that `supply` adds later. Throws an
+    /// Error.
     static Dialogue open_bytes(std::vector<lipz_bytes> contents, std::uint32_t flags = 0) {
         Dialogue dialogue(flags);
         dialogue.state_->contents = std::move(contents);
@@ -393,7 +398,7 @@ class Dialogue {
         return dialogue.opened();
     }
     operator const lipz_dialogue &() const noexcept { return state_->dialogue; }
-    /// For the functions of lipz.h.
+    /// Returns the pointer for functions of lipz.h.
     const lipz_dialogue *get() const noexcept { return &state_->dialogue; }
 
     std::optional<Clip> clip(std::uint64_t id) const noexcept {
@@ -403,7 +408,7 @@ class Dialogue {
         return answer_in<Clip, lipz_clip>(
             *this, [&](auto *out) { return lipz_dialogue_clip_by_key(get(), key.data(), key.size(), out); });
     }
-    /// Puts a bank of a set into its place, whose bytes the program keeps. Throws an Error.
+    /// Adds a missing bank of a set. The program keeps its bytes. Throws an Error.
     void supply(std::uint32_t number, lipz_bytes contents) {
         lipz_problem problem;
         const auto status = lipz_dialogue_supply(&state_->dialogue, state_->files.data(), number, &contents,
@@ -412,7 +417,7 @@ class Dialogue {
             throw error(status, number, problem.offset_bytes);
         }
     }
-    /// The clips whose keys start with `prefix`, file by file.
+    /// Returns the clips whose keys start with `prefix`, file by file.
     auto clips(std::string prefix = {}) const {
         return range<Clip>([this, prefix = std::move(prefix), position = std::uint64_t(0)]() mutable {
             return answer_in<Clip, lipz_clip>(
@@ -425,19 +430,19 @@ class Dialogue {
     std::optional<lipz_voice> voice(std::string_view tag) const noexcept {
         return answer<lipz_voice>([&](auto *out) { return lipz_dialogue_voice(get(), tag.data(), tag.size(), out); });
     }
-    /// The voices, that of the originals first; none without dubs.
+    /// Returns the voices, that of the originals first; empty without dubs.
     auto voices() const noexcept {
         return by_index<lipz_voice>([this](std::uint32_t index, lipz_voice *out) {
             return lipz_dialogue_voice_by_index(get(), index, out);
         });
     }
-    /// No name if no event mentions it.
+    /// Returns the name, which is false if no event contains it.
     Name name(std::string_view name) const noexcept {
         lipz_name found;
         lipz_dialogue_event_name(get(), name.data(), name.size(), &found);
         return found;
     }
-    /// The babble profile with this name; without one, that of the project.
+    /// Returns the babble profile with this name; without one, the project's.
     std::optional<lipz_babble> babble(std::string_view name = {}) const noexcept {
         return answer<lipz_babble>([&](auto *out) { return lipz_dialogue_babble(get(), name.data(), name.size(), out); });
     }
@@ -447,23 +452,23 @@ class Dialogue {
     std::optional<lipz_weights> babble_at_level(const lipz_babble &babble, Time time, std::uint32_t level) const noexcept {
         return answer<lipz_weights>([&](auto *out) { return lipz_babble_at_level(get(), &babble, time, level, out); });
     }
-    /// The face profile with this name; without one, that of the project.
+    /// Returns the face profile with this name; without one, the project's.
     std::optional<lipz_face_profile> face_profile(std::string_view name = {}) const noexcept {
         return answer<lipz_face_profile>(
             [&](auto *out) { return lipz_dialogue_face_profile(get(), name.data(), name.size(), out); });
     }
-    /// The face of a character who does not speak; null for the profile of the project.
+    /// Returns the face of a silent character. Null stands for the project's profile.
     std::optional<lipz_face> idle_at(Time time, std::uint64_t seed, const lipz_face_profile *profile = nullptr,
                                      const LookAt &look_at = LookAt()) const noexcept {
         return answer<lipz_face>([&](auto *out) { return lipz_face_idle_at(get(), time, seed, profile, &look_at, out); });
     }
-    /// Nothing without a frame rate: give the clip one.
+    /// Returns a cursor; nothing without a frame rate: set one on the clip.
     std::optional<Cursor> cursor(const lipz_clip &clip) const noexcept {
         return answer<Cursor, lipz_cursor>([&](auto *out) { return lipz_cursor_new(get(), &clip, sizeof *out, out); });
     }
 
   private:
-    /// What keeps its place when the dialogue is moved.
+    /// The data that must not move when the dialogue is moved.
     struct State {
         std::uint32_t flags;
         std::vector<std::filesystem::path> paths;

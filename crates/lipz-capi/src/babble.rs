@@ -1,4 +1,4 @@
-//! Babble: mouths without a clip's shapes.
+//! Babble: mouth movement without visemes.
 
 use crate::dialogue::{Dialogue, reader};
 use crate::handle::{LIPZ_BUILT_IN, profile_named};
@@ -9,23 +9,23 @@ use crate::time::Time;
 use core::mem::MaybeUninit;
 use lipz_bank::babble::{Power, VoiceLevel};
 
-/// The level of a voice that the program does not measure: three quarters, where all digits of the viewer's profile show, but not
-/// at their widest.
+/// The level for a voice that the program does not measure: three quarters. At this level all digits of the viewer's
+/// profile show, but not at their widest.
 pub const LIPZ_UNMEASURED: u32 = 0xC000;
 
-/// A babble profile of a dialogue. Look it up once; queries go by `index` and `version`.
+/// A babble profile of a dialogue. Look it up once; queries use `index` and `version`.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Babble {
-    /// Its name: `default` for that of the project.
+    /// Its name: `default` for the project's profile.
     pub name: String,
-    /// Its place among the profiles, or `LIPZ_BUILT_IN`.
+    /// Its index among the profiles, or `LIPZ_BUILT_IN`.
     pub index: u32,
     /// The version of the dialogue.
     pub version: u32,
 }
 
-/// What moves the mouth while a character babbles.
+/// The weights of the two mouth movements of babble.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Weights {
@@ -35,8 +35,8 @@ pub struct Weights {
     pub aah: u32,
 }
 
-/// The babble profile with this name. If `name` is null, that of the project, `[babble]` in its settings, or the viewer's own if it
-/// has none.
+/// Writes the babble profile with this name. If `name` is null, writes the project's profile (`[babble]` in its
+/// settings), or the viewer's own if the project has none.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_babble(
     dialogue: Option<&Dialogue>,
@@ -55,8 +55,8 @@ pub unsafe extern "C" fn lipz_dialogue_babble(
     })
 }
 
-/// How lips and jaw are moved at a time since the character has begun to speak, at a `power` of the voice from 0 to 1. All zeros
-/// before 0. `LIPZ_NONE` for a profile of another version.
+/// Writes how far lips and jaw have moved at a time since the start of speech, at a `power` of the voice from 0 to 1.
+/// All zeros before 0. `LIPZ_NONE` for a profile of another version.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_babble_at(
     dialogue: Option<&Dialogue>,
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn lipz_babble_at_level(
     unsafe { babbled(dialogue, babble, time, level, weights) }
 }
 
-/// What the profile says of this time.
+/// Computes the weights of the profile at this time.
 ///
 /// # Safety
 /// The contract of the crate.

@@ -1,4 +1,4 @@
-//! What outlasts an event: what characters feel, stare and point at.
+//! The lasting effects of events: emotions, stares and pointing.
 
 use crate::cursor::{Cursor, of_cursor};
 use crate::dialogue::Dialogue;
@@ -8,12 +8,12 @@ use core::mem::MaybeUninit;
 use lipz_bank::EventName;
 use lipz_bank::playback::CharacterState;
 
-/// What a character feels, stares and points at. No name where no event has said anything: it is as it was before the
-/// clip.
+/// The emotion of a character, and the targets of staring and pointing. A missing name means that no event has set the
+/// field; keep the state from before the clip.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Character {
-    /// Who; no name for a speaker that the cursor does not have.
+    /// The name of the character; missing for a speaker without a name in the cursor.
     pub name: Name,
     /// The emotion, until changed.
     pub feels: Name,
@@ -34,10 +34,10 @@ impl Character {
     }
 }
 
-/// What `name` feels, stares and points at after the events that were due or were jumped over; the speaker if it is null
-/// or no name. `LIPZ_NONE` for a name of another version.
+/// Writes the emotion of `name`, and the targets of staring and pointing, after the events that were due or were jumped
+/// over. The speaker if `name` is null or missing. `LIPZ_NONE` for a name of another version.
 ///
-/// Each call reads the events again, in a time that grows with their number.
+/// Each call evaluates the events again, in a time that grows with their number.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_character(
     dialogue: Option<&Dialogue>,
@@ -58,8 +58,8 @@ pub unsafe extern "C" fn lipz_cursor_character(
     }
 }
 
-/// A character that an event of the clip is about, also one to come, with its state: ask from 0 on until `LIPZ_NONE`
-/// after a jump, to set the scene. They are in the order of their names.
+/// Writes the character with this index among those in the events of the clip, including future events, with its state.
+/// To set the scene after a jump, call it from 0 on until `LIPZ_NONE`. Characters are ordered by name.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_character_by_index(
     dialogue: Option<&Dialogue>,

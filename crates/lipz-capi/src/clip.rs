@@ -9,7 +9,7 @@ use crate::string::String;
 use crate::time::Time;
 use core::mem::MaybeUninit;
 use lipz_bank::playback::ConsonantHold;
-use lipz_bank::{Fps, Spoken, VisemeType};
+use lipz_bank::{Fps, VisemeType, VoiceSource};
 
 /// Viseme type: Preston Blair's chart, `-AMOSWEFLU`.
 pub const LIPZ_BLAIR: u32 = 1;
@@ -18,23 +18,23 @@ pub const LIPZ_TOONBOOM: u32 = 2;
 /// Viseme type: loudness, `-0123456789`.
 pub const LIPZ_RMS: u32 = 3;
 
-/// The clip is the original: the line is not dubbed, or the original was asked for.
+/// The clip is the original: the line is not dubbed, or the original was requested.
 pub const LIPZ_ORIGINAL: u32 = 0;
-/// The clip is the dub in the voice that was asked for.
+/// The clip is the dub in the requested voice.
 pub const LIPZ_DUB: u32 = 1;
-/// The clip is the dub in a voice that the one that was asked for falls back to.
+/// The clip is the dub in a voice that the requested one falls back to.
 pub const LIPZ_OTHER_DUB: u32 = 2;
 
-/// One spoken line, in the version of the dialogue that it was found in. The fields are there to be read, and two pairs to be set
-/// where they are 0.
+/// One spoken line, in the version of the dialogue in which it was found. Read the fields, and set only the frame rate
+/// and the viseme type where they are 0.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Clip {
-    /// Hash of the key: names the clip in every version.
+    /// Hash of the key, which identifies the clip in every version.
     pub id: u64,
     /// The version of the dialogue. In a different version, queries of the clip return `LIPZ_NONE`.
     pub version: u32,
-    /// The number of the file that it is in.
+    /// The number of its file.
     pub file: u32,
     /// Its number in that file.
     pub slot: u32,
@@ -42,12 +42,12 @@ pub struct Clip {
     pub frame_count: u32,
     /// Number of segments, at least 1 in a verified bank.
     pub segment_count: u32,
-    /// Frames in `fps_denominator` seconds, in lowest terms; 0 if unspecified. Set both to supply it:
-    /// from 1 to 1000 frames per second.
+    /// Frames per `fps_denominator` seconds, in lowest terms; 0 if unspecified. In that case, you can set both fields,
+    /// to between 1 and 1000 frames per second.
     pub fps_numerator: u32,
     /// Seconds in which `fps_numerator` frames pass; 0 if unspecified.
     pub fps_denominator: u32,
-    /// `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified. Set it to supply it.
+    /// `LIPZ_BLAIR`, `LIPZ_TOONBOOM`, `LIPZ_RMS`; 0 if unspecified. In that case, you can set it.
     pub viseme_type: u32,
     /// 1 if the Lipz file has visemes. Without them there are no frames, and segments have no times.
     pub has_visemes: u32,
@@ -72,7 +72,7 @@ impl Clip {
         }
     }
 
-    /// The reader's clip, with the frame rate and the viseme type of the struct where it has none.
+    /// Returns the reader's clip, with the struct's frame rate and viseme type where it has none.
     pub(crate) fn find<'a>(&self, dialogue: &'a lipz_bank::Dialogue<'a>) -> Result<lipz_bank::Clip<'a>, Status> {
         let found = if self.version == dialogue.version() { dialogue.clip_at(self.file, self.slot) } else { None };
         let found = found.filter(|clip| clip.id().get() == self.id).ok_or(LIPZ_NONE)?;
@@ -80,18 +80,19 @@ impl Clip {
     }
 }
 
-/// The clip with this frame rate and viseme type where it has none.
+/// Sets frame rate and viseme type on a clip where it has none.
 pub(crate) fn given(clip: lipz_bank::Clip<'_>, numerator: u32, denominator: u32, kind: u32) -> lipz_bank::Clip<'_> {
     let kind = u8::try_from(kind).ok().and_then(VisemeType::from_number);
     let clip = kind.map_or(clip, |kind| clip.or_viseme_type(kind));
-    // Whether it has a rate of its own: `Clip::fps` would check it, which takes longer than most queries.
+    // Detects whether the clip has its own rate. `Clip::fps` would check the rate, which takes longer than most
+    // queries.
     match lipz_bank::Cursor::new(&clip) {
         Some(_) => clip,
         None => Fps::new(numerator, denominator).map_or(clip, |fps| clip.or_fps(fps)),
     }
 }
 
-/// A mouth shape: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
+/// A viseme: its Lipz code, an ASCII character in any bank that passes verification. Rest is `-`.
 #[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Viseme(pub u8);
@@ -108,21 +109,21 @@ impl Default for Viseme {
     }
 }
 
-/// The recording that a clip was made for. Compare it with the audio that is about to be played.
+/// The recording that a clip was made for. Compare it with the audio that you are about to play.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Recording {
     /// Length in microseconds, rounded to the nearest.
     pub length_us: u64,
-    /// XXH3, 64 bits with seed 0, of all bytes of the file: what `XXH3_64bits` of xxHash gives.
+    /// XXH3, 64 bits with seed 0, of all bytes of the file: the result of `XXH3_64bits` of xxHash.
     pub content_hash: u64,
 }
 
-/// A clip as it is played in a voice.
+/// A clip as played in a voice.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct VoicedClip {
-    /// The clip: its mouth, its times, its texts and its events are those of the recording in that voice.
+    /// The clip. Its visemes, times, texts and events belong to the recording in that voice.
     pub clip: Clip,
     /// `LIPZ_ORIGINAL`, `LIPZ_DUB` or `LIPZ_OTHER_DUB`.
     pub spoken: u32,
@@ -130,7 +131,7 @@ pub struct VoicedClip {
     pub reserved: u32,
 }
 
-/// The key of a clip: the path of its Lipz file below the source root, without extension.
+/// Writes the key of a clip: the path of its Lipz file below the source root, without extension.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_key(
     dialogue: Option<&Dialogue>,
@@ -141,7 +142,7 @@ pub unsafe extern "C" fn lipz_clip_key(
     unsafe { of_clip(dialogue, clip, key, |_, clip| Ok(String::from_text(clip.key()))) }
 }
 
-/// The frame codes of a clip, one byte per frame.
+/// Writes the frame codes of a clip, one byte per frame.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_frames(
     dialogue: Option<&Dialogue>,
@@ -152,7 +153,7 @@ pub unsafe extern "C" fn lipz_clip_frames(
     unsafe { of_clip(dialogue, clip, frames, |_, clip| Ok(String::from_bytes(clip.frames()))) }
 }
 
-/// The frame that shows at a time.
+/// Writes the frame at a time.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_frame_at(
     dialogue: Option<&Dialogue>,
@@ -164,7 +165,7 @@ pub unsafe extern "C" fn lipz_clip_frame_at(
     unsafe { of_clip(dialogue, clip, frame, |_, clip| clip.frame_at(time.to_reader()).ok_or(LIPZ_NONE)) }
 }
 
-/// The viseme of a frame; rest outside the clip.
+/// Writes the viseme of a frame, or rest outside the clip.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_viseme(
     dialogue: Option<&Dialogue>,
@@ -176,7 +177,7 @@ pub unsafe extern "C" fn lipz_clip_viseme(
     unsafe { of_clip(dialogue, clip, viseme, |_, clip| Ok(Viseme::from_reader(clip.viseme(frame)))) }
 }
 
-/// The viseme that shows at a time; rest while the character does not speak.
+/// Writes the viseme at a time, or rest while the character does not speak.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_viseme_at(
     dialogue: Option<&Dialogue>,
@@ -188,7 +189,7 @@ pub unsafe extern "C" fn lipz_clip_viseme_at(
     unsafe { of_clip(dialogue, clip, viseme, |_, clip| Ok(Viseme::from_reader(clip.viseme_at(time.to_reader())))) }
 }
 
-/// The segment of a clip with this index.
+/// Writes the segment of a clip with this index.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_segment(
     dialogue: Option<&Dialogue>,
@@ -202,7 +203,7 @@ pub unsafe extern "C" fn lipz_clip_segment(
     }
 }
 
-/// The segment at a time.
+/// Writes the segment at a time.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_segment_at(
     dialogue: Option<&Dialogue>,
@@ -218,7 +219,7 @@ pub unsafe extern "C" fn lipz_clip_segment_at(
     }
 }
 
-/// The first microsecond at which a frame shows; that of frame `frame_count` is the length of the clip, that of frame 1 the
+/// Writes the first microsecond of a frame. For frame `frame_count`, it is the length of the clip; for frame 1, the
 /// `lead_us` of a cursor that leads by one frame. `LIPZ_NONE` without a frame rate.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_start_of_frame_us(
@@ -231,8 +232,9 @@ pub unsafe extern "C" fn lipz_clip_start_of_frame_us(
     unsafe { of_clip(dialogue, clip, time_us, |_, clip| Ok(clip.fps().ok_or(LIPZ_NONE)?.start_of_frame_us(frame))) }
 }
 
-/// The `hold_frames` of a cursor for a display that shows each rendered frame for so many microseconds: every consonant that has
-/// the room is in at least one. For 0, two frames at 24 fps, which is the least that can be read. `LIPZ_NONE` without a frame rate.
+/// Writes the `hold_frames` of a cursor for a display with rendered frames of this length in microseconds. Every
+/// consonant with enough room is then in at least one. For 0, writes two frames at 24 fps, the minimum that can be
+/// read. `LIPZ_NONE` without a frame rate.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_hold_frames(
     dialogue: Option<&Dialogue>,
@@ -253,7 +255,8 @@ pub unsafe extern "C" fn lipz_clip_hold_frames(
     }
 }
 
-/// What the bank says about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the clip had none.
+/// Writes the bank's data about the recording of a clip. `LIPZ_NONE` if the bank was packed without recordings, or the
+/// clip had no recording.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_recording(
     dialogue: Option<&Dialogue>,
@@ -269,8 +272,8 @@ pub unsafe extern "C" fn lipz_clip_recording(
     }
 }
 
-/// The clip as it is played in `voice`: the dub in it; without one, that in a voice that this one falls back to; otherwise
-/// the original. The clip may be the original or any of its dubs. With a voice of another version, the clip itself.
+/// Writes the clip as played in `voice`: its dub, or the dub in a voice that this one falls back to, or the original.
+/// The clip may be the original or any of its dubs. With a voice of another version, writes the clip itself.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_in_voice(
     dialogue: Option<&Dialogue>,
@@ -283,8 +286,8 @@ pub unsafe extern "C" fn lipz_clip_in_voice(
         of_clip(dialogue, clip, voiced, |dialogue, clip| {
             let found = clip.in_voice(voice.ok_or(LIPZ_NULL_POINTER)?.to_reader());
             let spoken = match found.spoken {
-                Spoken::Dub => LIPZ_DUB,
-                Spoken::OtherDub => LIPZ_OTHER_DUB,
+                VoiceSource::Dub => LIPZ_DUB,
+                VoiceSource::OtherDub => LIPZ_OTHER_DUB,
                 _ => LIPZ_ORIGINAL,
             };
             Ok(VoicedClip { clip: Clip::from_reader(dialogue.version(), &found.clip), spoken, reserved: 0 })
@@ -292,7 +295,7 @@ pub unsafe extern "C" fn lipz_clip_in_voice(
     }
 }
 
-/// The voice whose recording the mouth of a clip belongs to. `LIPZ_NONE` without dubs.
+/// Writes the voice of the recording that a clip was made for. `LIPZ_NONE` without dubs.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_voice(
     dialogue: Option<&Dialogue>,

@@ -1,4 +1,4 @@
-//! The cursor: where a clip is while it is played.
+//! The cursor: the position in a clip during playback.
 
 use crate::clip::{Clip, Viseme, given};
 use crate::dialogue::{Dialogue, reader};
@@ -12,72 +12,74 @@ use core::mem::{MaybeUninit, size_of};
 use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{ClipId, Fps};
 
-/// In place of a frame: the audio is past the last one. All events of the clip have been due.
+/// Stands for a frame: the audio is past the last one. All events of the clip have been due.
 pub const LIPZ_OVER: u32 = 0xFFFF_FFFF;
-/// In place of a frame: the audio has not begun.
+/// Stands for a frame: the audio has not begun.
 pub const LIPZ_WAITING: u32 = 0xFFFF_FFFE;
 
-/// Where a clip is while it is played: a plain struct of numbers, which a program keeps next to its dialogue. Once per
-/// rendered frame, move it to the position of the audio, take the events that are due, and draw what it shows.
+/// The position in a clip during playback: a plain struct of numbers, which a program keeps next to its dialogue. Once
+/// per rendered frame, move it to the position of the audio, take the events that are due, and draw its viseme.
 ///
-/// It remains right when a new version of the dialogue replaces the old one: it continues at the same time. For another line,
-/// start another cursor. docs/guides/playback.md has a table of what happens when time goes on, stands still, jumps and loops.
+/// It remains valid when a new version of the dialogue replaces the old one: it continues at the same time. For another
+/// line, start another cursor. docs/guides/playback.md has a table of the results when the time advances, stands still,
+/// jumps and loops.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Cursor {
-    /// Size of this struct where it was started; each function looks at it.
+    /// The size of this struct in the program that started it. Each function checks it.
     pub size_bytes: u32,
     /// The frame at the position of the audio; `LIPZ_WAITING` before it begins, `LIPZ_OVER` from its end on.
     pub frame: u32,
     /// The clip.
     pub clip_id: u64,
-    /// Frames in `fps_denominator` seconds, if the clip has no frame rate.
+    /// Frames per `fps_denominator` seconds, if the clip has no frame rate.
     pub fps_numerator: u32,
     /// Seconds in which `fps_numerator` frames pass, if the clip has no frame rate.
     pub fps_denominator: u32,
-    /// The viseme type, if the clip has none; 0 for none.
+    /// The viseme type, if the clip has none; 0 if unspecified.
     pub viseme_type: u32,
-    /// Set it: how many microseconds mouth shapes are ahead of the audio. Segments and events stay with the audio.
+    /// You can set it: how many microseconds the mouth is ahead of the audio. Segments and events stay with the audio.
     pub lead_us: u32,
-    /// Set it: how many frames a consonant shows at least; at most 255.
+    /// You can set it: the least number of frames for which a consonant shows, at most 255.
     pub hold_frames: u32,
-    /// Set it: who speaks, so whose events name no character: the `id` of a `lipz_name`.
+    /// You can set it: the speaker, who is the character of events without a name. The `id` of a `lipz_name`.
     pub speaker_id: u32,
-    /// Set it: the `bank` of that name. The names of another version do not count: set both again after a refresh.
+    /// You can set it: the `bank` of that name. Names of another version are ignored, so set both again after a
+    /// refresh.
     pub speaker_bank: u32,
-    /// The frame that the mouth shows, which is ahead of the audio.
+    /// The frame of the mouth, which is ahead of the audio.
     pub mouth_frame: u32,
     /// The first segment whose events have not been due.
     pub next_segment: u32,
     /// 1 if those before `next_segment` were due at `frame`; 2 if the clip has looped.
     pub flags: u32,
-    /// The segment whose events are due next, of those that the last move has made due.
+    /// The segment whose events are due next, among those that the last move made due.
     pub due_segment: u32,
     /// The first segment that is not due.
     pub due_end: u32,
-    /// The same, from the start on after a loop.
+    /// The same for the segments from the start on, after a loop.
     pub due_around_to: u32,
     /// The event of `due_segment` that is due next.
     pub due_event: u32,
 }
 
-/// Size of a cursor: some dozens of bytes.
+/// The size of a cursor: some dozens of bytes.
 #[allow(clippy::cast_possible_truncation)]
 const SIZE_BYTES: u32 = size_of::<Cursor>() as u32;
 
-/// How a cursor is moved.
+/// The kinds of moves of a cursor.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Move {
-    /// On, or to the end: segments that have begun meanwhile are due.
+    /// Forward, or to the end: segments that have begun since are due.
     On,
-    /// Around: the rest is due, and segments that have begun since.
+    /// In a loop: the rest is due, and the segments that have begun since.
     Around,
-    /// Elsewhere: nothing is due.
+    /// To any time: nothing is due.
     Away,
 }
 
 impl Cursor {
-    /// The clip of the cursor, with what the cursor remembers of it, and the reader's cursor.
+    /// Returns the clip of the cursor, with the settings in the cursor, and the reader's cursor.
     fn find<'a>(
         &self,
         dialogue: &'a lipz_bank::Dialogue<'a>,
@@ -94,7 +96,7 @@ impl Cursor {
         Ok((clip, cursor.with_words(words)))
     }
 
-    /// The name of the speaker, if it is one of the dialogue.
+    /// Returns the name of the speaker, if it belongs to the dialogue.
     pub(crate) fn speaker<'a>(&self, dialogue: &'a lipz_bank::Dialogue<'a>) -> Option<lipz_bank::EventName<'a>> {
         if self.speaker_bank == LIPZ_NO_NAME {
             return None;
@@ -102,7 +104,7 @@ impl Cursor {
         dialogue.event_name_of_words([self.speaker_bank, self.speaker_id])
     }
 
-    /// The index of the segment that is due next.
+    /// Returns the index of the segment that is due next.
     fn due(&mut self) -> Option<u32> {
         if self.due_segment >= self.due_end {
             self.due_segment = 0;
@@ -112,18 +114,18 @@ impl Cursor {
         if self.due_segment < self.due_end { Some(self.due_segment) } else { None }
     }
 
-    /// Goes to the segment behind `index`.
+    /// Moves to the segment after `index`.
     fn pass(&mut self, index: u32) {
         self.due_segment = index.saturating_add(1);
         self.due_event = 0;
     }
 }
 
-/// Starts a cursor that waits for the audio of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: unless that is the
-/// size in the library that runs, the status is `LIPZ_OTHER_VERSION`, and nothing is written.
+/// Starts a cursor that waits for the audio of `clip` to begin. `size_bytes` is `sizeof(lipz_cursor)`: if the size
+/// differs in the running library, the status is `LIPZ_OTHER_VERSION`, and nothing is written.
 ///
-/// `LIPZ_NONE` if there is no such clip, and if it has no frame rate: set one in `clip`. The cursor remembers frame
-/// rate and viseme type of `clip`, and uses them where the dialogue has none.
+/// `LIPZ_NONE` if there is no such clip, or if it has no frame rate: set one in `clip`. The cursor stores the frame
+/// rate and the viseme type of `clip`, and uses them where the dialogue has none.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_new(
     dialogue: Option<&Dialogue>,
@@ -154,7 +156,7 @@ pub unsafe extern "C" fn lipz_cursor_new(
     })
 }
 
-/// Moves a cursor. Unless that succeeds, it stays where it was.
+/// Moves a cursor, or leaves it unchanged on failure.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -174,7 +176,7 @@ unsafe fn moved<'a, T>(
         Err(status) => return status,
     };
     let before = cursor.next_segment;
-    // What is due is taken from the cursor.
+    // The cursor records the segments that are due.
     let _ = to(&mut inner, &clip);
     [cursor.frame, cursor.mouth_frame, cursor.next_segment, cursor.flags] = inner.to_words();
     let count = clip.segment_count();
@@ -188,8 +190,9 @@ unsafe fn moved<'a, T>(
     LIPZ_OK
 }
 
-/// The audio has reached `time`: the events of the segments that have begun since are due. A time before that of the last call
-/// makes nothing due, and nothing comes again until the audio is past the point that it had reached: clocks jitter.
+/// Moves the cursor to the audio position `time`. The events of the segments that have begun since the last call are
+/// due. A time before that of the last call makes nothing due, and nothing is due again until the audio is past the
+/// point that it had reached, because clocks jitter.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_advance(
     dialogue: Option<&Dialogue>,
@@ -200,8 +203,9 @@ pub unsafe extern "C" fn lipz_cursor_advance(
     unsafe { moved(dialogue, cursor, Move::On, |cursor, clip| cursor.advance_to(clip, time.to_reader())) }
 }
 
-/// The audio has jumped from its end to its start, and has reached `time` since: the segments that were left are due, then those
-/// that have begun since. Call it once per round. What characters feel, stare and point at outlasts the end of a round.
+/// Moves the cursor after the audio has jumped from its end to its start, and then reached `time`. The remaining
+/// segments are due, then those that have begun since. Call it once per loop. Emotions, stares and pointing last beyond
+/// the end of the clip.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_loop(
     dialogue: Option<&Dialogue>,
@@ -212,8 +216,8 @@ pub unsafe extern "C" fn lipz_cursor_loop(
     unsafe { moved(dialogue, cursor, Move::Around, |cursor, clip| cursor.loop_to(clip, time.to_reader())) }
 }
 
-/// Jumps to `time`, forward or back. Nothing is due; the next advance starts with the segments that begin in the frame of this
-/// time. States are as if the clip had been played once from its start to here.
+/// Jumps to `time`, forward or back. Nothing is due; the next advance starts with the segments that begin in the frame
+/// of this time. States are as if the clip had been played once from its start to here.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_seek(
     dialogue: Option<&Dialogue>,
@@ -224,17 +228,17 @@ pub unsafe extern "C" fn lipz_cursor_seek(
     unsafe { moved(dialogue, cursor, Move::Away, |cursor, clip| cursor.seek(clip, time.to_reader())) }
 }
 
-/// Ends the clip before the audio does, as when a player skips it: the segments that are left become due, so that lasting states
-/// take effect.
+/// Ends the clip before the audio ends, as when a player skips it. The remaining segments become due, so that lasting
+/// states take effect.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_finish(dialogue: Option<&Dialogue>, cursor: Option<&mut Cursor>) -> Status {
     // SAFETY: the contract of the crate, which the caller keeps.
     unsafe { moved(dialogue, cursor, Move::On, |cursor, clip| cursor.finish(clip)) }
 }
 
-/// Takes the next event that is due: of the segments that have begun since the move before the last one, in order, each
-/// once, also of segments without frames. Events that name no character are the speaker's. Call it after each move until
-/// `LIPZ_NONE`: events that are not taken before the next move do not come again.
+/// Takes the next event that is due: those of the segments that have begun since the last move, in order, each once,
+/// including empty segments. Events without a character are the speaker's. Call it after each move until `LIPZ_NONE`:
+/// events that are not taken before the next move are lost.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_take_event(
     dialogue: Option<&Dialogue>,
@@ -252,7 +256,7 @@ pub unsafe extern "C" fn lipz_cursor_take_event(
     }
 }
 
-/// Takes the next segment that is due, with all its events: for event strings whose syntax differs from that of
+/// Takes the next segment that is due, with all its events: for event strings in other syntaxes than that of
 /// `lipz_cursor_take_event`. `LIPZ_NONE` when all are taken.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_take_segment(
@@ -269,7 +273,7 @@ pub unsafe extern "C" fn lipz_cursor_take_segment(
     }
 }
 
-/// Takes something of the segments that are due, from the first that has some left.
+/// Takes an item from the segments that are due, from the first that has items left.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -283,7 +287,7 @@ unsafe fn of_due<'a, T: Default>(
         // SAFETY: the same contract.
         let dialogue = unsafe { reader(dialogue) }?;
         let cursor = cursor.ok_or(LIPZ_NULL_POINTER)?;
-        // Mostly nothing is due, and then no clip is looked for.
+        // Usually nothing is due, and then no clip needs to be found.
         if cursor.size_bytes == SIZE_BYTES && cursor.due().is_none() {
             return Err(LIPZ_NONE);
         }
@@ -294,7 +298,7 @@ unsafe fn of_due<'a, T: Default>(
                     Some(taken) => return Ok(taken),
                     None => cursor.pass(index),
                 },
-                // The clip has fewer segments than before: nothing else is due.
+                // The clip has fewer segments than before, so nothing else is due.
                 None => cursor.due_segment = cursor.due_end,
             }
         }
@@ -302,7 +306,7 @@ unsafe fn of_due<'a, T: Default>(
     })
 }
 
-/// The mouth shape to draw, with lead and hold; rest before the start and from the end on.
+/// Writes the viseme to draw, with lead and hold, or rest before the start and from the end on.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_viseme(
     dialogue: Option<&Dialogue>,
@@ -313,8 +317,8 @@ pub unsafe extern "C" fn lipz_cursor_viseme(
     unsafe { of_cursor(dialogue, cursor, viseme, |_, clip, cursor| Ok(Viseme::from_reader(cursor.viseme(clip)))) }
 }
 
-/// How far that mouth is open, in ten-thousandths; `LIPZ_NONE` if the clip has no frames or no viseme type: let the mouth
-/// babble.
+/// Writes how far that mouth is open, in ten-thousandths. `LIPZ_NONE` if the clip has no frames or no viseme type: let
+/// the mouth babble.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_openness(
     dialogue: Option<&Dialogue>,
@@ -329,7 +333,7 @@ pub unsafe extern "C" fn lipz_cursor_openness(
     }
 }
 
-/// The segment whose subtitle to show; `LIPZ_NONE` before the start and from the end on.
+/// Writes the segment of the subtitle to show. `LIPZ_NONE` before the start and from the end on.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_cursor_segment(
     dialogue: Option<&Dialogue>,

@@ -1,6 +1,7 @@
 //! Curves of a clip: named numbers that change while it plays, such as blend shapes and emotions.
 //!
-//! Values are in thousandths. Between two keys they change evenly; outside of the keys they are those of the first and last.
+//! Values are in thousandths. Between two keys they change linearly; before the first key and after the last they are
+//! constant.
 
 use crate::clip::{Clip, given, of_clip};
 use crate::dialogue::{Dialogue, reader};
@@ -12,7 +13,7 @@ use core::mem::MaybeUninit;
 use lipz_bank::Fps;
 use lipz_bank::curve::CurveValue;
 
-/// A curve of a clip, in the version of the dialogue that it was found in. The fields are there to be read.
+/// A curve of a clip, in the version of the dialogue in which it was found. The fields are read-only.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Curve {
@@ -22,13 +23,13 @@ pub struct Curve {
     pub key_count: u32,
     /// The version of the dialogue. In a different version, queries of the curve return `LIPZ_NONE`.
     pub version: u32,
-    /// The number of the file that it is in.
+    /// The number of its file.
     pub file: u32,
     /// The number of its clip in that file.
     pub slot: u32,
-    /// Its place among all curves of that file.
+    /// Its index among all curves of that file.
     pub place: u32,
-    /// Frames in `fps_denominator` seconds, of its clip.
+    /// Frames of its clip per `fps_denominator` seconds.
     pub fps_numerator: u32,
     /// Seconds in which `fps_numerator` frames pass.
     pub fps_denominator: u32,
@@ -46,14 +47,14 @@ pub struct CurveKey {
     pub thousandths: i32,
 }
 
-/// Which key of a curve was needed last. Start with zeros: `lipz_curve_cursor cursor = {0}`.
+/// The last key of a curve that was used. Start with zeros: `lipz_curve_cursor cursor = {0}`.
 ///
-/// With it, no key is searched for as long as time moves on by a few keys per rendered frame. The answers are the same, also
-/// after a jump, and with a cursor of another curve.
+/// With it, no search for keys is needed while the time advances by a few keys per rendered frame. The values are
+/// always the same, even after a jump or with a cursor of another curve.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct CurveCursor {
-    /// The key, by its index.
+    /// The index of the key.
     pub key: u32,
 }
 
@@ -71,7 +72,7 @@ fn from_reader(version: u32, clip: &lipz_bank::Clip<'_>, curve: &lipz_bank::curv
     }
 }
 
-/// The curve of a clip with this name. `LIPZ_NONE` if it has none.
+/// Writes the curve of a clip with this name. `LIPZ_NONE` if it has none.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_curve(
     dialogue: Option<&Dialogue>,
@@ -89,7 +90,7 @@ pub unsafe extern "C" fn lipz_clip_curve(
     }
 }
 
-/// The curve of a clip with this index, in the order of their names: ask from 0 on until `LIPZ_NONE`.
+/// Writes the curve of a clip with this index, ordered by name. Call it from 0 on until `LIPZ_NONE`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_curve_by_index(
     dialogue: Option<&Dialogue>,
@@ -106,7 +107,7 @@ pub unsafe extern "C" fn lipz_clip_curve_by_index(
     }
 }
 
-/// The key of a curve with this index, a number below its `key_count`.
+/// Writes the key of a curve with this index, a number below its `key_count`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_curve_key(
     dialogue: Option<&Dialogue>,
@@ -123,7 +124,7 @@ pub unsafe extern "C" fn lipz_curve_key(
     }
 }
 
-/// The value of a curve at the start of a frame, in thousandths.
+/// Writes the value of a curve at the start of a frame, in thousandths.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_curve_value(
     dialogue: Option<&Dialogue>,
@@ -135,8 +136,8 @@ pub unsafe extern "C" fn lipz_curve_value(
     unsafe { of_curve(dialogue, curve, thousandths, |curve| Ok(curve.value(frame).thousandths())) }
 }
 
-/// The value of a curve at a time, in thousandths. `LIPZ_NONE` without a frame rate. `cursor` may be null; with one, a rendered
-/// frame needs no search among the keys.
+/// Writes the value of a curve at a time, in thousandths. `LIPZ_NONE` without a frame rate. `cursor` may be null; with
+/// one, a rendered frame needs no search for keys.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_curve_value_at(
     dialogue: Option<&Dialogue>,

@@ -1,4 +1,4 @@
-//! Opening a dialogue, and the way of every query into it.
+//! Opening a dialogue, and access to it for every query.
 
 use crate::pointer::{answer, bytes};
 use crate::status::{LIPZ_ABSENT, LIPZ_NONE, LIPZ_NOT_OPENED, LIPZ_NULL_POINTER, Status, of_damage};
@@ -7,11 +7,11 @@ use core::mem::{MaybeUninit, align_of, size_of};
 use lipz_bank::Dialogue as Reader;
 use lipz_bank::files::{DialogueFile, FileKind, SetIndex};
 
-/// Words of a `lipz_dialogue`.
+/// The number of words in a `lipz_dialogue`.
 pub const LIPZ_DIALOGUE_WORDS: usize = 80;
-/// Words of a `lipz_file`.
+/// The number of words in a `lipz_file`.
 pub const LIPZ_FILE_WORDS: usize = 80;
-/// Kind of a file: a bank of a set that is not there yet.
+/// Kind of a file: a missing bank of a set.
 pub const LIPZ_FILE_ABSENT: u32 = 0;
 /// Kind of a file: a bank with clips.
 pub const LIPZ_FILE_BANK: u32 = 1;
@@ -22,8 +22,8 @@ pub const LIPZ_FILE_TEXTS: u32 = 3;
 /// Kind of a file: the index of a set of banks.
 pub const LIPZ_FILE_SET: u32 = 4;
 
-/// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks. The library writes it,
-/// and no program reads or writes its words. It owns nothing: forget it when you no longer need it.
+/// Files that return answers like one bank: a bank or a set of banks, with patches and text banks. Only the library
+/// reads and writes its words. It owns nothing, and need not be closed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Dialogue {
@@ -31,7 +31,7 @@ pub struct Dialogue {
     pub words: [usize; LIPZ_DIALOGUE_WORDS],
 }
 
-/// A place for an open file of a dialogue, which the library fills.
+/// An open file of a dialogue, which the library fills in.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct FilePlace {
@@ -45,15 +45,15 @@ pub struct FilePlace {
 pub struct Bytes {
     /// The first byte.
     pub data: *const u8,
-    /// Length of the file; 0 for a bank of a set that is not there yet.
+    /// Length of the file in bytes; 0 for a missing bank of a set.
     pub length_bytes: usize,
 }
 
-/// What a dialogue has.
+/// A summary of a dialogue.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct DialogueInfo {
-    /// Number of clips. Counted, if there are patches: that takes time in proportion.
+    /// Number of clips. If there are patches, they are counted, which takes time in proportion.
     pub clip_count: u64,
     /// Number of files.
     pub file_count: u32,
@@ -69,9 +69,9 @@ pub struct DialogueInfo {
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct FileInfo {
-    /// The checksum in its header: files of different contents have different ones.
+    /// The checksum in its header, which differs between files of different contents.
     pub checksum: u64,
-    /// Hash of what its clips are: a bank and its text banks share it; 0 for other files.
+    /// A hash of its clips, which a bank and its text banks share; 0 for other files.
     pub fingerprint: u64,
     /// `LIPZ_FILE_BANK` and so on.
     pub kind: u32,
@@ -79,22 +79,22 @@ pub struct FileInfo {
     pub clip_count: u32,
 }
 
-/// What the index of a set says about a bank.
+/// The entry for a bank in the index of a set.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct SetBank {
-    /// The name of its file, which is next to the index.
+    /// The name of its file, which is in the folder of the index.
     pub file_name: String,
     /// The checksum of the bank.
     pub checksum: u64,
-    /// Its length.
+    /// Its length in bytes.
     pub length_bytes: u32,
     /// Number of its clips.
     pub clip_count: u32,
 }
 
-/// The first word of a dialogue that was opened.
-#[allow(clippy::cast_possible_truncation)] // what fits
+/// The first word of an open dialogue.
+#[allow(clippy::cast_possible_truncation)] // truncated on purpose
 const OPENED: usize = 0x4C49_505A_4449_4131_u64 as usize;
 
 const _: () = assert!(size_of::<Reader<'_>>() <= (LIPZ_DIALOGUE_WORDS - 1) * size_of::<usize>());
@@ -102,7 +102,7 @@ const _: () = assert!(size_of::<DialogueFile<'_>>() <= LIPZ_FILE_WORDS * size_of
 const _: () = assert!(align_of::<Reader<'_>>() <= align_of::<usize>());
 const _: () = assert!(align_of::<DialogueFile<'_>>() <= align_of::<usize>());
 
-/// What a dialogue has.
+/// Writes a summary of the dialogue.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_info(
     dialogue: Option<&Dialogue>,
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn lipz_dialogue_info(
     })
 }
 
-/// The file with this index: ask from 0 on until `LIPZ_NONE`.
+/// Writes the file with this index. Call it from 0 on until `LIPZ_NONE`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_file_by_index(
     dialogue: Option<&Dialogue>,
@@ -147,8 +147,9 @@ pub unsafe extern "C" fn lipz_dialogue_file_by_index(
     })
 }
 
-/// The bank with this index that the index of a set names, before the set is opened: ask from 0 on until `LIPZ_NONE`. The
-/// first call verifies the index, the others only open it. The contents of all banks go behind the index in `lipz_dialogue_open`, in this order.
+/// Writes the entry with this index of a set's index, before the set is opened. Call it from 0 on until `LIPZ_NONE`.
+/// The first call verifies the index, later ones only open it. In `lipz_dialogue_open`, the contents of all banks
+/// follow the index, in this order.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_set_bank_by_index(
     contents: Option<&Bytes>,
@@ -171,11 +172,11 @@ pub unsafe extern "C" fn lipz_set_bank_by_index(
 }
 
 impl Dialogue {
-    /// Keeps the reader's dialogue in the words.
+    /// Stores the reader's dialogue in the words.
     pub(crate) fn keep(&mut self, reader: Reader<'_>) {
         let [first, words @ ..] = &mut self.words;
         *first = OPENED;
-        // SAFETY: the words have the room and the alignment, and a dialogue has nothing to drop.
+        // SAFETY: size and alignment of the words fit a dialogue, which has nothing to drop.
         unsafe { words.as_mut_ptr().cast::<Reader<'_>>().write(reader) };
     }
 }
@@ -189,7 +190,7 @@ impl Bytes {
     }
 }
 
-/// The dialogue in the words of a struct.
+/// Returns the dialogue in the words of a struct.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -198,22 +199,22 @@ pub(crate) unsafe fn reader<'a>(dialogue: Option<&'a Dialogue>) -> Result<&'a Re
     if *first != OPENED {
         return Err(LIPZ_NOT_OPENED);
     }
-    // SAFETY: the library has written it, and the files and their contents are still there: the contract.
+    // SAFETY: the library has written it, and by the contract the files and their contents are still there.
     Ok(unsafe { &*words.as_ptr().cast::<Reader<'a>>() })
 }
 
-/// The status of what is not found: a bank of a set that is not there may have it.
+/// Returns the status of a failed search, because a missing bank of a set may contain the item.
 pub(crate) fn not_found(reader: &Reader<'_>) -> Status {
     let mut banks = (0..reader.file_count()).filter_map(|number| reader.file(number));
     if banks.any(|file| file.kind() == FileKind::Absent) { LIPZ_ABSENT } else { LIPZ_NONE }
 }
 
-/// A locale or a profile, which each bank of a set has: `LIPZ_ABSENT` if none of them is there.
+/// Returns a locale or a profile, which each bank of a set contains: `LIPZ_ABSENT` if no bank is loaded.
 pub(crate) fn of_project<T>(reader: &Reader<'_>, found: Option<T>) -> Result<T, Status> {
     if reader.has_bank() { found.ok_or(LIPZ_NONE) } else { Err(LIPZ_ABSENT) }
 }
 
-/// A number of things that stand in a file, whose length has 32 bits.
+/// Returns a count of items in a file, which is below 2³² because of its length.
 pub(crate) fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

@@ -3,9 +3,9 @@
 use crate::handle::Name;
 use lipz_bank::{Command, Strength};
 
-/// Verb: `feels emotion`, lasts until changed.
+/// Verb: `feels emotion`, which lasts until changed.
 pub const LIPZ_FEELS: u32 = 1;
-/// Verb: `sees target`, a character or a prop, for a moment.
+/// Verb: `sees target`, a character or a prop, which is momentary.
 pub const LIPZ_SEES: u32 = 2;
 /// Verb: `stares target`, until `stops staring`.
 pub const LIPZ_STARES: u32 = 3;
@@ -17,7 +17,7 @@ pub const LIPZ_POINTS: u32 = 5;
 pub const LIPZ_STOPS_POINTING: u32 = 6;
 /// Verb: `does action`, an action of the game.
 pub const LIPZ_DOES: u32 = 7;
-/// Verb: `nods`, as far as `strength_thousandths` says.
+/// Verb: `nods`, with the strength `strength_thousandths`.
 pub const LIPZ_NODS: u32 = 8;
 /// Verb: `shakes`, the head, with a strength as `LIPZ_NODS`.
 pub const LIPZ_SHAKES: u32 = 9;
@@ -27,20 +27,20 @@ pub const LIPZ_BREATHES: u32 = 10;
 pub const LIPZ_BLINKS: u32 = 11;
 /// Verb: `looks away`.
 pub const LIPZ_LOOKS_AWAY: u32 = 12;
-/// The `strength_thousandths` where the event says none.
+/// The `strength_thousandths` of an event without a strength.
 pub const LIPZ_NO_STRENGTH: u32 = 0xFFFF_FFFF;
 
 /// One event of Character Event Syntax: `[character] verb object`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Event {
-    /// Who; no name for the speaker of the clip.
+    /// The character; no name for the speaker of the clip.
     pub character: Name,
     /// The emotion, target or action; without a name if the event has no object.
     pub object: Name,
-    /// `LIPZ_FEELS` and so on. Verbs are added; skip those that you do not know.
+    /// `LIPZ_FEELS` and so on. More verbs may be added; skip unknown ones.
     pub verb: u32,
-    /// How far a gesture goes, 0 to 10,000, or `LIPZ_NO_STRENGTH`.
+    /// The strength of a gesture, from 0 to 10,000, or `LIPZ_NO_STRENGTH`.
     pub strength_thousandths: u32,
 }
 

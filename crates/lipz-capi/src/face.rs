@@ -1,4 +1,4 @@
-//! What a face shows: emotions, and lids, head and eyes that move by themselves. Angles are in thousandths of a degree: pitch is
+//! Faces: emotions, and generated motion of lids, head and eyes. Angles are in thousandths of a degree: pitch is
 //! positive upwards, yaw to the left of the character, roll towards the left shoulder.
 
 use crate::clip::{Clip, of_clip};
@@ -12,7 +12,7 @@ use crate::who::{self, Who};
 use core::mem::MaybeUninit;
 use lipz_bank::curve::CurveValue;
 
-/// Attribute of emotion: `sadness`, place in `thousandths`.
+/// Attribute of emotion: `sadness`, as an index of `thousandths`.
 pub const LIPZ_SADNESS: u32 = 0;
 /// Attribute of emotion: `anger`.
 pub const LIPZ_ANGER: u32 = 1;
@@ -36,16 +36,16 @@ pub const LIPZ_PAIN: u32 = 9;
 pub const LIPZ_EXERTION: u32 = 10;
 /// Attribute of emotion: `shout`.
 pub const LIPZ_SHOUT: u32 = 11;
-/// How many attributes of emotion there are.
+/// The number of attributes of emotion.
 pub const LIPZ_EMOTION_COUNT: usize = 12;
-/// `strongest` of a neutral face.
+/// The value of `strongest` for a neutral face.
 pub const LIPZ_NEUTRAL: u32 = 0xFFFF_FFFF;
 
-/// What a character feels: all zeros for a neutral face.
+/// The emotions of a character: all zeros for a neutral face.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Emotions {
-    /// Values in thousandths, 0 to 10,000 where the file says nothing else: `thousandths[LIPZ_ANGER]`.
+    /// Values in thousandths, from 0 to 10,000 unless the file exceeds this range: `thousandths[LIPZ_ANGER]`.
     pub thousandths: [i32; LIPZ_EMOTION_COUNT],
     /// The attribute with the highest value, `LIPZ_NEUTRAL` if none is above 0.
     pub strongest: u32,
@@ -59,19 +59,19 @@ impl Default for Emotions {
     }
 }
 
-/// A face profile of a dialogue. Look it up once; queries go by `index` and `version`.
+/// A face profile of a dialogue. Look it up once; queries use `index` and `version`.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct FaceProfile {
-    /// Its name: `default` for that of the project.
+    /// Its name: `default` for the project's profile.
     pub name: String,
-    /// Its place among the profiles, or `LIPZ_BUILT_IN`.
+    /// Its index among the profiles, or `LIPZ_BUILT_IN`.
     pub index: u32,
     /// The version of the dialogue.
     pub version: u32,
 }
 
-/// What a character looks at: a direction, as seen from the head at rest.
+/// The target of a character's eyes: a direction, relative to the head at rest.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct LookAt {
@@ -79,15 +79,15 @@ pub struct LookAt {
     pub pitch: i32,
     /// How far to the left of the character it is.
     pub yaw: i32,
-    /// 1 for a person, over whose face, hands and body the eyes go; 0 for something that they stay on.
+    /// 1 for a person, at whose face, hands and body the eyes look; 0 for a target on which they stay.
     pub is_person: u32,
 }
 
-/// What a face does at a time, besides its mouth and its emotions. Numbers are in thousandths.
+/// The state of a face at a time, except mouth and emotions. Numbers are in thousandths.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Face {
-    /// How far the lids are closed: 0 to 1,000.
+    /// How far the lids are closed, from 0 to 1,000.
     pub blink: i32,
     /// How far the head is raised.
     pub head_pitch: i32,
@@ -99,16 +99,16 @@ pub struct Face {
     pub eye_pitch: i32,
     /// How far the eyes are turned in the head.
     pub eye_yaw: i32,
-    /// How far the brows are raised: 0 to 1,000. Only curves raise them.
+    /// How far the brows are raised, from 0 to 1,000. Only curves raise them.
     pub brows: i32,
-    /// A shrug of the face, 0 to 1,000. Only curves make one.
+    /// A shrug of the face, from 0 to 1,000. Only curves set it.
     pub shrug: i32,
-    /// How hard the character breathes: 0 to 10,000. Only curves say so.
+    /// How hard the character breathes, from 0 to 10,000. Only curves set it.
     pub breath: i32,
 }
 
-/// What a character of a clip feels at a time; the speaker if `who` is null. A neutral face without curves, and without a frame
-/// rate.
+/// Writes the emotions of a character of a clip at a time, or the speaker's if `who` is null. Neutral without curves,
+/// and without a frame rate.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_emotions_at(
     dialogue: Option<&Dialogue>,
@@ -134,8 +134,8 @@ pub unsafe extern "C" fn lipz_clip_emotions_at(
     }
 }
 
-/// The face profile with this name. If `name` is null, that of the project, `[face]` in its settings, or the usual one if it has
-/// none.
+/// Writes the face profile with this name. If `name` is null, writes the project's profile (`[face]` in its settings),
+/// or the default one if the project has none.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_face_profile(
     dialogue: Option<&Dialogue>,
@@ -154,9 +154,9 @@ pub unsafe extern "C" fn lipz_dialogue_face_profile(
     })
 }
 
-/// The face of a character of a clip at a time, generated as `profile` says; the speaker's if `who` is null. Curves of the clip win
-/// over what is generated. `profile` may be null for that of the project, `look_at` for a person straight ahead. `LIPZ_NONE` for a
-/// profile of another version.
+/// Writes the face of a character of a clip at a time, generated from `profile`, or the speaker's if `who` is null.
+/// Curves of the clip override generated values. A null `profile` stands for the project's, and a null `look_at` for a
+/// person straight ahead. `LIPZ_NONE` for a profile of another version.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_face_at(
     dialogue: Option<&Dialogue>,
@@ -176,8 +176,8 @@ pub unsafe extern "C" fn lipz_clip_face_at(
     }
 }
 
-/// The face of a character who does not speak: the eyes blink and look. `time` counts from anywhere; Give each character a different `seed`,
-/// so that they do not blink at the same time. The rest as for `lipz_clip_face_at`.
+/// Writes the face of a silent character, who blinks and looks. `time` may start anywhere. Give each character a
+/// different `seed`, so that they do not blink at the same time. The other arguments are those of `lipz_clip_face_at`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_face_idle_at(
     dialogue: Option<&Dialogue>,
@@ -210,7 +210,7 @@ impl Face {
     }
 }
 
-/// The profile that the caller means.
+/// Returns the caller's profile.
 fn profile_of<'a>(
     dialogue: &lipz_bank::Dialogue<'a>,
     profile: Option<&FaceProfile>,
@@ -223,7 +223,7 @@ fn profile_of<'a>(
     }
 }
 
-/// What the caller has the character look at.
+/// Returns the caller's target of the eyes.
 fn looked_at(look_at: Option<&LookAt>) -> lipz_bank::face::LookAt {
     let value = CurveValue::from_thousandths;
     match look_at {

@@ -8,8 +8,8 @@ use crate::string::c_char;
 use core::mem::MaybeUninit;
 use lipz_bank::ClipId;
 
-/// The id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all
-/// clips as constants.
+/// Writes the id of the clip with this key. It never changes: `lipz ids --lang c` writes the ids of all clips as
+/// constants.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_clip_id_of_key(
     key: *const c_char,
@@ -22,8 +22,8 @@ pub unsafe extern "C" fn lipz_clip_id_of_key(
     })
 }
 
-/// The clip with this id, of the topmost file that has it. `LIPZ_ABSENT` if it would be in a bank of a set that is not there: then
-/// `file` of the clip is the number of the file to supply.
+/// Writes the clip with this id, from the topmost file that has it. `LIPZ_ABSENT` if the clip would be in a missing
+/// bank of a set: `file` of the clip is then the number of the file to supply.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_clip(
     dialogue: Option<&Dialogue>,
@@ -35,7 +35,7 @@ pub unsafe extern "C" fn lipz_dialogue_clip(
     found(unsafe { reader(dialogue) }, Ok(id), |dialogue| dialogue.clip(id), clip)
 }
 
-/// The clip with this key, compared whole; as `lipz_dialogue_clip`.
+/// Writes the clip with this key, which is compared in full; otherwise like `lipz_dialogue_clip`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_clip_by_key(
     dialogue: Option<&Dialogue>,
@@ -48,7 +48,7 @@ pub unsafe extern "C" fn lipz_dialogue_clip_by_key(
     found(dialogue, key.map(ClipId::from_key), |dialogue| dialogue.clip_by_key(key.ok()?), clip)
 }
 
-/// Writes the clip that was found, or which file would have it.
+/// Writes the clip that was found, or the number of the missing file.
 fn found<'a>(
     dialogue: Result<&'a lipz_bank::Dialogue<'a>, Status>,
     id: Result<ClipId, Status>,
@@ -76,8 +76,8 @@ fn found<'a>(
     }
 }
 
-/// The next clip whose key starts with `prefix`, of all if that has no bytes: file by file, in each in the order of their keys.
-/// `position` says where to go on, and is 0 at the start. `LIPZ_NONE` behind the last one.
+/// Writes the next clip whose key starts with `prefix`, file by file, ordered by key in each. An empty prefix matches
+/// all clips. `position` stores the progress, and is 0 at the start. `LIPZ_NONE` after the last clip.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_next_clip(
     dialogue: Option<&Dialogue>,

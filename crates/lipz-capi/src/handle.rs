@@ -1,4 +1,4 @@
-//! What is looked up once and passed to queries: locales, voices and names.
+//! Values that are looked up once and passed to queries: locales, voices and names.
 
 use crate::dialogue::{Dialogue, not_found, of_project, reader};
 use crate::pointer::{answer, text};
@@ -6,9 +6,9 @@ use crate::status::{LIPZ_NONE, Status};
 use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 
-/// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the usual one for faces.
+/// The `index` of a profile that needs no file: the Second Life viewer's own for babble, the default one for faces.
 pub const LIPZ_BUILT_IN: u32 = 0xFFFF_FFFF;
-/// The `bank` where there is no name.
+/// The `bank` of a missing name.
 pub const LIPZ_NO_NAME: u32 = 0;
 
 /// A locale of a dialogue. In another version of the dialogue it leads to `LIPZ_NONE`: look it up again.
@@ -19,13 +19,14 @@ pub struct Locale {
     pub tag: String,
     /// The version of the dialogue.
     pub version: u32,
-    /// Where it is in the dialogue.
+    /// Its position in the dialogue.
     pub place: u32,
     /// 1 for the default locale.
     pub is_default: u32,
 }
 
-/// A voice: a language in which lines are recorded. In another version of the dialogue it changes no clip: look it up again.
+/// A voice: a language in which lines are recorded. In another version of the dialogue it leads to the clip itself:
+/// look it up again.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Voice {
@@ -33,19 +34,19 @@ pub struct Voice {
     pub tag: String,
     /// The version of the dialogue.
     pub version: u32,
-    /// Where it is in the dialogue.
+    /// Its position in the dialogue.
     pub place: u32,
     /// 1 for the voice of the original recordings, in which no clip is a dub.
     pub is_original: u32,
 }
 
-/// A name that events mention: a character, an emotion, a target or an action. Equal names have equal strings.
+/// A name in events: a character, an emotion, a target or an action. Equal names have equal strings.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Name {
-    /// The name as it is spelled in the Lipz file.
+    /// The name as spelled in the Lipz file.
     pub name: String,
-    /// Identifies the bank of the name; `LIPZ_NO_NAME` without a name.
+    /// Identifies the bank of the name; `LIPZ_NO_NAME` for a missing name.
     pub bank: u32,
     /// Its number in that bank.
     pub id: u32,
@@ -84,7 +85,8 @@ impl Name {
     }
 }
 
-/// The profile with this name among `names`, with its index; if the name is null, that of the project, or the built-in one.
+/// Returns the profile with this name among `names`, with its index. If the name is null, returns the project's
+/// profile, or the built-in one.
 ///
 /// # Safety
 /// The contract of the crate.
@@ -106,8 +108,8 @@ pub(crate) unsafe fn profile_named<'n>(
     }
 }
 
-/// The locale with this tag, spelled as in the files; the default locale if `tag` is null. `LIPZ_ABSENT` if no bank of a set is
-/// there.
+/// Writes the locale with this tag, spelled as in the files, or the default locale if `tag` is null. `LIPZ_ABSENT` if
+/// no bank of a set is loaded.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_locale(
     dialogue: Option<&Dialogue>,
@@ -127,7 +129,7 @@ pub unsafe extern "C" fn lipz_dialogue_locale(
     })
 }
 
-/// The locale with this index: ask from 0 on until `LIPZ_NONE`.
+/// Writes the locale with this index. Call it from 0 on until `LIPZ_NONE`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_locale_by_index(
     dialogue: Option<&Dialogue>,
@@ -141,8 +143,9 @@ pub unsafe extern "C" fn lipz_dialogue_locale_by_index(
     })
 }
 
-/// The voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or the project names no such voice: play
-/// the clips as they are. `LIPZ_ABSENT` if none is found while a bank of a set is not there: a bank without dubs names no voices.
+/// Writes the voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or if the project does
+/// not define this voice: play the clips unchanged. `LIPZ_ABSENT` if it is not found while a bank of a set is missing,
+/// because a bank without dubs lists no voices.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_voice(
     dialogue: Option<&Dialogue>,
@@ -158,7 +161,7 @@ pub unsafe extern "C" fn lipz_dialogue_voice(
     })
 }
 
-/// The voice with this index, that of the originals first: ask from 0 on until `LIPZ_NONE`.
+/// Writes the voice with this index, that of the originals first. Call it from 0 on until `LIPZ_NONE`.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_voice_by_index(
     dialogue: Option<&Dialogue>,
@@ -172,7 +175,7 @@ pub unsafe extern "C" fn lipz_dialogue_voice_by_index(
     })
 }
 
-/// The name that events mention, spelled as there: for the speaker of a cursor. Of a set, those in the banks that are there.
+/// Writes the name as spelled in events, for the speaker of a cursor. In a set, only loaded banks are searched.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_event_name(
     dialogue: Option<&Dialogue>,

@@ -1,21 +1,21 @@
-//! C ABI of the reader of lipz banks, which `include/lipz.h` declares.
+//! C ABI of the reader of lipz banks, declared in `include/lipz.h`.
 //!
-//! Every function takes plain structs by pointer, gives its answer through its last pointers and
-//! returns a [`Status`]. `docs/guides/c.md` shows how they are used.
+//! Every function takes plain structs by pointer, writes its answer to its last pointers and returns a [`Status`].
+//! `docs/guides/c.md` shows how to use them.
 //!
 //! # Contract
 //!
-//! The caller guarantees, and nothing else:
+//! The caller guarantees only the following:
 //!
-//! * a pointer is null or leads to a value of its type, or to as many bytes as the length next to it
-//!   says; that holds for the pointers in a [`Bytes`] and a [`Who`], too;
-//! * the words of a [`Dialogue`] and of its files are those that the library has written; the files, where they are,
-//!   and their contents are there for as long as the dialogue and the strings from it are used;
-//! * no thread writes to any of these meanwhile, and answers do not overlap arguments.
+//! * Each pointer is null or leads to a value of its type, or to as many bytes as the length next to it. This includes
+//!   the pointers in a [`Bytes`] and a [`Who`].
+//! * The library has written the words of a [`Dialogue`] and of its files. The files stay at their addresses, and their
+//!   contents stay valid, while the dialogue and strings from it are used.
+//! * No thread writes to any of these during a call, and answers do not overlap arguments.
 //!
-//! Everything else is total. A null pointer is a status. The numbers in all other structs are checked like the bytes of a
-//! file: a struct of another version, or of random numbers, leads to [`LIPZ_NONE`] or to other contents of the dialogue, never out
-//! of it.
+//! Everything else is total. A null pointer results in a status. The numbers in all other structs are checked like the
+//! bytes of a file: a struct of another version, or with random numbers, leads to [`LIPZ_NONE`] or to other contents of
+//! the dialogue, but never out of it.
 
 #![no_std]
 #![deny(unsafe_op_in_unsafe_fn)]

@@ -7,26 +7,27 @@ use core::slice;
 use lipz_bank::Dialogue as Reader;
 use lipz_bank::files::{DialogueError, DialogueFile, FileKind};
 
-/// For `lipz_dialogue_open`: verifies nothing. Queries are as safe as ever, but a damaged file may have wrong answers, and each
-/// text is checked to be UTF-8 when it is asked for.
+/// For `lipz_dialogue_open`: verifies nothing. Queries are just as safe, but may return wrong answers for a damaged
+/// file, and each text is checked to be UTF-8 on each query.
 pub const LIPZ_UNVERIFIED: u32 = 1;
 
-/// Which file is damaged or does not fit the others, and where.
+/// The damaged or mismatched file, and the position of the problem.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Problem {
-    /// Its number, from 0.
+    /// The number of the file, from 0.
     pub file: u32,
-    /// Bytes from its start.
+    /// Bytes from the start of the file.
     pub offset_bytes: u32,
 }
 
-/// Opens the files whose contents are the `file_count` ones at `contents`, from the bottom to the top: the base first, a bank or
-/// the index of a set with all of its banks behind it; then patches, each over those before it, and text banks, each behind
-/// the bank of its clips. `files` has room for as many. Keep `files`, where they are, and the contents as long as you ask the
-/// dialogue; copy `dialogue` as you like.
+/// Opens the `file_count` files whose contents are at `contents`, from the bottom to the top. The base comes first: a
+/// bank, or the index of a set followed by all of its banks. Then come patches, each after those below it, and text
+/// banks, each after the bank of its clips. `files` has room for as many files. Keep `files` at its address, and keep
+/// the contents, while you use the dialogue. You may copy `dialogue`.
 ///
-/// `flags` is 0 or `LIPZ_UNVERIFIED`. `problem` may be null. Unless the status is `LIPZ_OK`, the dialogue is not opened.
+/// `flags` is 0 or `LIPZ_UNVERIFIED`. `problem` may be null. Unless the status is `LIPZ_OK`, the dialogue is not
+/// opened.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_open(
     dialogue: Option<&mut MaybeUninit<Dialogue>>,
@@ -45,9 +46,9 @@ pub unsafe extern "C" fn lipz_dialogue_open(
     kept(dialogue, unsafe { open(files, contents, file_count, flags, problem) })
 }
 
-/// Opens a dialogue of one bank without verifying it: for firmware whose bank was verified when it was packed. The library keeps the
-/// opened bank in `file`. As for `lipz_dialogue_open`, keep `file` and the contents where they are. Patches, text banks and sets are
-/// refused. Unless the status is `LIPZ_OK`, the dialogue is not opened.
+/// Opens a dialogue of one bank without verifying it: for firmware whose bank was verified when it was packed. The
+/// library stores the opened bank in `file`. As for `lipz_dialogue_open`, keep `file` and the contents at their
+/// addresses. Rejects patches, text banks and sets. Unless the status is `LIPZ_OK`, the dialogue is not opened.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_open_bank(
     dialogue: Option<&mut MaybeUninit<Dialogue>>,
@@ -62,12 +63,12 @@ pub unsafe extern "C" fn lipz_dialogue_open_bank(
         (Some(file), Some(contents)) => (file.as_mut_ptr().cast::<MaybeUninit<DialogueFile<'_>>>(), contents),
         _ => return LIPZ_NULL_POINTER,
     };
-    // SAFETY: the place has the room and the alignment; the rest is the contract of the crate, which the caller keeps.
+    // SAFETY: size and alignment of the place fit; the rest is the contract of the crate, which the caller keeps.
     let (file, bytes) = unsafe { (&mut *file, contents.bytes()) };
     kept(dialogue, bytes.and_then(|bytes| Reader::open_bank(file, bytes).map_err(of_damage)))
 }
 
-/// Keeps a dialogue that was opened, and returns the status of opening it.
+/// Stores an opened dialogue, and returns the status of opening it.
 fn kept(dialogue: &mut Dialogue, opened: Result<Reader<'_>, Status>) -> Status {
     match opened {
         Ok(opened) => {
@@ -93,7 +94,7 @@ unsafe fn open<'a>(
         // SAFETY: there is room for as many of the larger places.
         unsafe { files.cast::<DialogueFile<'a>>().add(number).write(DialogueFile::ABSENT) };
     }
-    // SAFETY: they were just written, and there are as many contents; the rest is the contract.
+    // SAFETY: they were just written, and the contents have the same number; the rest is the contract.
     let (files, contents) = unsafe {
         (
             slice::from_raw_parts_mut(files.cast::<DialogueFile<'a>>(), file_count),
@@ -112,10 +113,10 @@ unsafe fn open<'a>(
     opened.map_err(|error| reported(error, problem))
 }
 
-/// Puts a bank of a set into its place, with the number of its file, that was not there when the dialogue was opened. Handles
-/// count as before. `files` are those of `lipz_dialogue_open`; no other function is called meanwhile.
+/// Adds a bank of a set that was missing when the dialogue was opened, by the number of its file. Handles stay valid.
+/// `files` is the argument of `lipz_dialogue_open`. Do not call other functions at the same time.
 ///
-/// `LIPZ_NONE` if the file is there already, or is not a bank of the set.
+/// `LIPZ_NONE` if the file is already loaded, or is not a bank of the set.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_supply(
     dialogue: Option<&mut Dialogue>,
@@ -153,7 +154,7 @@ unsafe fn supply<'a>(
     if number == 0 || number > index || number >= count {
         return Err(LIPZ_NONE);
     }
-    // SAFETY: they are those of the dialogue, which has as many.
+    // SAFETY: these are the files of the dialogue, with the same number.
     let (all, bytes) = unsafe { (slice::from_raw_parts(files, count), contents.bytes()?) };
     if all.get(number).map_or(true, |file| file.kind() != FileKind::Absent) {
         return Err(LIPZ_NONE);
@@ -179,7 +180,7 @@ unsafe fn supply<'a>(
     Ok(())
 }
 
-/// The status of an error; writes down where it is.
+/// Returns the status of an error, and stores its position.
 fn reported(error: DialogueError, problem: Option<&mut Problem>) -> Status {
     if let Some(problem) = problem {
         *problem = Problem { file: number(error.file()), offset_bytes: error.error().offset_bytes() };

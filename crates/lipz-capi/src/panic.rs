@@ -1,9 +1,9 @@
-//! The panic handler of the libraries: a proof, while linking, that it is never called.
+//! The panic handler of the libraries: proves at link time that it is never called.
 
 use core::panic::PanicInfo;
 
 extern "C" {
-    /// Defined nowhere: a library from which a panic can be reached does not link.
+    /// Not defined anywhere, so that a library with a reachable panic does not link.
     fn lipz_a_panic_can_be_reached() -> !;
 }
 

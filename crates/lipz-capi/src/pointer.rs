@@ -1,11 +1,11 @@
-//! Every pointer of C becomes a Rust value here, or is refused.
+//! Converts every pointer of C to a Rust value, or rejects it.
 
 use crate::status::{LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status};
 use crate::string::c_char;
 use core::mem::MaybeUninit;
 use core::slice;
 
-/// Writes the answer of `find` to `out`, or the empty one if there is none.
+/// Writes the answer of `find` to `out`, or an empty answer on failure.
 pub(crate) fn answer<T: Default>(out: Option<&mut MaybeUninit<T>>, find: impl FnOnce() -> Result<T, Status>) -> Status {
     let out = match out {
         Some(out) => out,
@@ -19,10 +19,10 @@ pub(crate) fn answer<T: Default>(out: Option<&mut MaybeUninit<T>>, find: impl Fn
     status
 }
 
-/// The `length_bytes` bytes at `data`, for as long as the caller of the library has them.
+/// Returns the `length_bytes` bytes at `data`, for as long as the caller of the library keeps them.
 ///
 /// # Safety
-/// `data` is null or leads to that many bytes, which nobody writes to.
+/// `data` is null or leads to that many bytes, which do not change.
 pub(crate) unsafe fn bytes<'data>(data: *const u8, length_bytes: usize) -> Result<&'data [u8], Status> {
     if data.is_null() || length_bytes > isize::MAX.unsigned_abs() {
         return Err(LIPZ_NULL_POINTER);
@@ -31,7 +31,7 @@ pub(crate) unsafe fn bytes<'data>(data: *const u8, length_bytes: usize) -> Resul
     Ok(unsafe { slice::from_raw_parts(data, length_bytes) })
 }
 
-/// A string that is asked for.
+/// Returns a string argument.
 ///
 /// # Safety
 /// As [`bytes`].

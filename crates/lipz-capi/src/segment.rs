@@ -1,4 +1,4 @@
-//! Segments of a clip: where they are, their texts and events.
+//! Segments of a clip: their frames, texts and events.
 
 use crate::dialogue::{Dialogue, reader};
 use crate::event::Event;
@@ -9,7 +9,7 @@ use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 use core::ptr;
 
-/// A stretch of a clip, between two `|` of its Lipz file, in the version of the dialogue that it was found in.
+/// A part of a clip, between two `|` of its Lipz file, in the version of the dialogue in which it was found.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Segment {
@@ -17,19 +17,19 @@ pub struct Segment {
     pub clip_id: u64,
     /// The version of the dialogue. In a different version, queries of the segment return `LIPZ_NONE`.
     pub version: u32,
-    /// The number of the file that the clip is in.
+    /// The number of the clip's file.
     pub file: u32,
     /// The number of the clip in that file.
     pub slot: u32,
-    /// Place of the segment in its clip, from 0.
+    /// Index of the segment in its clip, from 0.
     pub index: u32,
     /// Its first frame.
     pub start_frame: u32,
-    /// The frame behind its last one.
+    /// The frame after its last one.
     pub end_frame: u32,
 }
 
-/// A display text, as a player sees it: UTF-8 without terminator, in the bytes of a file.
+/// A display text, as players see it: UTF-8 without terminator, in the bytes of a file.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Text {
@@ -37,7 +37,7 @@ pub struct Text {
     pub data: *const c_char,
     /// Length in bytes.
     pub length_bytes: usize,
-    /// 1 if the clip has no text of its own in the locale, and this is that of the locale that it falls back to.
+    /// 1 if the clip has no text of its own in the locale, so that this is the text of the fallback locale.
     pub is_fallback: u32,
 }
 
@@ -63,8 +63,8 @@ impl Segment {
     }
 }
 
-/// The display text of a segment in a locale, or in the locale that it falls back to. `LIPZ_NONE` if neither has a text for this
-/// clip, and for a locale of another version. A segment of an existing text may be empty.
+/// Writes the display text of a segment in a locale, or in its fallback locale. `LIPZ_NONE` if neither has a text for
+/// this clip, and for a locale of another version. A segment of an existing text may be empty.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_segment_text(
     dialogue: Option<&Dialogue>,
@@ -82,8 +82,8 @@ pub unsafe extern "C" fn lipz_segment_text(
     }
 }
 
-/// The event string of a segment, trimmed and otherwise as in the Lipz file. Empty if nothing happens;
-/// `LIPZ_NONE` if the file has no events.
+/// Writes the event string of a segment, trimmed and otherwise as in the Lipz file. Empty if there are no events in
+/// this segment; `LIPZ_NONE` if the file has no events.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_segment_event_string(
     dialogue: Option<&Dialogue>,
@@ -94,7 +94,7 @@ pub unsafe extern "C" fn lipz_segment_event_string(
     unsafe { of_segment(dialogue, segment, string, |segment| Ok(String::from_text(segment.event().ok_or(LIPZ_NONE)?))) }
 }
 
-/// The typed event of a segment with this index: ask from 0 on until `LIPZ_NONE`. An event string in a
+/// Writes the typed event of a segment with this index. Call it from 0 on until `LIPZ_NONE`. An event string in a
 /// different syntax, such as a script, has no typed events.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_segment_event(

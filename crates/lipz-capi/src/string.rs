@@ -1,13 +1,13 @@
-//! Strings that are cut out of a bank.
+//! Strings inside a bank.
 
 use core::ptr;
 
-/// `char` of C, behind a pointer. `core::ffi` has it from Rust 1.64 on.
+/// `char` of C, behind a pointer. `core::ffi` has it since Rust 1.64.
 #[allow(non_camel_case_types)]
 pub type c_char = i8;
 
-/// A string in UTF-8, without terminator: it stands in the bytes of the bank and lives as long as
-/// they do. It may contain U+0000.
+/// A string in UTF-8, without terminator. It is part of the bytes of the bank and lives as long as they do. It may
+/// contain U+0000.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct String {

@@ -7,10 +7,11 @@ pub const LIPZ_SECONDS: u32 = 0xFFFF_FFFF;
 /// The `rate_hz` of a time in seconds that comes from a clock without `double`.
 pub const LIPZ_SECONDS_F32: u32 = 0xFFFF_FFFE;
 
-/// A time since the audio began, as `lipz_time_us`, `lipz_time_samples`, `lipz_time_seconds` and `lipz_time_seconds_f32` make it.
+/// A time since the audio began. Make it with `lipz_time_us`, `lipz_time_samples`, `lipz_time_seconds` or
+/// `lipz_time_seconds_f32`.
 ///
-/// Each unit leads to the frame of exact arithmetic. Times before the start, from the end on, infinite or not a number lead to no
-/// frame, and so to rest.
+/// Each unit leads to the same frame as exact arithmetic. Times before the start, from the end on, infinite or NaN lead
+/// to no frame, and so to rest.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Time {
@@ -23,7 +24,7 @@ pub struct Time {
 }
 
 impl Time {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // bits
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // reinterprets bits
     pub(crate) fn to_reader(self) -> AnyTime {
         match self.rate_hz {
             0 => AnyTime::Micros(Micros(self.count)),

@@ -1,24 +1,24 @@
-//! Whose face and emotions of a clip.
+//! The character whose face and emotions are queried.
 
 use crate::pointer::text;
 use crate::status::Status;
 use crate::string::String;
 
-/// A character of a clip: `mara feels fear` and `mara nods` in its events are about mara, and in curves with this name in front.
+/// A character of a clip. `mara feels fear` and `mara nods` in its events set curves whose names start with `mara`.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Who {
-    /// The name as events have it: data and length.
+    /// The name as spelled in events: data and length.
     pub name: String,
-    /// 1 for the speaker: then curves without a name are about them, too. Of two for the same, that one counts which is farther
-    /// from neutral. 0 for other characters.
+    /// 1 for the speaker, for whom curves without a name also count. If two curves have the same purpose, the value
+    /// farther from neutral counts. 0 for other characters.
     pub is_speaker: u32,
 }
 
-/// The character that the caller means; null is the speaker, by curves without a name alone.
+/// Returns the caller's character. Null stands for the speaker with curves without a name only.
 ///
 /// # Safety
-/// The contract of the crate: the name is null or leads to so many bytes.
+/// The contract of the crate: the name is null or leads to as many bytes as its length.
 pub(crate) unsafe fn to_reader<'name>(who: Option<&Who>) -> Result<lipz_bank::face::Who<'name>, Status> {
     let who = match who {
         Some(who) => who,

@@ -1,10 +1,10 @@
-//! The functions give the answers of the reader, to every query of every golden file, alone and with others.
+//! The functions return the same answers as the reader, for every query of every golden file, alone and with others.
 #![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 mod common;
 
 use common::{DIALOGUES, Opened, ask, dialogue, micros, name_of, ptr, samples, seconds, seconds_f32, text_of, written};
-use lipz_bank::{Micros, Samples, Seconds, Spoken};
+use lipz_bank::{Micros, Samples, Seconds, VoiceSource};
 use lipz_capi::*;
 
 /// The sample rate of the times in samples.
@@ -52,7 +52,7 @@ fn clips_are_found_by_id_key_and_prefix() {
     }
 }
 
-/// Calls `check` with each clip of all dialogues, as C and the reader know it.
+/// Calls `check` with each clip of all dialogues, in C and in the reader.
 fn of_all_clips(check: impl Fn(&Opened, &Dialogue, &Clip, &lipz_bank::Clip<'_>)) {
     for files in DIALOGUES {
         let opened = dialogue(files);
@@ -62,7 +62,7 @@ fn of_all_clips(check: impl Fn(&Opened, &Dialogue, &Clip, &lipz_bank::Clip<'_>))
     }
 }
 
-/// Checks an expression of the reader against a function of C, for a time before, in and behind a clip, in all units.
+/// Compares an expression of the reader with a function of C, for times before, in and after a clip, in all units.
 macro_rules! at_all_times {
     ($us:expr, |$of_c:ident, $time:ident| $found:expr, $expected:expr) => {{
         let us: i64 = $us;
@@ -172,8 +172,8 @@ fn voices_are_those_of_the_reader() {
             let expected = clip.in_voice(voice);
             assert_eq!((found.clip.file, found.clip.slot), (expected.clip.file(), expected.clip.slot()));
             let spoken = match expected.spoken {
-                Spoken::Dub => LIPZ_DUB,
-                Spoken::OtherDub => LIPZ_OTHER_DUB,
+                VoiceSource::Dub => LIPZ_DUB,
+                VoiceSource::OtherDub => LIPZ_OTHER_DUB,
                 _ => LIPZ_ORIGINAL,
             };
             assert_eq!(found.spoken, spoken);
@@ -201,7 +201,7 @@ fn curves_and_emotions_are_those_of_the_reader() {
                 let found: CurveKey = ask(|out| unsafe { lipz_curve_key(of_c, found, index, out) }).unwrap();
                 assert_eq!((found.frame, found.thousandths), (key.frame, key.value.thousandths()));
             }
-            // Jumps, and a cursor that begins anywhere, change no answer.
+            // Jumps, and a cursor that starts anywhere, change no value.
             let mut cursor = CurveCursor { key: u32::MAX };
             for us in (-50_000..1_500_000).step_by(66_667) {
                 for is_with in [false, true] {
@@ -347,7 +347,7 @@ fn names_are_those_of_the_reader() {
     }
 }
 
-/// A clip whose file has no frame rate plays with that of the struct; one that has it keeps it.
+/// A clip without a frame rate in its file plays with that of the struct; other clips keep theirs.
 #[test]
 fn the_caller_supplies_a_frame_rate() {
     let opened = dialogue(&[common::SMALL]);

@@ -1,5 +1,5 @@
-/* The cases of fixtures/playback/cases.txt in C99: cases <folder of the banks> [what it lacks]... < cases.txt. Prints the file
- * again, with the answers of the library, and reports how many commands it played and skipped. */
+/* The cases of fixtures/playback/cases.txt in C99: cases <folder of the banks> [missing capability]... < cases.txt. Prints
+ * the file again with the answers of the library, and reports the number of played and skipped commands. */
 #include "cases_curves.h"
 #include "cases_faces.h"
 #include "cases_voices.h"
@@ -32,7 +32,7 @@ static lipz_bytes contents[MOST_FILES];
 static lipz_file files[MOST_FILES];
 static size_t file_count;
 
-/* Adds a file of the folder, and behind the index of a set its banks. False if there is no such file. */
+/* Adds a file of the folder; after the index of a set, also its banks. False if there is no such file. */
 static int add(const char *folder, const char *name, size_t length_bytes) {
     static uint8_t bytes[MOST_FILES][MOST_BYTES];
     char path[1024];
@@ -64,7 +64,7 @@ static void open_dialogue(void) {
         fprintf(stderr, "cases: file %" PRIu32 " at %" PRIu32 ":\n", problem.file, problem.offset_bytes);
         must(status, "open");
     }
-    /* As firmware opens a bank that was verified before: cases.cpp does not. */
+    /* Like firmware, which opens a verified bank. cases.cpp does not test this. */
     if (file_count == 1) {
         must(lipz_dialogue_open_bank(&dialogue, files, contents), "open the bank");
     }
@@ -219,7 +219,7 @@ static void babble(char *words[]) {
     printf("  ooh %" PRIu32 ", aah %" PRIu32 "\n", weights.ooh, weights.aah);
 }
 
-/* The first microsecond of a frame: how far a cursor leads. */
+/* The first microsecond of a frame, for the lead of a cursor. */
 static uint32_t lead_us(uint32_t frame) {
     uint64_t us = 0;
     must(lipz_clip_start_of_frame_us(&dialogue, &clip, frame, &us), "lead");
@@ -290,7 +290,7 @@ static void command(char *words[], unsigned count, const char *folder) {
     }
 }
 
-/* What this reader has of what sections need, but for what the arguments take away. */
+/* The capabilities of this reader that sections may need, without those in the arguments. */
 static int has(const char *need, int argument_count, char **arguments) {
     static const char *const HAVE[] = {"babble", "curves", "emotions", "faces",      "hold",
                                        "lead",   "refresh", "states",  "text-banks", "voices"};

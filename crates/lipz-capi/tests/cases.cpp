@@ -1,5 +1,5 @@
-// The cases of fixtures/playback/cases.txt in C++17: cases <folder of the banks> [what it lacks]... < cases.txt. Prints the
-// file again, with the answers of the library, and reports how many commands it played and skipped.
+// The cases of fixtures/playback/cases.txt in C++17: cases <folder of the banks> [missing capability]... < cases.txt.
+// Prints the file again with the answers of the library, and reports the number of played and skipped commands.
 #include <lipz.hpp>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ template <typename T> T found(const std::optional<T> &answer, const std::string 
     return *answer;
 }
 
-/// The time at `words[at]`, in its unit; `at` is behind it then.
+/// Returns the time at `words[at]`, in its unit, and moves `at` after it.
 lipz::Time time_at(const Words &words, std::size_t &at) {
     const auto unit = words.at(at++);
     const auto value = words.at(at++);
@@ -129,7 +129,7 @@ class Stage {
         open_dialogue();
     }
 
-    /// The clip is found again in the new dialogue, and the cursor goes on.
+    /// The clip is found again in the new dialogue, and the cursor continues.
     void open_dialogue() {
         const auto id = clip_ ? clip_->id : 0;
         clip_.reset();
@@ -322,11 +322,11 @@ class Stage {
     std::optional<lipz_locale> locale_;
     std::optional<lipz::Clip> clip_;
     std::optional<lipz::Cursor> cursor_;
-    /// One for all curves: it says what a search says, wherever it was used before.
+    /// One cursor for all curves, which must never change a value.
     lipz_curve_cursor curve_cursor_ = {0};
 };
 
-/// What this reader has of what sections need, but for what the arguments take away.
+/// The capabilities of this reader that sections may need, without those in the arguments.
 std::set<std::string> capabilities(int count, char **arguments) {
     std::set<std::string> have = {"babble", "curves", "emotions", "faces",      "hold",
                                   "lead",   "refresh", "states",  "text-banks", "voices"};

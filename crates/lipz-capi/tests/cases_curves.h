@@ -1,4 +1,4 @@
-/* The cases about curves and emotions: values are thousandths. */
+/* The cases for curves and emotions. Values are in thousandths. */
 #ifndef CASES_CURVES_H
 #define CASES_CURVES_H
 
@@ -17,7 +17,7 @@ static lipz_status curve_value(const lipz_dialogue *dialogue, const lipz_curve *
     return lipz_curve_value_at(dialogue, curve, time_at(words + 2, &rest), cursor, value);
 }
 
-/* A cursor that all cases share says what a search says. */
+/* One cursor for all curves, which must never change a value. */
 static void print_curve(const lipz_dialogue *dialogue, const lipz_clip *clip, char *words[]) {
     static lipz_curve_cursor cursor = {0};
     lipz_curve curve;

@@ -1,4 +1,4 @@
-/* The cases about faces: values are thousandths. */
+/* The cases for faces. Values are in thousandths. */
 #ifndef CASES_FACES_H
 #define CASES_FACES_H
 
@@ -28,7 +28,7 @@ static void print_face(const lipz_dialogue *dialogue, const lipz_clip *clip, cha
         look.yaw = (int32_t)strtol(asked[3], NULL, 10);
         look.is_person = (uint32_t)is(asked[1], "person");
     }
-    /* Null is the profile of the project, and a person straight ahead. */
+    /* Null stands for the project's profile, and for a person straight ahead. */
     with = is_default ? NULL : &profile;
     to = is_ahead ? NULL : &look;
     if (is(words[0], "face")) {

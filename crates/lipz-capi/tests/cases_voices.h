@@ -1,4 +1,4 @@
-/* The cases about voices: `voices`, which lists them, and `voice TAG`, the chosen clip in that voice. */
+/* The cases for voices: `voices`, which lists them, and `voice TAG`, which plays the chosen clip in that voice. */
 #ifndef CASES_VOICES_H
 #define CASES_VOICES_H
 

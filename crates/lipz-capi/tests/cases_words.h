@@ -1,4 +1,4 @@
-/* What the cases are read and told with. */
+/* Helpers to parse and print cases. */
 #ifndef CASES_WORDS_H
 #define CASES_WORDS_H
 
@@ -24,7 +24,7 @@ static void print(const char *data, size_t length_bytes) {
     }
 }
 
-/* The time at `words`, in its unit; `rest` is behind it. */
+/* Returns the time at `words`, in its unit. `rest` follows it. */
 static lipz_time time_at(char *words[], char ***rest) {
     *rest = words + (is(words[0], "samples") ? 3 : 2);
     if (is(words[0], "us")) {
@@ -40,7 +40,7 @@ static lipz_time time_at(char *words[], char ***rest) {
     return lipz_time_seconds_f32(strtof(words[1], NULL));
 }
 
-/* `of NAME` or `speaker NAME` at `words`: null if neither stands there. */
+/* Parses `of NAME` or `speaker NAME` at `words`; null if there is neither. */
 static const lipz_who *who_at(char *words[], lipz_who *who) {
     if (!is(words[0], "of") && !is(words[0], "speaker")) {
         return NULL;

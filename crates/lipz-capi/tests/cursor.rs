@@ -1,4 +1,4 @@
-//! A cursor in C does what the reader's cursor does, whatever the steps; and it is refused where it has to be.
+//! A cursor in C acts like the reader's cursor for any steps, and is rejected where necessary.
 #![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 mod common;
@@ -7,7 +7,7 @@ use common::{DIALOGUES, Opened, SMALL, ask, dialogue, micros, name_of, samples, 
 use lipz_bank::{Micros, Samples, Seconds};
 use lipz_capi::*;
 
-/// Random numbers, always the same ones.
+/// A random number generator with a fixed seed.
 struct Random(u64);
 
 impl Random {
@@ -21,19 +21,19 @@ fn cursor(of_c: &Dialogue, clip: &Clip) -> Result<Cursor, Status> {
     ask(|out| unsafe { lipz_cursor_new(Some(of_c), Some(clip), size_of::<Cursor>(), out) })
 }
 
-/// What is due, as it is written in Lipz files.
+/// Returns the events that are due, as written in Lipz files.
 fn events(of_c: &Dialogue, cursor: &mut Cursor) -> Vec<std::string::String> {
     let take = || ask(|out| unsafe { lipz_cursor_take_event(Some(of_c), Some(cursor), out) }).ok();
     std::iter::from_fn(take).map(|event: Event| common::written(&event)).collect()
 }
 
-/// The indices of the segments that are due.
+/// Returns the indices of the segments that are due.
 fn segments(of_c: &Dialogue, mut cursor: Cursor) -> Vec<u32> {
     let take = || ask(|out| unsafe { lipz_cursor_take_segment(Some(of_c), Some(&mut cursor), out) }).ok();
     std::iter::from_fn(take).map(|segment: Segment| segment.index).collect()
 }
 
-/// Moves both cursors by the same step, and says what is due in the reader's.
+/// Moves both cursors by the same step, and returns what is due in the reader's cursor.
 fn step(
     of_c: &Dialogue,
     ours: &mut Cursor,
@@ -168,7 +168,7 @@ fn a_cursor_needs_a_frame_rate() {
     assert_eq!(cursor(&opened.of_c, &clip).err(), Some(LIPZ_NONE), "no clip");
 }
 
-/// The patch changes a text and no mouth: the line plays on where it was.
+/// The patch changes a text and no visemes, so the line continues where it was.
 #[test]
 fn a_cursor_goes_on_in_another_version() {
     let (before, after) = (dialogue(&[SMALL]), dialogue(&[SMALL, common::PATCH]));

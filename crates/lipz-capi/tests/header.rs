@@ -1,4 +1,4 @@
-//! The header is what the code and its documentation say: `LIPZ_BLESS=1` writes it.
+//! Compares the header with the code and its documentation: `LIPZ_BLESS=1` writes it.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-/// The names of the structs in C: those of functions and constants are the same in Rust.
+/// The names of the structs in C. Names of functions and constants are the same in Rust.
 const NAMES: [(&str, &str); 32] = [
     ("Babble", "lipz_babble"),
     ("Bytes", "lipz_bytes"),
@@ -67,51 +67,53 @@ const FILES: [&str; 17] = [
 const INTRODUCTION: &str = "/*
  * lipz.h - reads lipz dialogue banks in place. https://github.com/lipz/lipz
  *
- * MIT OR Apache-2.0. Written by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header` from the code.
- * docs/guides/c.md has a first program, and a page of what each struct has.
+ * MIT OR Apache-2.0. Generated from the code by `LIPZ_BLESS=1 cargo test -p lipz-capi --test header`.
+ * docs/guides/c.md has a first program, and lists the fields of each struct.
  *
- * Arguments come in one order: the dialogue, the value that is asked, the time, who, the profile, options,
- * and the answer last.
+ * Arguments come in one order: the dialogue, the queried value, the time, who, the profile, options, and the
+ * answer last.
  *
- * Contract: a pointer is null or leads to a value of its type, or to as many bytes as the length
- * beside it says; that holds for the pointers in a lipz_bytes and a lipz_who, too. The words of a
- * lipz_dialogue and of its files are those that the library has written; the files, where they are,
- * and their contents stay for as long as the dialogue and strings from it are used. Nobody writes to
- * any of them meanwhile, and answers do not overlap arguments.
+ * Contract: the caller guarantees only the following.
  *
- * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the
- * bytes of the files and the numbers in the other structs are. Each returns a status, and writes an
- * empty answer (zeros, null, the viseme at rest) unless that is LIPZ_OK. All but lipz_dialogue_supply
- * may be called from several threads at once.
+ * - Each pointer is null or leads to a value of its type, or to as many bytes as the length next to it. This
+ *   includes the pointers in a lipz_bytes and a lipz_who.
+ * - Only the library has written the words of a lipz_dialogue and of its files. The files stay at their
+ *   addresses, and their contents stay valid, while the dialogue and strings from it are used.
+ * - No thread writes to any of these during a call, and answers do not overlap arguments.
+ *
+ * Everything else is total: no function crashes, reads out of bounds or loops without end, whatever the bytes of
+ * the files and the numbers in the other structs are. Each function returns a status. Unless that is LIPZ_OK, the
+ * answer is empty: zeros, null, or the viseme at rest. All functions except lipz_dialogue_supply may be called
+ * from several threads at once.
  */
 
 #ifndef LIPZ_H
 #define LIPZ_H";
 
-/// Times by value: a line of C each, which needs no function of the library.
+/// Times by value: a few lines of C each, without a function of the library.
 const TIMES: &str = "
-// A time in microseconds.
+// Returns a time in microseconds.
 static inline lipz_time lipz_time_us(int64_t us) {
   lipz_time time = {us, 0, 0};
   return time;
 }
 
-// A time in samples per channel, at a rate.
+// Returns a time in samples per channel, at a sample rate.
 static inline lipz_time lipz_time_samples(int64_t position, uint32_t rate_hz) {
-  // Without a rate there is no time: as before the start.
+  // Without a valid rate, the time is before the start.
   int is_rate = rate_hz > 0 && rate_hz < LIPZ_SECONDS_F32;
   lipz_time time = {is_rate ? position : -1, is_rate ? rate_hz : 0, 0};
   return time;
 }
 
-// A time in seconds.
+// Returns a time in seconds.
 static inline lipz_time lipz_time_seconds(double seconds) {
   lipz_time time = {0, LIPZ_SECONDS, 0};
   memcpy(&time.count, &seconds, sizeof seconds);
   return time;
 }
 
-// A time in seconds of a clock that has no more than a float.
+// Returns a time in seconds, from a clock without `double`.
 static inline lipz_time lipz_time_seconds_f32(float seconds) {
   uint32_t bits;
   lipz_time time = {0, LIPZ_SECONDS_F32, 0};
@@ -146,10 +148,10 @@ fn the_header_is_current() {
     assert!(!header.contains("LIPZ_ID_"), "these names are for the ids of clips (`lipz ids --lang c`)");
     let is_of_rust = |line: &&str| line.starts_with("} ") && line.ends_with(";") && !line.starts_with("} lipz_");
     assert_eq!(header.lines().find(is_of_rust), None, "NAMES has the names of C");
-    assert!(found == header, "include/lipz.h is not what the code says: LIPZ_BLESS=1 writes it");
+    assert!(found == header, "include/lipz.h is out of date: LIPZ_BLESS=1 writes it");
 }
 
-/// Structs that programs pass on without looking into them.
+/// Opaque structs, which programs only pass on.
 const OPAQUE: [&str; 3] = ["lipz_dialogue", "lipz_file", "lipz_time"];
 
 #[test]
@@ -172,7 +174,7 @@ fn the_page_names_every_field() {
     assert!(count > OPAQUE.len() && count + 2 == NAMES.len(), "{count}");
 }
 
-/// The header as it should be.
+/// Returns the expected header.
 fn header() -> String {
     let mut config = Config {
         language: Language::C,
@@ -197,7 +199,7 @@ fn header() -> String {
     String::from_utf8(text).unwrap()
 }
 
-/// The kinds of damage as statuses. The reader lists them, with their numbers.
+/// Returns the kinds of damage as statuses, from the reader's list with their numbers.
 fn damage() -> String {
     let mut text = String::from("\n");
     for kind in ErrorKind::ALL {

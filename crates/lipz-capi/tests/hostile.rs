@@ -1,4 +1,4 @@
-//! Null pointers, foreign structs and damaged files: a status, and an empty answer.
+//! Null pointers, foreign structs and damaged files lead to a status and an empty answer.
 #![allow(unsafe_code, clippy::unwrap_used, clippy::cast_possible_wrap, reason = "tests")]
 
 mod common;
@@ -160,7 +160,7 @@ fn one_bank_is_opened_and_nothing_else() {
     }
 }
 
-/// Without a bank, nothing says what the project's locale and profiles are.
+/// Without a bank, the project's locale and profiles are unknown.
 #[test]
 fn a_set_without_banks_is_absent() {
     let of_c = opened(&[SET, &[], &[]], places(3), 0).unwrap();
@@ -170,7 +170,7 @@ fn a_set_without_banks_is_absent() {
     assert_eq!((locale.err(), profile.err()), (Some(LIPZ_ABSENT), Some(LIPZ_ABSENT)));
 }
 
-/// What a dialogue gives, another version of it does not take.
+/// Handles from one version of a dialogue are rejected by another version.
 #[test]
 fn handles_of_another_version_lead_to_nothing() {
     let (own, other) = (dialogue(&[SMALL]), dialogue(&[SMALL, PATCH]));
@@ -256,7 +256,7 @@ impl Random {
     }
 }
 
-/// Bytes of all files are changed, and every query goes on: with structs of the intact dialogue, and with random ones.
+/// Changes bytes of all files, and makes every query, with structs of the intact dialogue and with random ones.
 #[test]
 fn queries_are_total_on_damaged_files_and_foreign_structs() {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);

@@ -1,13 +1,12 @@
 //! Compiler of lipz dialogue banks.
 //!
-//! Data flows one way: [`discover`] → parse → check → localise → lower → write. Every phase reports
-//! what it finds and goes on, so that one run shows all problems of all files; a bank is made only if
-//! none of them is an error. [`Compiler::compile`] makes the bank, [`Compiler::pack`] writes it,
-//! [`Compiler::pack_cached`] and [`Memory`] look only at what changed since. [`unpack`] goes the other
-//! way, [`diff`](mod@diff) compares two banks.
+//! Data flows one way: [`discover`] → parse → check → localise → lower → write. Every phase reports its diagnostics and
+//! continues, so that one run shows all problems of all files. A bank is made only if there are no errors.
+//! [`Compiler::compile`] makes the bank, [`Compiler::pack`] writes it, and [`Compiler::pack_cached`] and [`Memory`]
+//! read only changed files. [`unpack`] restores Lipz files, and [`diff`](mod@diff) compares two banks.
 //!
-//! A build script packs a folder with [`Build`], which puts the bank and a constant for each clip
-//! where the program finds them:
+//! A build script packs a folder with [`Build`], which writes the bank and a constant for each clip to the folder where
+//! the program includes them:
 //!
 //! ```no_run
 //! // build.rs
@@ -16,11 +15,12 @@
 //! }
 //! ```
 //!
-//! [`settings::Settings`] reads what a project decides from its `lipz.toml`. A function that can fail returns its diagnostics
-//! as an error, [`Report`](diagnostics::Report) or [`DiagnosticsError`](diagnostics::DiagnosticsError), which prints them; warnings
-//! are in the value. `…_with_report(s)` go on after errors, for tools that report everything at once.
+//! [`settings::Settings`] reads the settings of a project from its `lipz.toml`. A function that can fail returns its
+//! diagnostics as an error, [`Report`](diagnostics::Report) or [`DiagnosticsError`](diagnostics::DiagnosticsError),
+//! which prints them; the value contains the warnings. `…_with_report(s)` continue after errors, for tools that report
+//! everything at once.
 //!
-//! A tool prints diagnostics as the command `lipz` does, with the feature `human`:
+//! With the feature `human`, a tool prints diagnostics like the command `lipz`:
 //!
 //! ```
 //! # #[cfg(feature = "human")]
@@ -36,118 +36,69 @@
 //! # Features
 //!
 //! * `build` (default): [`Build`] for build scripts, and `ids`: constants for programs.
-//! * `cache`: recalling what did not change, `Compiler::pack_cached` and `Memory`.
+//! * `cache`: reusing unchanged results, `Compiler::pack_cached` and `Memory`.
 //! * `settings`: reading `lipz.toml`.
 //! * `shards`: packing on several machines, [`shard`].
-//! * `unpack`: from a bank to a folder of Lipz files.
-//! * `diff`, `stats`: comparing banks, counting what is in them.
+//! * `unpack`: restoring a folder of Lipz files from a bank.
+//! * `diff`, `stats`: comparing banks, statistics of their contents.
 //! * `human`: [`diagnostics::render::human`](crate::diagnostics::render), the diagnostics of a run with the marked source.
-//! * `inspect`: what is in a bank, and a clip as a timeline.
-//! * `json`: what these return, and [`Coverage`], is `serde::Serialize`, in the form that the command prints;
+//! * `inspect`: the contents of a bank, and a clip as a timeline.
+//! * `json`: implements `serde::Serialize` for the results of these and for [`Coverage`], in the format of the command;
 //!   `diagnostics::render::to_json` writes it. Also `diagnostics::render::json`, `sarif` and `gitlab`.
-//! * `parallel`: all cores, also after the files are read.
+//! * `parallel`: uses all cores, also after the files are read.
 //! * `full`: all of them.
 //!
-//! No feature changes a byte of a bank, but for `settings`, with which [`Build`] goes by `lipz.toml`.
+//! No feature changes a byte of a bank, except for `settings`, with which [`Build`] uses `lipz.toml`.
 //!
-//! What is not here: printing (but for [`Build`]) and exit codes (`lipz`); other tools' formats.
-// Sizes are checked where they enter (`fit`); casts below are of numbers known to be small.
+//! Not included: printing (except in [`Build`]) and exit codes (`lipz`), and formats of other tools.
+// Sizes are checked on input (`fit`). The casts below apply to numbers known to be small.
 #![allow(clippy::cast_possible_truncation)]
 
-pub mod babble;
+mod bank;
 #[cfg(feature = "build")]
 mod build;
-#[cfg(feature = "cache")]
-mod cache;
 mod check;
 mod clip;
-mod compile;
-mod convert;
-mod coverage;
-mod decompile;
-mod depend;
-mod dialogue;
-#[cfg(feature = "diff")]
-pub mod diff;
-mod discover;
-mod dubs;
-pub mod face;
-mod fallback;
-mod fix;
-mod hashed;
-#[cfg(feature = "ids")]
-pub mod ids;
-mod input;
-#[cfg(feature = "inspect")]
-pub mod inspect;
-#[cfg(feature = "json")]
-mod json;
-pub mod key;
-#[cfg(unix)]
-mod last_folder;
-mod layers;
-mod list;
-mod localise;
-mod lock;
-mod lower;
-#[cfg(not(feature = "cache"))]
-mod no_cache;
-mod options;
-mod output;
-mod outputs;
-mod parallel;
-mod pipe;
-mod pseudo;
-mod replacements;
-mod rewrite;
-mod same;
-pub mod settings;
-#[cfg(feature = "shards")]
-pub mod shard;
-mod source_index;
-mod source_record;
-mod split;
-#[cfg(feature = "stats")]
-pub mod stats;
-mod strings;
-mod temporary;
-#[cfg(feature = "unpack")]
-mod unpack;
-mod voices;
-mod walk;
-mod word_times;
+mod edit;
+mod files;
+mod locales;
+mod project;
+mod run;
+mod sources;
+mod util;
+#[cfg(any(feature = "diff", feature = "ids", feature = "inspect", feature = "json", feature = "stats"))]
+mod views;
 
+pub use bank::{Coverage, Documents, SplitBank, Stack, VoiceBanks, VoiceCoverage};
+#[cfg(feature = "unpack")]
+pub use bank::{Unpacked, unpack};
+pub use bank::{coverage, dialogue_of, shortfalls, voice_coverage, voice_coverage_of};
 #[cfg(feature = "build")]
 pub use build::{Build, BuildError};
-#[cfg(feature = "cache")]
-pub use cache::Memory;
-pub use compile::{Checked, CompileError, Compiled, Compiler, Lint, Linted, Phases};
-pub use convert::Converted;
-pub use coverage::{Coverage, coverage, shortfalls};
-pub use decompile::Documents;
-pub use depend::{dependencies, depfile, watched};
-pub use discover::{discover, discover_with_reports, is_pattern};
-pub use dubs::{VoiceCoverage, voice_coverage, voice_coverage_of};
-pub use fix::Fixed;
-pub use input::{Content, Input, Inputs};
-pub use layers::{Over, Stack, VoiceBanks, dialogue_of};
+pub use edit::{ConvertedFile, FixedFile, rewrite_file};
+pub use files::{OutputFile, Replace, Replacements, replace_file};
 pub use lipz_diagnostics as diagnostics;
-pub use options::{
+pub use project::{
     EmotionCurves, EmotionOptions, FileLevels, GestureKeys, Gestures, KnownNames, LocaleError, MinCoverage, Options,
-    TextLimits,
+    ParseWordTimesError, TextLimits, VoiceError, Voices, WordTime, WordTimes,
 };
-pub use output::replace_file;
-pub use outputs::{Delivered, OutputFile, Outputs, Replace};
-pub use replacements::Replacements;
-pub use rewrite::rewrite_file;
-pub use split::SplitBank;
-#[cfg(feature = "unpack")]
-pub use unpack::{Unpacked, unpack};
-pub use voices::{VoiceError, Voices};
-pub use word_times::{ParseWordTimesError, WordTime, WordTimes};
-
-#[cfg(not(feature = "cache"))]
-use no_cache as cache;
+pub use project::{babble, dependencies, depfile, face, settings, watched};
+#[cfg(feature = "cache")]
+pub use run::Memory;
+#[cfg(feature = "shards")]
+pub use run::shard;
+pub use run::{
+    CheckResult, CompileError, Compiled, Compiler, DeliveredFiles, Lint, LintResult, Outputs, Phases, StackBelow,
+};
+pub use sources::{Content, Input, Inputs, discover, discover_with_reports, is_pattern, key};
+#[cfg(feature = "diff")]
+pub use views::diff;
+#[cfg(feature = "ids")]
+pub use views::ids;
+#[cfg(feature = "inspect")]
+pub use views::inspect;
+#[cfg(feature = "stats")]
+pub use views::stats;
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -1,4 +1,4 @@
-//! The babble section: what settings make of it, and that damage in it is found.
+//! The babble section: its content from settings, and detection of damage.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::babble::{Babble, VoiceLevel};
@@ -10,7 +10,7 @@ use lipz_layout::{CHECKED_FROM, Tag, checksum};
 
 const FILE: &str = r#"{ "text_en-us": "Hello." }"#;
 
-/// A bank of one clip with the profiles of these settings.
+/// Returns a bank of one clip with the profiles of these settings.
 fn bank(settings: &str) -> Vec<u8> {
     let settings = Settings::parse(settings, "lipz.toml", "").unwrap();
     Compiler::new(settings.options.clone()).compile(&[Input::from_bytes("hello", FILE)]).bank.unwrap()
@@ -43,8 +43,8 @@ fn a_project_that_repeats_the_viewer_has_its_profile() {
     assert_eq!(Bank::open(&bytes).unwrap().default_babble(), Babble::DEFAULT);
 }
 
-/// Every byte of the section, changed to every value: found, or still a valid profile. Before
-/// `verify`, no query panics.
+/// Changes every byte of the section to every value, which must be detected or produce a valid profile. Before
+/// `verify`, no query may panic.
 #[test]
 fn every_change_is_found_or_valid() {
     let whole = bank("babble.a = { ooh = \"12\", aah = \"3\", rate = 12.5 }\nbabble.b.aah = \"45\"\n");
@@ -61,7 +61,7 @@ fn every_change_is_found_or_valid() {
             for babble in bank.babbles() {
                 babble.at(Micros(1_000_000), VoiceLevel::UNMEASURED);
                 babble.name();
-                // A damaged rate is no rate that a program can have.
+                // A damaged rate is never a valid one.
                 let rate = babble.rate();
                 assert_eq!(Fps::new(rate.numerator(), rate.denominator()), Some(rate));
                 assert!(Lead::one_frame(rate) > Lead::NONE);

@@ -1,10 +1,11 @@
-//! A file has the same diagnostics after a clean file as alone. The fast pass over clean files runs from the second file on.
+//! A file has the same diagnostics after a clean file as alone. The fast pass over clean files starts with the second
+//! file.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_compiler::{Compiler, Input, Options};
 use std::path::Path;
 
-/// Has the elements that most files have, in the locales of the fixtures.
+/// A file with the elements of most files, in the locales of the fixtures.
 const CLEAN: &[u8] =
     br#"{ "visemes": "MA|E-", "text_en-us": "Hi|there.", "text_de-de": "Na|du.", "fps": 24, "viseme_type": "blair" }"#;
 

@@ -1,4 +1,4 @@
-//! Verified banks that ask for far more than they are: nothing is made of them, in little time.
+//! Verified banks that would expand to far more than their length: they are refused quickly.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::{Dialogue, Locale};
@@ -9,7 +9,7 @@ use lipz_layout::{TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
 use lipz_testkit::dialogues::places;
 use lipz_testkit::forge::{ForgedClip, bank};
 
-/// A clip of so many segments, each with the same text of the greatest length.
+/// Returns a clip with this number of segments, each with the same text of maximum length.
 fn bomb(segment_count: usize) -> Vec<u8> {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![0; segment_count - 1] };
     let pool = [&text_count(TEXT_MAX_BYTES)[..], &[b'a'; TEXT_MAX_BYTES]].concat();
@@ -25,7 +25,7 @@ fn texts_that_would_fill_gigabytes_are_refused() {
     let documents = Documents::from_dialogue(&dialogue).unwrap();
     let report = documents.iter().next().unwrap().unwrap_err();
     assert_eq!(report.diagnostics[0].code, Code::SourceDamaged);
-    assert!(report.diagnostics[0].message.contains("more bytes than its files may have"));
+    assert!(report.diagnostics[0].message.contains("exceed the size limit"));
 
     let folder = tempfile::tempdir().unwrap();
     assert!(unpack(&dialogue, folder.path(), false, &Replacements::default(), &|_| ()).is_err());

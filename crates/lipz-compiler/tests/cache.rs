@@ -1,11 +1,11 @@
-//! Packing with a cache or a memory gives the bank, and the diagnostics, of packing without one: whatever happened to the
-//! files, the bank and the cache meanwhile.
+//! Packing with a cache or a memory makes the same bank and the same diagnostics as without one, regardless of changes
+//! to the files, the bank and the cache in between.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 mod support;
 
 use lipz_compiler::{
-    Compiled, Compiler, Input, Linted, Memory, MinCoverage, Options, OutputFile, Outputs, discover_with_reports,
+    Compiled, Compiler, Input, LintResult, Memory, MinCoverage, Options, OutputFile, Outputs, discover_with_reports,
 };
 use lipz_diagnostics::{Code, Levels, Report};
 use proptest::prelude::*;
@@ -17,10 +17,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, SystemTime};
 
-/// How long a file has to be left alone before its look alone proves that it did not change.
+/// The time that a file must stay unchanged before its metadata proves that it is unchanged.
 const SETTLING: Duration = Duration::from_millis(2100);
 
-/// A project in a folder of its own.
+/// A project in its own folder.
 struct Scene {
     folder: tempfile::TempDir,
     options: Options,
@@ -29,7 +29,7 @@ struct Scene {
     told: RefCell<Told>,
 }
 
-/// A memory that is told which files changed, and what they were when it packed last.
+/// A memory that receives the changed files, with the state of the files at its last run.
 #[derive(Default)]
 struct Told {
     memory: Memory,
@@ -49,7 +49,7 @@ impl Scene {
         scene
     }
 
-    /// A project of the made-up scene, whose files have settled.
+    /// Creates a project of the invented scene, whose files have settled.
     fn drama() -> Scene {
         let scene = Scene { options: options(4), ..Scene::new() };
         for (key, bytes) in support::files("drama") {
@@ -92,7 +92,7 @@ impl Scene {
         self.path("out/told.lipzbank")
     }
 
-    /// Packs with a memory that is told exactly which files changed, unless there are others.
+    /// Packs with a memory that receives exactly the changed files, unless the inputs have changed.
     fn pack_told(&self) -> Compiled {
         let (inputs, mut told) = (self.inputs(), self.told.borrow_mut());
         let file = |input: &Input| (input.key.clone(), input.name(), fs::read(input.name()).unwrap());
@@ -111,7 +111,7 @@ impl Scene {
         packed.map(|delivered| of_file(&delivered.files[0]))
     }
 
-    /// Packs with the cache and with memories, and compares everything with a run without them.
+    /// Packs with the cache and with memories, and compares the results with those of a run without them.
     fn pack(&self) -> Compiled {
         let with_cache = self.pack_unchecked();
         let with_memory = self.remember();
@@ -120,21 +120,21 @@ impl Scene {
         assert_eq!(with_memory.reports, without.reports);
         assert!(with_memory.bank == without.bank, "the bank of the memory differs");
         assert_eq!(told.reports, without.reports);
-        assert!(told.bank == without.bank, "the bank of the memory that is told what changed differs");
+        assert!(told.bank == without.bank, "the bank differs if the memory receives the changed files");
         assert_eq!(with_cache.reports, without.reports);
         assert!(with_cache.bank == without.bank, "the banks differ");
         with_cache
     }
 }
 
-/// The bank in a file.
+/// Returns the bank in a file.
 fn of_file(file: &OutputFile) -> Vec<u8> {
     let bank = fs::read(&file.path).unwrap();
     assert_eq!(bank.len(), file.length_bytes);
     bank
 }
 
-/// Changes one letter, if there is one, and neither length nor time of modification.
+/// Changes one letter, if there is one, but neither length nor modification time.
 fn tamper(path: &Path) {
     let modified = path.metadata().unwrap().modified().unwrap();
     let text = fs::read_to_string(path).unwrap();
@@ -184,15 +184,15 @@ fn only_what_changed_is_made_anew() {
     assert!(scene.pack().is_unchanged, "only the time changed");
 
     scene.options = scene.options.strip(true);
-    assert_eq!(scene.pack().recalled, 0, "a bank without sources is another bank");
+    assert_eq!(scene.pack().recalled, 0, "a bank without sources is a different bank");
     assert_eq!(scene.pack().recalled, count);
     scene.has_other_root = true;
-    assert_eq!(scene.pack().recalled, 0, "the keys are others");
+    assert_eq!(scene.pack().recalled, 0, "the keys have changed");
     scene.options = scene.options.threads(1);
     assert!(scene.pack().is_unchanged);
 }
 
-/// Curves of a file, of its emotions and of others, and the face profiles of a project.
+/// Curves of a file, from emotions and from elements, and the face profiles of a project.
 #[test]
 fn curves_are_recalled_as_they_were() {
     let mut scene = Scene::new();
@@ -219,7 +219,7 @@ fn curves_are_recalled_as_they_were() {
     fs::write(scene.path("voices/new.lipz"), r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();
     assert_eq!(scene.pack().recalled, files.len());
     scene.options = options;
-    assert_eq!(scene.pack().recalled, 0, "other profiles make another bank");
+    assert_eq!(scene.pack().recalled, 0, "different profiles make a different bank");
 }
 
 #[test]
@@ -283,7 +283,7 @@ fn what_is_told_is_looked_at_and_nothing_else() {
     write("b", "So is this.");
     assert_eq!(pack(Some(&[])), (first, 3, 1, true));
     let second = (is("This is another."), is("This is b."));
-    assert_eq!(pack(Some(&[0])), (second, 2, 1, false), "nobody said anything of b");
+    assert_eq!(pack(Some(&[0])), (second, 2, 1, false), "the change of b was not reported");
     let third = (is("This is another."), is("So is this."));
     assert_eq!(pack(Some(&[1, 2])), (third.clone(), 2, 1, false));
     write("a", "Is it?");
@@ -321,12 +321,12 @@ fn what_was_checked_is_not_read_again() {
     let count = scene.inputs().len();
     let check = |options: &Options, beside: &[u8]| {
         let read = AtomicUsize::new(0);
-        // Finds fault with one file, and counts those with a text in English.
+        // Reports one file, and counts those with a text in English.
         let lint = |input: &Input, bytes: &[u8]| {
             read.fetch_add(1, Ordering::Relaxed);
             let is_wrong = input.key == "wrong";
             let report = is_wrong.then(|| Report::failure(input.name(), Code::KeyClash, "wrong", "mend it"));
-            Linted::new(report, bytes.windows(10).any(|part| part == b"text_en-us"))
+            LintResult::new(report, bytes.windows(10).any(|part| part == b"text_en-us"))
         };
         let (inputs, compiler) = (scene.inputs(), Compiler::new(options.clone()));
         let checked = compiler.check_cached(&inputs, &lint, &cache, beside);
@@ -345,13 +345,14 @@ fn what_was_checked_is_not_read_again() {
     assert_eq!(check(&plain, b"another record"), doubtful_count);
     fs::write(scene.path("voices/wrong.lipz"), r#"{"visemes":"A-","viseme_type":"blair","fps":24}"#).unwrap();
     assert_eq!(check(&plain, b"another record"), doubtful_count + 1);
-    assert_eq!(check(&plain, b"another record"), doubtful_count + 1, "something is said about it each time");
+    assert_eq!(check(&plain, b"another record"), doubtful_count + 1, "it has a diagnostic each time");
     assert_eq!(check(&options(4), b"another record"), count + 1, "at other levels");
     fs::remove_file(&doubtful).unwrap();
     let bytes = fs::read(&cache).unwrap();
     for at in (0..bytes.len()).step_by(7) {
         flip(&cache, at);
-        let compiled = Compiler::new(options(4)).check_cached(&scene.inputs(), &|_, _| Linted::default(), &cache, b"");
+        let compiled =
+            Compiler::new(options(4)).check_cached(&scene.inputs(), &|_, _| LintResult::default(), &cache, b"");
         match at {
             0..16 => assert_eq!(compiled.compiled.reports[0].diagnostics[0].code, Code::OutputFailed),
             _ => assert_eq!(compiled.compiled.reports, []),
@@ -359,7 +360,7 @@ fn what_was_checked_is_not_read_again() {
         fs::write(&cache, &bytes).unwrap();
     }
     scene.pack();
-    let other = Compiler::default().check_cached(&scene.inputs(), &|_, _| Linted::default(), &scene.cache(), b"");
+    let other = Compiler::default().check_cached(&scene.inputs(), &|_, _| LintResult::default(), &scene.cache(), b"");
     assert!(other.compiled.reports[0].to_string().contains("is the cache of a bank"), "{:?}", other.compiled.reports);
 }
 
@@ -370,7 +371,7 @@ fn a_damaged_bank_or_cache_is_not_believed() {
     fs::write(scene.path("voices/b.lipz"), r#"{"events":"otto feels sad","text_de-de":"b"}"#).unwrap();
     scene.pack();
     let (bank, cache) = (fs::read(scene.bank()).unwrap(), fs::read(scene.cache()).unwrap());
-    // The header byte by byte; the checksum is about the rest as a whole.
+    // Every byte of the header, but only a few of the rest, which the checksum covers as a whole.
     for at in (0..64).chain((64..bank.len()).step_by(31)) {
         flip(&scene.bank(), at);
         assert_eq!(scene.pack().recalled, 0, "byte {at} of the bank");
@@ -380,7 +381,7 @@ fn a_damaged_bank_or_cache_is_not_believed() {
         let compiled = scene.pack_unchecked();
         assert!(fs::read(scene.bank()).unwrap() == bank, "byte {at} of the cache");
         if let Some(report) = compiled.reports.first() {
-            // It does not look like a cache any more, and could be anything.
+            // It does not look like a cache, and could be any file.
             assert_eq!(report.diagnostics[0].code, Code::OutputFailed);
             fs::write(scene.cache(), &cache).unwrap();
         } else {
@@ -399,7 +400,7 @@ fn a_damaged_bank_or_cache_is_not_believed() {
 
 #[test]
 fn a_bank_that_somebody_writes_to_meanwhile_does_not_stay() {
-    // So small that all of its bank is in memory from the start.
+    // So small that the whole bank is in memory from the start.
     let scene = Scene::new();
     fs::write(scene.path("voices/a.lipz"), r#"{"text_en-us":"Aye."}"#).unwrap();
     std::thread::sleep(SETTLING);
@@ -450,7 +451,7 @@ fn a_bank_that_is_made_anew_and_is_there_already_is_judged() {
 #[test]
 fn what_is_said_of_scripts_is_the_same_of_a_bank_that_stays() {
     let scene = Scene { options: Options::new().default_locale("en-us").unwrap(), ..Scene::new() };
-    // Of such a bank, only the ends of the texts are in memory: wherever these begin, no text is missing.
+    // Only the ends of the texts are in memory for such a bank. Wherever they start, no text may be missing.
     for padding in 0..4 {
         for number in 0..200 {
             let text = format!("{}{number}{}", "x".repeat(padding), "說".repeat(300));
@@ -478,10 +479,10 @@ fn files_that_are_no_caches_are_left_alone() {
         assert_eq!(compiled.reports[0].diagnostics[0].code, Code::OutputFailed);
         assert_eq!(scene.bank().exists(), bank_is_written);
     }
-    assert_eq!(scene.pack().reports, [], "source and bank are whole");
+    assert_eq!(scene.pack().reports, [], "source and bank are complete");
 }
 
-/// What happens to a project between two runs. Files are named by numbers, taken modulo their count.
+/// A change to a project between two runs. Files are identified by numbers, modulo their count.
 #[derive(Clone, Debug)]
 enum Edit {
     Write(usize, String),
@@ -511,7 +512,7 @@ fn edit() -> impl Strategy<Value = Edit> {
     ]
 }
 
-/// Options under which the diagnostics of the generated documents are allowed, so that they are stamped.
+/// Options that allow the diagnostics of the generated documents, so that these are stamped.
 fn options(number: usize) -> Options {
     let plain = Options::new()
         .default_locale("en-us")
@@ -540,7 +541,7 @@ impl Scene {
                 fs::rename(self.path("aside"), file(*b)).unwrap();
             }
             Edit::DamageBank(at) => [self.bank(), self.told_bank()].iter().for_each(|bank| flip(bank, *at)),
-            // Not where it says that it is a cache.
+            // Not in the magic that identifies it as a cache.
             Edit::DamageCache(at) => flip(&self.cache(), 16 + at % (fs::read(self.cache()).unwrap().len() - 16)),
             Edit::Options(number) => self.options = options(*number),
             Edit::Root => self.has_other_root = !self.has_other_root,

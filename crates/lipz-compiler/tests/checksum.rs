@@ -1,4 +1,4 @@
-//! The checksum of banks: against an independent XXH64, and against changes with a structure.
+//! The checksum of banks, compared with an independent XXH64, and tested with systematic changes.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "tests")]
 
 use lipz_layout::{CHECKED_FROM, RunningChecksum, checksum};
@@ -28,7 +28,7 @@ fn pieces_have_the_checksum_of_the_whole() {
     }
 }
 
-/// Adds the numbers to bytes `stride` apart, from `start` on.
+/// Adds the numbers to bytes `stride` apart, starting at `start`.
 fn with_added(bytes: &[u8], start: usize, stride: usize, numbers: &[i8]) -> Vec<u8> {
     let mut changed = bytes.to_vec();
     for (at, number) in (start..).step_by(stride).zip(numbers) {
@@ -37,7 +37,8 @@ fn with_added(bytes: &[u8], start: usize, stride: usize, numbers: &[i8]) -> Vec<
     changed
 }
 
-/// Three changed mouth shapes 32 bytes apart passed Fletcher's sums: +1, -2, +1. So do others, in sums of more orders.
+/// Fletcher's sums did not detect three changed visemes 32 bytes apart: +1, -2, +1. Sums of higher orders miss similar
+/// changes.
 #[test]
 fn small_changes_at_equal_distances_do_not_cancel_out() {
     let bytes = &DRAMA[CHECKED_FROM..8192];
@@ -63,7 +64,7 @@ fn small_changes_at_equal_distances_do_not_cancel_out() {
     }
 }
 
-/// The same bits of any two words, and two words exchanged.
+/// The same bits of any two words, and two exchanged words.
 #[test]
 fn no_two_words_cancel_out() {
     let bytes = &DRAMA[CHECKED_FROM..1040];
@@ -83,7 +84,7 @@ fn no_two_words_cancel_out() {
     }
 }
 
-/// The three bytes of a golden bank whose change `verify` did not notice.
+/// The three bytes of a golden bank whose change `verify` missed.
 #[test]
 fn three_mouth_shapes_of_a_bank_are_noticed() {
     let places = (0..DRAMA.len() - 64).filter(|at| [0, 32, 64].map(|behind| DRAMA[at + behind]) == *b"EUE");

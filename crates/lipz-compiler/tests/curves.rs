@@ -1,4 +1,4 @@
-//! Curves: what a file says is what a program reads, at each frame and time, and what unpacking gives back.
+//! Curves: a program reads the values of the file at each frame and time, and unpacking restores them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::curve::{Curve, CurveCursor};
@@ -17,7 +17,7 @@ fn pack(file: &str, options: Options) -> Vec<u8> {
     Compiler::new(options).compile(&[Input::from_bytes("a", file)]).into_bank().unwrap()
 }
 
-/// A clip without mouth shapes, at 24 frames a second, with one curve.
+/// Returns a clip without visemes, at 24 frames per second, with one curve.
 fn bank_of(keys: &Keys) -> Vec<u8> {
     let number = |thousandths: &i32| {
         let sign = if *thousandths < 0 { "-" } else { "" };
@@ -27,7 +27,7 @@ fn bank_of(keys: &Keys) -> Vec<u8> {
     pack(&format!(r#"{{ "fps": 24, "curves": {{ "k": "{}" }} }}"#, keys.join("  ")), Options::new())
 }
 
-/// The value at `position` 65,536ths of frames, in integers without bounds.
+/// Returns the value at `position`, in 65,536ths of frames, with integers that cannot overflow.
 fn exact(keys: &Keys, position: u64) -> i32 {
     let at = |frame: u32| i128::from(frame) << 16;
     let position = i128::from(position);
@@ -40,7 +40,7 @@ fn exact(keys: &Keys, position: u64) -> i32 {
     i32::try_from(i128::from(*old) + part * distance.signum()).unwrap()
 }
 
-/// Frames near each other, around the largest that a narrow key has, and far apart.
+/// Frames near each other, around the largest that fits a narrow key, and far apart.
 fn frame() -> impl Strategy<Value = u32> {
     prop_oneof![4 => 0_u32..60, 1 => 65_530_u32..65_540, 1 => any::<u32>()]
 }
@@ -60,7 +60,8 @@ fn with_curve<T>(bytes: &[u8], look: impl FnOnce(Curve<'_>) -> T) -> T {
 }
 
 proptest! {
-    /// A cursor says what a search says, wherever it was before, and both say what exact arithmetic says.
+    /// A cursor returns the same values as a search, regardless of its previous position, and both equal exact
+    /// arithmetic.
     #[test]
     fn a_cursor_is_a_search_is_exact(
         keys in keys(),
@@ -93,7 +94,7 @@ fn values_are_held_outside_of_the_keys() {
     with_curve(&bytes, |curve| {
         let at = |us| curve.value_at(Micros(us)).unwrap().thousandths();
         assert_eq!([i64::MIN, -1, 0, 5_000_000, i64::MAX].map(at), [1000, 1000, 1000, -3, -3]);
-        // Half of 1003 from 1000 is 498.5: away from the key before.
+        // Half of 1003 from 1000 is 498.5, which is rounded away from the previous key.
         assert_eq!(at(5_500_000 / 24 + 1), 498);
     });
 }
@@ -110,7 +111,7 @@ fn without_a_frame_rate_only_frames_have_values() {
     assert_eq!((clip.curve("K"), clip.curves().count()), (None, 1));
 }
 
-/// Whatever the layout of the element is, it comes back; and from a stripped bank what it says.
+/// The element is restored regardless of its layout; from a stripped bank, its values are restored.
 #[test]
 fn unpacking_gives_the_element_back() {
     let canonical = "{\n    \"anger\" : \"0:0 2:2.2\",\n    \"é \\\"\"  : \"1:-0.05\"\n  }";
@@ -131,7 +132,7 @@ fn unpacking_gives_the_element_back() {
         let again = pack(&lipz_file::write(&displayed), Options::new().strip(true));
         assert_eq!(again, stripped, "{value}");
     }
-    assert!(sizes[0] < 16, "what the bank holds is not stored twice: {sizes:?}");
+    assert!(sizes[0] < 16, "the contents of the bank are not stored twice: {sizes:?}");
 }
 
 #[test]
@@ -150,7 +151,8 @@ fn curves_survive_splitting_and_caches_and_cost_nothing_without() {
     }
 }
 
-/// A clip of four frames with two curves, then one with a wide curve; what `change` does to a section of their bank.
+/// Changes a section of a bank with two curves in a clip of four frames, and a clip with a wide curve. Returns the
+/// error.
 fn refused(tag: Tag, change: impl FnOnce(&mut [u8])) -> Option<(ErrorKind, usize)> {
     let files = [
         ("a", r#"{ "visemes": "MAAE", "curves": { "anger": "0:0 2:1", "joy": "1:1 4:2" } }"#),
@@ -169,16 +171,16 @@ fn damage_of_each_kind_is_found_where_it_is() {
     assert_eq!(refused(Tag::CURVE_CLIPS, |_| ()), None);
     assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[8] = 2), curve(8), "no such slot");
     assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[8] = 0), curve(8), "a slot twice");
-    assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[4] = 1), curve(0), "a curve of nobody");
+    assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[4] = 1), curve(0), "a curve without a clip");
     assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[12] = 0), curve(0), "a clip without curves");
     assert!(refused(Tag::CURVE_CLIPS, |clips| clips[12] = 3).is_some(), "no curves left");
-    assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[12] = 9), curve(0), "more curves than there are");
+    assert_eq!(refused(Tag::CURVE_CLIPS, |clips| clips[12] = 9), curve(0), "more curves than the section has");
     assert_eq!(refused(Tag::CURVES, |curves| curves[4] = 2), curve(0), "no such name");
     assert_eq!(refused(Tag::CURVES, |curves| curves[7] ^= 0x40), curve(0), "no such name either");
-    assert!(refused(Tag::CURVES, |curves| curves[0] = 1).is_some(), "keys of nobody");
+    assert!(refused(Tag::CURVES, |curves| curves[0] = 1).is_some(), "keys without a curve");
     assert!(refused(Tag::CURVES, |curves| curves[8] = 200).is_some(), "keys past the end");
     assert!(refused(Tag::CURVES, |curves| curves[8] = 0).is_some(), "a curve without keys");
-    assert!(refused(Tag::CURVES, |curves| curves[23] ^= 0x80).is_some(), "another width");
+    assert!(refused(Tag::CURVES, |curves| curves[23] ^= 0x80).is_some(), "a different width");
     for names in [[1, 1], [1, 0]] {
         let damage = |curves: &mut [u8]| {
             let of_two = if curves[12] == 0 { 8 } else { 0 };

@@ -1,4 +1,4 @@
-//! Same input, same bytes: in any file order, with any number of threads, in any folder.
+//! Same input, same bytes: for any order of files, number of threads, and folder.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 mod support;
@@ -16,7 +16,7 @@ fn shuffled_inputs_and_any_number_of_threads() {
     let mut inputs = discover(&[support::folder("drama")], None).unwrap();
     let expected = bank(&inputs, 1);
     for threads in 1..=8 {
-        // Deal the files like cards: another order each time.
+        // Deal the files like cards, in a different order each time.
         let middle = inputs.split_off(inputs.len() / 2);
         inputs = middle.into_iter().zip(inputs).flat_map(|(a, b)| [a, b]).collect();
         assert_eq!(inputs.len(), 48);
@@ -57,7 +57,8 @@ fn one_changed_character_changes_the_bank() {
     assert!(pack(&files) != before);
 }
 
-/// Files of every kind that a bank treats in a way of its own: dubs, fallbacks, equal texts and empty ones, events or none.
+/// Returns files of every kind that a bank treats differently: dubs, fallbacks, equal and empty texts, with and without
+/// events.
 fn all_kinds() -> Vec<Input> {
     let file = |number: usize| {
         let mut elements = vec![r#""viseme_type":"blair""#.to_owned()];

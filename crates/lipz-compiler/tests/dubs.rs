@@ -1,7 +1,7 @@
-//! Dubs: a bank answers as its sources say, whichever voice is asked for, also from a cache, and gives the sources back.
+//! Dubs: the answers of a bank match its sources in each voice, also from a cache, and unpacking restores the sources.
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
-use lipz_bank::{Bank, Spoken};
+use lipz_bank::{Bank, VoiceSource};
 use lipz_compiler::{Compiler, Documents, Input, Options, SplitBank, Voices, discover};
 use lipz_diagnostics::{Code, Severity};
 use lipz_testkit::dialogue;
@@ -9,15 +9,15 @@ use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::fs;
 
-/// The voices with the patterns of their keys; the first is the original's.
+/// The voices with the patterns of their keys, with the original's first.
 const VOICES: [(&str, &str); 4] =
     [("en-us", "{key}"), ("de-at", "at/{key}.ogg"), ("de-de", "de/{key}"), ("fr-fr", "{key}_fr")];
 const LOCALES: [&str; 3] = ["de-de", "en-us", "fr-fr"];
 const LINES: [&str; 3] = ["act1/mayor", "hello", "yes"];
-/// Few, so that dubs and originals often have the same.
+/// Few texts, so that dubs and originals often have equal ones.
 const TEXTS: [&str; 4] = ["", "Aye", " {loud} Aye ", "Mayor!"];
 
-/// A clip: its text in each locale, by segments, and its frames.
+/// A clip: its text in each locale, by segment, and its frames.
 #[derive(Clone, Debug)]
 struct Source {
     texts: BTreeMap<&'static str, Vec<&'static str>>,
@@ -36,7 +36,7 @@ impl Source {
     }
 }
 
-/// The versions of a line, and how many segments each has.
+/// The versions of a line, and the number of segments of each.
 #[derive(Clone, Debug)]
 struct Line {
     segments: usize,
@@ -63,7 +63,7 @@ fn key(line: &str, voice: usize) -> String {
     VOICES[voice].1.trim_end_matches(".ogg").replace("{key}", line)
 }
 
-/// The Lipz files of a project by their keys.
+/// Returns the Lipz files of a project by key.
 fn files(project: &[Line]) -> BTreeMap<String, String> {
     let of_line = |(line, name): (&Line, &&str)| {
         let versions = line.versions.clone().into_iter().enumerate();
@@ -83,7 +83,7 @@ fn inputs(project: &[Line]) -> Vec<Input> {
     files(project).into_iter().map(|(key, file)| Input::from_bytes(key, file)).collect()
 }
 
-/// What a segment of a clip shows in a locale: the text, and whether it is that of another locale.
+/// Returns the text that a segment of a clip shows in a locale, and whether it belongs to another locale.
 fn shown(own: &Source, original: Option<&Source>, tag: &str, segment: usize) -> Option<(String, bool)> {
     let text = |tag: &str| own.texts.get(tag).or_else(|| original?.texts.get(tag));
     let display = |texts: &Vec<&str>| texts[segment].replace("{loud}", "").trim().to_owned();
@@ -91,7 +91,7 @@ fn shown(own: &Source, original: Option<&Source>, tag: &str, segment: usize) -> 
     own.or_else(|| Some((display(text("en-us")?), true)))
 }
 
-/// The voice that answers for a line in another one, which has no dub of it.
+/// Returns the voice that is played for a line in a voice without a dub of it.
 fn instead(line: &Line, voice: usize) -> usize {
     let near = [0, 2, 1, 0][voice];
     if line.versions[near].is_some() { near } else { 0 }
@@ -101,7 +101,7 @@ fn compare(project: &[Line], bytes: &[u8]) {
     let bank = Bank::open(bytes).unwrap().verify().unwrap();
     let is_dubbed = |line: &Line| line.versions[0].is_some() && line.versions[1..].iter().any(Option::is_some);
     let has_voices = project.iter().any(is_dubbed);
-    assert_eq!(bank.sections().any(|(tag, _)| tag == *b"VOIC"), has_voices, "no section that says nothing");
+    assert_eq!(bank.sections().any(|(tag, _)| tag == *b"VOIC"), has_voices, "an empty section is omitted");
     assert_eq!(bank.voices().count(), if has_voices { 4 } else { 0 });
     for (line, name) in project.iter().zip(LINES) {
         for (number, source) in line.versions.iter().enumerate() {
@@ -120,12 +120,12 @@ fn compare(project: &[Line], bytes: &[u8]) {
                 assert_eq!((voice.is_original(), bank.voice_tag(voice)), (asked == 0, *tag));
                 let voiced = clip.in_voice(voice);
                 let (expected, spoken) = match &line.versions {
-                    [None, ..] => (number, Spoken::Original), // nothing leads from one to the other
-                    _ if asked == 0 => (0, Spoken::Original),
-                    versions if versions[asked].is_some() => (asked, Spoken::Dub),
+                    [None, ..] => (number, VoiceSource::Original), // nothing leads from one to the other
+                    _ if asked == 0 => (0, VoiceSource::Original),
+                    versions if versions[asked].is_some() => (asked, VoiceSource::Dub),
                     _ => match instead(line, asked) {
-                        0 => (0, Spoken::Original),
-                        other => (other, Spoken::OtherDub),
+                        0 => (0, VoiceSource::Original),
+                        other => (other, VoiceSource::OtherDub),
                     },
                 };
                 assert_eq!((voiced.clip.key(), voiced.spoken), (key(name, expected).as_str(), spoken), "in {tag}");
@@ -136,7 +136,7 @@ fn compare(project: &[Line], bytes: &[u8]) {
     }
 }
 
-/// The files of a bank by their keys.
+/// Returns the files of a bank by key.
 fn unpacked(bytes: &[u8]) -> BTreeMap<String, String> {
     dialogue!(bank = bytes);
     let documents = Documents::from_dialogue(&bank).unwrap();
@@ -144,7 +144,7 @@ fn unpacked(bytes: &[u8]) -> BTreeMap<String, String> {
     documents.iter().map(|document| file(document.unwrap())).collect()
 }
 
-/// Files as [`lipz_file::write`] lays them out.
+/// Returns files in the layout of [`lipz_file::write`].
 fn written(files: BTreeMap<String, String>) -> BTreeMap<String, String> {
     let again = |file: String| lipz_file::write(&lipz_file::parse(file.as_bytes()).document.unwrap());
     files.into_iter().map(|(key, file)| (key, again(file))).collect()
@@ -172,7 +172,7 @@ proptest! {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         let compiler = Compiler::new(options().strip(strip));
-        // Half of the files stay as they are.
+        // Half of the files stay unchanged.
         let mixed: Vec<Line> = before.iter().zip(&after).map(|(before, after)| {
             let versions = [0, 1, 2, 3].map(|at: usize| {
                 if at.is_multiple_of(2) { before.versions[at].clone() } else { after.versions[at].clone() }
@@ -193,12 +193,12 @@ proptest! {
             let fresh = compiler.compile(&inputs);
             prop_assert_eq!(&cached.bank, &fresh.bank);
             let texts = |reports: &[lipz_diagnostics::Report]| reports.iter().map(ToString::to_string).collect::<Vec<_>>();
-            prop_assert_eq!(texts(&cached.reports), texts(&fresh.reports), "told in every run");
+            prop_assert_eq!(texts(&cached.reports), texts(&fresh.reports), "reported in every run");
         }
     }
 }
 
-/// The diagnostics of two files, as their codes.
+/// Returns the codes of the diagnostics of two files.
 fn codes(original: &str, dub: (&str, &str)) -> Vec<Code> {
     let inputs = [Input::from_bytes("a", original), Input::from_bytes(dub.0, dub.1)];
     let reports = Compiler::new(options()).check(&inputs).reports;
@@ -212,9 +212,9 @@ fn what_does_not_belong_together_is_told() {
     assert_eq!(codes(two, ("de/a", r#"{ "visemes": "MAM", "viseme_type": "blair" }"#)), [Code::DubSegments]);
     assert_eq!(codes(two, ("de/b", r#"{ "visemes": "MAM|EO-", "viseme_type": "blair" }"#)), [Code::DubWithoutOriginal]);
     let says = |text: &str| format!(r#"{{ "visemes": "MAM|EO-", "viseme_type": "blair", "text_de-de": "{text}" }}"#);
-    assert_eq!(codes(two, ("a_fr", &says(" Herr |{loud}Mayor!"))), [], "as it is displayed");
+    assert_eq!(codes(two, ("a_fr", &says(" Herr |{loud}Mayor!"))), [], "display texts are compared");
     assert_eq!(codes(two, ("a_fr", &says("Herr|Meier!"))), [Code::DubText]);
-    assert_eq!(codes(two, ("a_fr", &says("HerrM|ayor!"))), [Code::DubText], "other segments are other texts");
+    assert_eq!(codes(two, ("a_fr", &says("HerrM|ayor!"))), [Code::DubText], "different segments are different texts");
 }
 
 #[test]
@@ -225,6 +225,6 @@ fn a_voice_of_which_no_text_is_is_told() {
     let compiled = Compiler::new(options()).compile(&inputs);
     let told: Vec<String> = compiled.reports.iter().map(ToString::to_string).collect();
     assert_eq!(told.len(), 1, "{told:?}");
-    assert!(told[0].contains("voice in `de-at`") && told[0].contains("did you mean `de-de`?"), "{told:?}");
-    assert!(told[0].contains("voice in `fr-fr`"), "{told:?}");
+    assert!(told[0].contains("are spoken in `de-at`") && told[0].contains("did you mean `de-de`?"), "{told:?}");
+    assert!(told[0].contains("are spoken in `fr-fr`"), "{told:?}");
 }

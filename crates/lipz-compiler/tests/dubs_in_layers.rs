@@ -1,9 +1,10 @@
-//! Dubs in layers: a stack answers in each voice as the bank of all sources, and becomes just that bank when it is merged.
+//! Dubs in layers: in each voice, a stack returns the answers of the bank of all sources, and merging produces that
+//! bank.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use lipz_bank::{Bank, Spoken};
+use lipz_bank::{Bank, VoiceSource};
 use lipz_compiler::diagnostics::Code;
-use lipz_compiler::{Compiler, Input, Options, Over, Stack, VoiceBanks, Voices};
+use lipz_compiler::{Compiler, Input, Options, Stack, StackBelow, VoiceBanks, Voices};
 use lipz_testkit::dialogues::{assert_same, with};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -11,7 +12,7 @@ use std::collections::BTreeMap;
 /// Lipz files by key.
 type Project = BTreeMap<&'static str, String>;
 
-/// The voices of a project: that of the originals is the first.
+/// The voices of a project, with that of the originals first.
 const VOICES: [&[(&str, &str)]; 5] = [
     &[],
     &[("en-us", "{key}"), ("de-de", "de/{key}")],
@@ -41,14 +42,14 @@ fn stack_of(files: &[Vec<u8>]) -> Stack {
     Stack::open(files.iter().map(|bytes| ("bank", bytes.as_slice()))).unwrap()
 }
 
-/// The stack of these files says what the whole bank says, and becomes it.
+/// Checks that the stack of these files returns the answers of the whole bank, and merges into it.
 fn check(files: &[Vec<u8>], whole: &[u8]) {
     let named: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
     with(&named, |dialogue| assert_same(dialogue, &open(whole)));
-    assert!(stack_of(files).into_bank() == whole, "the merged bank is another one");
+    assert!(stack_of(files).into_bank() == whole, "the merged bank differs");
 }
 
-/// A Lipz file of two segments.
+/// Generates a Lipz file of two segments.
 fn file() -> impl Strategy<Value = String> {
     let texts = prop::collection::btree_map(
         prop::sample::select(vec!["de-at", "de-de", "en-us"]),
@@ -63,7 +64,7 @@ fn file() -> impl Strategy<Value = String> {
 
 const KEYS: [&str; 6] = ["a", "at/a", "b", "de/a", "de/b", "fr/a"];
 
-/// The files without dubs of which the originals are not there.
+/// Returns the files without dubs whose originals are missing.
 fn whole(mut project: Project) -> Project {
     let has = |key: &str| ["a", "b"].map(|original| key.ends_with(original) && key != original);
     let missing = ["a", "b"].map(|original| !project.contains_key(original));
@@ -93,7 +94,7 @@ proptest! {
             project.extend(changes.into_iter().filter(|(key, _)| !is_kept(key)));
             let (inputs, compiler) = (inputs(&whole(project.clone())), compiler(voices, strip));
             let next = compiler.compile(&inputs).into_bank().unwrap();
-            files.extend(compiler.compile_over(&inputs, &Over::new(stack_of(&files))).bank);
+            files.extend(compiler.compile_over(&inputs, &StackBelow::new(stack_of(&files))).bank);
             check(&files, &next);
         }
     }
@@ -107,13 +108,13 @@ proptest! {
         check(&all, &bank);
         let reversed: Vec<Vec<u8>> = [split.base.clone()].into_iter().chain(all[1..].iter().rev().cloned()).collect();
         check(&reversed, &bank);
-        // Each by itself has its own dubs.
+        // Each bank alone adds its own dubs.
         for (tag, voice) in &split.voices {
             with(&[&split.base, voice], |dialogue| {
                 let whole = open(&bank);
                 for clip in whole.clips().filter(|clip| clip.original().is_none()) {
                     let expected = clip.in_voice(whole.voice(tag).unwrap());
-                    let expected = if expected.spoken == Spoken::Dub { expected.clip.key() } else { clip.key() };
+                    let expected = if expected.spoken == VoiceSource::Dub { expected.clip.key() } else { clip.key() };
                     let voiced = dialogue.clip(clip.id()).unwrap().in_voice(dialogue.voice(tag).unwrap());
                     assert_eq!(voiced.clip.key(), expected);
                 }
@@ -135,13 +136,13 @@ proptest! {
         all.extend(addition);
         let all = whole(all);
         let added: Project = all.iter().filter(|(key, file)| base.get(*key) != Some(*file)).map(|(key, file)| (*key, file.clone())).collect();
-        let over = Over::new(stack_of(&files)).keep_others(true);
+        let over = StackBelow::new(stack_of(&files)).keep_others(true);
         files.extend(compiler.compile_over(&inputs(&added), &over).bank);
         check(&files, &compiler.compile(&inputs(&all)).into_bank().unwrap());
     }
 }
 
-/// A project with a dub of one of its lines.
+/// Returns a project with a dub of one of its lines.
 fn dubbed() -> Project {
     let file = |code: &str, text: &str| format!(r#"{{ "viseme_type": "blair", "visemes": "{code}|O"{text} }}"#);
     Project::from([
@@ -154,7 +155,7 @@ fn dubbed() -> Project {
 #[test]
 fn an_addition_that_knows_no_voices_keeps_them() {
     let base = compiler(1, false).compile(&inputs(&dubbed())).into_bank().unwrap();
-    let over = Over::new(stack_of(std::slice::from_ref(&base))).keep_others(true);
+    let over = StackBelow::new(stack_of(std::slice::from_ref(&base))).keep_others(true);
     let mut all = dubbed();
     all.insert("a", all["a"].replace("Aye.", "Yes."));
     let own = Project::from([("a", all["a"].clone())]);
@@ -165,7 +166,7 @@ fn an_addition_that_knows_no_voices_keeps_them() {
 #[test]
 fn additions_that_do_not_fit_the_dubs_below_are_told() {
     let base = compiler(1, false).compile(&inputs(&dubbed())).into_bank().unwrap();
-    let over = Over::new(stack_of(std::slice::from_ref(&base))).keep_others(true);
+    let over = StackBelow::new(stack_of(std::slice::from_ref(&base))).keep_others(true);
     let codes = |voices: usize, key: &'static str| {
         let own = Project::from([(key, r#"{ "viseme_type": "blair", "visemes": "M" }"#.to_owned())]);
         let compiled = compiler(voices, false).compile_over(&inputs(&own), &over);
@@ -191,16 +192,17 @@ fn a_patch_of_dubs_is_as_long_as_its_change() {
         let inputs: Vec<Input> = all.into_iter().map(|(key, file)| Input::from_bytes(key, file)).collect();
         match over {
             None => compiler(1, true).compile(&inputs).into_bank().unwrap(),
-            Some(base) => {
-                compiler(1, true).compile_over(&inputs, &Over::new(stack_of(&[base.to_vec()]))).into_bank().unwrap()
-            }
+            Some(base) => compiler(1, true)
+                .compile_over(&inputs, &StackBelow::new(stack_of(&[base.to_vec()])))
+                .into_bank()
+                .unwrap(),
         }
     };
     let base = pack(&[], None);
-    // A mouth of a dub; its texts stay those of its original.
+    // Visemes of a dub. Its texts remain those of its original.
     let mouth = pack(&[("de/line-7", file("").replace('E', "O"))], Some(&base));
     assert!(mouth.len() < 1900, "{}", mouth.len());
-    // A text of an original, which its dub shows, too: it comes once.
+    // A text of an original, which its dub also shows. It is stored once.
     let changed = pack(&[("line-7", file(&text.replacen("Aye", "Yes", 1)))], Some(&base));
     assert!(changed.len() < 2100, "{}", changed.len());
 }

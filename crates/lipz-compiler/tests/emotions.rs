@@ -6,7 +6,7 @@ use lipz_bank::{Bank, Fps, Micros};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, Options, WordTime, WordTimes};
 
-/// Forty frames at 10 frames a second: two segments of 20.
+/// Forty frames at 10 frames per second: two segments of 20.
 const VISEMES: &str = "MAEOMAEOMAEOMAEOMAEO|MAEOMAEOMAEOMAEOMAEO";
 
 fn options(settings: &str) -> Options {
@@ -15,7 +15,7 @@ fn options(settings: &str) -> Options {
     settings.options.voices(voices)
 }
 
-/// The curves of a clip with these further elements.
+/// Returns the curves of a clip with these additional elements.
 fn curves(elements: &str, settings: &str) -> Vec<String> {
     let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", {elements} }}"#);
     let bytes = Compiler::new(options(settings)).compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
@@ -26,7 +26,7 @@ fn curves(elements: &str, settings: &str) -> Vec<String> {
 
 #[test]
 fn texts_change_the_face_at_their_words() {
-    // Ten letters before, ten behind: half of the segment.
+    // Ten letters before, ten after: half of the segment.
     let text = r#""text_en-us": "{anger 2.2} abcde fghij {anger 6, joy 1} klmno pqrst|{calm} Bye.""#;
     assert_eq!(
         curves(text, ""),
@@ -69,10 +69,10 @@ fn a_face_changes_when_the_word_is_said() {
     };
     let by_letters = ["anger 4:0 5:2 19:2 20:0", "fear 29:0 30:4", "joy 0:1 4:1 5:0", "sadness 19:0 20:3 29:3 30:0"];
     assert_eq!(curves(None), by_letters);
-    // At 1.65 s; and a word that the clip does not reach changes nothing.
+    // At 1.65 s. A word beyond the end of the clip has no effect.
     let by_times = ["anger 15:0 16:2 19:2 20:0", "joy 0:1 15:1 16:0", "sadness 19:0 20:3"];
     assert_eq!(curves(Some(WordTimes::new(text, &words))), by_times);
-    assert_eq!(curves(Some(WordTimes::new("another text", &words))), by_letters, "of another text");
+    assert_eq!(curves(Some(WordTimes::new("another text", &words))), by_letters, "from a different text");
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn events_change_the_face_at_their_segments() {
     assert_eq!(curves(events, ""), expected);
 }
 
-/// A word has the project's usual value. A project that reads `feels sad` from the events alone can say so.
+/// A word has the project's usual value. A project that reads `feels sad` directly from the events can disable this.
 #[test]
 fn words_have_the_usual_value() {
     let old = r#""events": "feels sad|amy feels happy", "text_en-us": "{sad} a|{louder} b""#;
@@ -95,7 +95,7 @@ fn words_have_the_usual_value() {
     assert_eq!(curves(one_value, values), ["joy 20:0 24:1", "sadness 0:0 4:5 20:5 24:0"]);
 }
 
-/// The examples of the specification move faces without any setting.
+/// The examples of the specification move faces without any settings.
 #[test]
 fn the_examples_of_the_specification_move_faces() {
     let file = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/spec/repaired/06-three-moods.lipz"))
@@ -107,7 +107,7 @@ fn the_examples_of_the_specification_move_faces() {
     assert!(names.iter().all(|name| Emotion::from_name(name).is_some()) && names.len() > 1, "{names:?}");
 }
 
-/// A segment of some other syntax is one string for the game, whatever stands between its commas.
+/// A segment in a different syntax is one string for the game, regardless of its commas.
 #[test]
 fn other_syntax_moves_no_face() {
     for events in ["feels anger 2,5|", "feels anger 2, jumps|", "say('feels anger 2'), feels anger 3|"] {
@@ -147,7 +147,7 @@ fn programs_read_emotions_at_a_time() {
     assert_eq!((at(3_000_000).strongest(), at(-1).sum().thousandths()), (None, 0));
 }
 
-/// What the bank shows of an extended event: its strongest emotion. The string keeps the rest.
+/// The bank shows an extended event as its strongest emotion. The string keeps the rest.
 #[test]
 fn typed_events_have_the_strongest_emotion() {
     let file = r#"{ "events": "mara feels joy 1 + anger 2.2 over 0.4s" }"#;
@@ -169,16 +169,16 @@ fn what_is_wrong_is_said() {
         diagnostics.map(|diagnostic| format!("{}: {}", diagnostic.code, diagnostic.message)).collect()
     };
     assert_eq!(codes(r#""text_en-us": "{angr 2.2} a|b""#), ["LZ0702: `angr` is not a known emotion"]);
-    assert_eq!(codes(r#""events": "feels anger 11|""#), ["LZ1807: anger 11 is outside of 0 to 10"]);
+    assert_eq!(codes(r#""events": "feels anger 11|""#), ["LZ1807: anger 11 is outside 0 to 10"]);
     let sum = codes(r#""text_en-us": "a|b {anger 8, joy 5} c""#);
     assert_eq!(sum, ["LZ1808: the emotions add up to 13 from frame 30 (3.00 s) on"]);
     assert_eq!(codes(r#""text_en-us": "{anger 2,2} a|{louder} b""#).len(), 1);
     let registered = options("[registry]\nemotions = [\"smug\"]\n");
     let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", "events": "feels smug|" }}"#);
     let reports = Compiler::new(registered).check(&[Input::from_bytes("a", file)]).reports;
-    assert_eq!(reports[0].diagnostics[0].message, "no face is known for `smug`: it makes no curve");
+    assert_eq!(reports[0].diagnostics[0].message, "`smug` has no definition in [emotions] and makes no curve");
     let translated = r#""text_de-de": "{joy 2} a|b", "text_en-us": "{joy 1} a|b", "text_fr-fr": "a|b""#;
-    assert_eq!(codes(translated), ["LZ1809: the text of the voice has another emotion here, in segment 0"]);
+    assert_eq!(codes(translated), ["LZ1809: the text of the voice has a different emotion here, in segment 0"]);
     assert_eq!(codes(r#""text_en-us": "{take 3} a|{to amy} b {wait 0.5}""#), [""; 0]);
 }
 
@@ -198,8 +198,8 @@ fn a_dub_feels_what_its_own_language_says() {
     assert_eq!(names, [["anger"], ["joy"]]);
 }
 
-/// Nobody knows how many frames 0.4 s are, so the face changes within one, and no gesture has a length. What the program supplies
-/// counts, and without it no time has a frame.
+/// The number of frames in 0.4 s is unknown, so that the face changes within one, and gestures have no length. A rate
+/// from the program is used. Without it, no time has a frame.
 #[test]
 fn without_a_frame_rate_a_face_changes_within_one_frame() {
     let text = "{joy 4 over 2s} abcde fghij {anger 6} klmno pqrst|x";

@@ -1,4 +1,4 @@
-//! Faces that move by themselves: how often they blink and where they look, in a thousand clips; profiles of a project.
+//! Spontaneous movements of faces: blinks and gaze in a thousand clips, and profiles of a project.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::curve::CurveValue;
@@ -11,7 +11,7 @@ use lipz_layout::{FaceRecord, Tag};
 use lipz_testkit::golden::{changed, section};
 use std::ops::Range;
 
-/// How long the clips are, and how many there are.
+/// The length of the clips, and their number.
 const SECONDS: u32 = 12;
 const COUNT: u32 = 1000;
 
@@ -20,7 +20,7 @@ fn compile(settings: &str, inputs: &[Input]) -> Vec<u8> {
     Compiler::new(settings.options).compile(inputs).into_bank().unwrap()
 }
 
-/// Clips of one frame a second, with these emotions in their only segment.
+/// Returns clips at one frame per second, with these emotions in their only segment.
 fn clips(emotions: &str) -> Vec<u8> {
     let frames = "A".repeat(SECONDS as usize);
     let file =
@@ -33,7 +33,7 @@ fn face(clip: &Clip<'_>, time: impl Time) -> Face {
     clip.face_at(time, Who::Speaker, &FaceProfile::DEFAULT, LookAt::AHEAD)
 }
 
-/// Blinks in all clips, and those of them that are double: seconds per blink, and the share of double ones.
+/// Counts the blinks in all clips. Returns seconds per blink, and the share of double ones.
 fn blinks(bank: &Bank<'_>) -> (f64, f64) {
     let (mut count, mut double) = (0_u32, 0_u32);
     let length_ms = i64::from(FaceProfile::DEFAULT.blink_length_ms());
@@ -43,7 +43,7 @@ fn blinks(bank: &Bank<'_>) -> (f64, f64) {
         for ms in (0..i64::from(SECONDS) * 1000).step_by(40) {
             let closes = face(&clip, Micros(ms * 1000)).blink.thousandths() == 1000;
             if closes && !is_closed {
-                // The second one of two.
+                // The second of two blinks.
                 if last.is_some_and(|last| ms - last < 2 * length_ms) {
                     double += 1;
                 } else {
@@ -69,7 +69,7 @@ fn blinks_come_in_the_stated_intervals() {
         let bytes = clips(emotions);
         let (seconds, double) = blinks(&Bank::open(&bytes).unwrap().verify().unwrap());
         assert!(is_near(seconds, stated), "{emotions}: a blink in {seconds} seconds, not in {stated}");
-        // 2,000 to 6,000 blinks, so that a standard deviation is 0.7 % of all at most.
+        // 2,000 to 6,000 blinks, so that the standard deviation is at most 0.7 % of all.
         assert!((0.085..0.115).contains(&double), "{emotions}: {double} of them are double");
     }
 }
@@ -89,7 +89,7 @@ fn eyes_are_on_eyes_and_mouth_for_four_fifths_of_the_time() {
     assert!(is_near(share, 0.8), "{share}");
 }
 
-/// The head moves while the mouth does, never far, and rests a quarter of a second away from it.
+/// The head moves during mouth movement, but not far, and rests a quarter of a second away from it.
 #[test]
 fn a_head_moves_while_its_mouth_does() {
     let file = r#"{ "fps": 20, "visemes": "--------------------AAAAAAAAAAAAAAAAAAAA--------------------", "viseme_type": "blair" }"#;
@@ -103,14 +103,14 @@ fn a_head_moves_while_its_mouth_does() {
     };
     assert_eq!((turned(0..750), turned(2250..3500)), (0, 0));
     assert!((1..=3000).contains(&turned(750..1000)) && (500..=3000).contains(&turned(1000..2000)));
-    // Nothing jumps: less than half a degree in ten milliseconds.
+    // No jumps: less than half a degree in ten milliseconds.
     for ms in 0..3000 {
         let [now, next] = [ms, ms + 10].map(|ms| face(&clip, Micros(ms * 1000)).head_yaw.thousandths());
         assert!(now.abs_diff(next) < 500, "{ms}: {now} {next}");
     }
 }
 
-/// A head turns to another pose where a segment or a pause begins, which is what a bank knows about words.
+/// A head turns to a different pose at the start of a segment or a pause, the only word boundaries in a bank.
 #[test]
 fn a_head_turns_with_segments_and_pauses() {
     let [first, second, third, rest] = [13, 13, 18, 35].map(|count| "A".repeat(count));
@@ -127,7 +127,7 @@ fn a_head_turns_with_segments_and_pauses() {
     }
 }
 
-/// With the curve `pose`, a head turns at its keys, to where it would stay, and as far as they say.
+/// With the curve `pose`, a head turns at its keys, to the pose it would have held, by the amount of the key.
 #[test]
 fn a_head_turns_at_the_keys_of_poses() {
     let mouth = "A".repeat(80);
@@ -141,7 +141,7 @@ fn a_head_turns_at_the_keys_of_poses() {
         let face = face(&clip, Micros(ms * 1000));
         [face.head_pitch, face.head_yaw, face.head_roll].map(CurveValue::thousandths)
     };
-    // Before the first key, as at it. A turn takes 0.2 seconds, or as long as there are until the next key.
+    // Before the first key, the pose is that at the key. A turn takes 0.2 seconds, or the time until the next key.
     for still in [0..1500, 1800..3000, 3200..3900] {
         assert!(still.clone().all(|ms| poses(ms) == poses(still.start)), "{still:?}");
     }
@@ -176,7 +176,7 @@ fn curves_win_and_gestures_are_added() {
     assert_eq!([face.brows, face.shrug, face.breath].map(CurveValue::thousandths), [300, 100, 6000]);
 }
 
-/// One time, in other units, and asked for in another order, gives one face.
+/// The same time produces the same face, in any unit and in any order of calls.
 #[test]
 fn a_face_depends_on_nothing_but_its_time() {
     let bytes = clips("{anger 4}");
@@ -191,7 +191,7 @@ fn a_face_depends_on_nothing_but_its_time() {
     let idle = |seed| FaceProfile::DEFAULT.idle_at(Seconds(3.0_f32), seed, LookAt::AHEAD);
     assert_eq!(idle(7), idle(7));
     assert!((0..100).any(|seed| idle(seed) != idle(7)));
-    // Before the start it is as at the start.
+    // Before the start, the face is that at the start.
     assert_eq!(face(&clip, Micros(-1)), face(&clip, Micros(0)));
 }
 
@@ -206,12 +206,12 @@ fn a_named_profile_takes_from_the_projects_own_and_that_from_the_usual() {
     let intervals =
         |profile: FaceProfile<'_>| [None, Some(Emotion::Anger)].map(|leads| profile.blink_interval_ms(leads));
     assert_eq!((intervals(own), intervals(robot)), ([5000, 7500], [0, 2500]));
-    assert_eq!(robot.blink_interval_ms(Some(Emotion::Fear)), 0, "who never blinks does not when afraid");
+    assert_eq!(robot.blink_interval_ms(Some(Emotion::Fear)), 0, "fear does not add blinks to a face without any");
     assert_eq!((own.head_motion_thousandths(), robot.head_motion_thousandths()), (1500, 1500));
     assert_eq!((own.glance_percent(), robot.glance_percent()), (20, 0));
     assert_eq!(bank.face_profile("rob"), None);
     let plain = compile("", &hello());
-    assert_eq!(compile("[face]\n", &hello()), plain, "without settings, a bank is as it was");
+    assert_eq!(compile("[face]\n", &hello()), plain, "without settings, a bank is unchanged");
     assert_eq!(Bank::open(&plain).unwrap().default_face_profile(), FaceProfile::DEFAULT);
     assert_eq!(
         Bank::open(&compile("[face]\nblink = 4\n", &hello())).unwrap().default_face_profile(),
@@ -224,7 +224,7 @@ fn what_settings_refuse_verify_refuses_and_nothing_else() {
     let hello = [Input::from_bytes("hello", r#"{ "text_en-us": "Hello." }"#)];
     let whole = compile("[face]\nblink = 4\n", &hello);
     let start = section(&whole, Tag::FACES).start;
-    // The places of settings in the record, and how many bytes they have.
+    // The offsets of settings in the record, and their lengths in bytes.
     let places = (0..14).map(|number| (2 * number, 2)).chain([(28, 1), (29, 1), (30, 2), (32, 2), (34, 2), (36, 2)]);
     let profile = Bank::open(&whole).unwrap().default_face_profile();
     for ((setting, (at, bytes)), usual) in SETTINGS.into_iter().zip(places).zip(numbers(&profile)) {
@@ -267,7 +267,7 @@ fn what_settings_refuse_verify_refuses_and_nothing_else() {
     assert_eq!(section(&whole, Tag::FACES).len(), size_of::<FaceRecord>() + "default".len());
 }
 
-/// Every byte of the section, changed to many values: before `verify`, too, no query panics.
+/// Changes every byte of the section to many values. Even before `verify`, no query panics.
 #[test]
 fn every_change_is_found_or_valid() {
     let hello = [Input::from_bytes("hello", r#"{ "fps": 24, "visemes": "AA" }"#)];

@@ -1,4 +1,4 @@
-//! Faces of those who listen, and of a speaker whose events name them.
+//! Faces of listeners, and of a speaker whose events name them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::curve::CurveValue;
@@ -20,7 +20,7 @@ fn with_events(events: &str) -> Vec<u8> {
     compile("", &[Input::from_bytes("line", file)])
 }
 
-/// The faces of three seconds, and one more.
+/// Returns the faces of three seconds, and one more.
 fn faces<'n>(clip: &Clip<'_>, who: impl Into<Who<'n>> + Copy) -> Vec<Face> {
     let at = |ms: i64| clip.face_at(Micros(ms * 1000), who, &FaceProfile::DEFAULT, LookAt::AHEAD);
     (-100..4000).step_by(7).map(at).collect()
@@ -43,12 +43,12 @@ fn who_listens_moves_by_their_own_curves_only() {
     assert!((1000..1400).any(|ms| mara(ms).blink.thousandths() == 1000), "she blinks");
     assert!(mara(1600).head_yaw.thousandths() > 3000, "she looks away");
     assert_eq!(clip.emotions_at(Micros(2_500_000), "mara").strongest().map(|(leads, _)| leads), Some(Emotion::Fear));
-    assert_ne!(faces(&clip, "mara"), faces(&clip, "otto"), "each has blinks and eyes of their own");
-    // A part of a name is another name.
+    assert_ne!(faces(&clip, "mara"), faces(&clip, "otto"), "each has their own blinks and gaze");
+    // A part of a name is a different name.
     assert!(faces(&clip, "mar").iter().all(|face| face.head_pitch.thousandths() == 0));
 }
 
-/// `mara feels fear` in her own line is `feels fear` for a program that knows that she speaks.
+/// `mara feels fear` in her own line means `feels fear` for a program that names her as the speaker.
 #[test]
 fn a_speaker_with_a_name_is_the_speaker() {
     let named = with_events("mara feels joy 4, mara nods 6, mara blinks|mara feels fear 5 + anger 2, mara looks away");
@@ -66,7 +66,7 @@ fn a_speaker_with_a_name_is_the_speaker() {
     }
 }
 
-/// Curves are in the order of their names: `mara.pose` comes before `pose`, `zoe.pose` behind it.
+/// Curves are sorted by name: `mara.pose` comes before `pose`, `zoe.pose` after it.
 #[test]
 fn of_two_curves_of_poses_that_of_the_name_counts() {
     for name in ["mara", "zoe"] {
@@ -104,12 +104,13 @@ fn of_two_curves_for_the_same_the_one_farther_from_neutral_counts() {
         let profile = FaceProfile::DEFAULT;
         clip.face_at(Micros(ms * 1000), who, &profile, LookAt::AHEAD).head_pitch.thousandths()
     };
-    // Both nods are seen: half a number below 5, at 2 degrees for 1, and her own not while the other lasts.
+    // Both nods are visible: 2 degrees for 1, the lower one half below 5, and none of her own during the other.
     let lowest = |from: i64| (from..from + 600).map(|ms| pitch(speaker, ms) - pitch(Who::Speaker, ms)).min().unwrap();
     assert_eq!((lowest(0), lowest(1000)), (0, -8000));
 }
 
-/// In clips of somebody else, a listener blinks by what they feel, and in the same intervals as a speaker.
+/// In clips of a different speaker, a listener blinks according to their own emotions, in the same intervals as a
+/// speaker.
 #[test]
 fn listeners_blink_in_the_stated_intervals() {
     let file =

@@ -1,11 +1,11 @@
-//! Banks that somebody forged, checksum and all: whatever passes verification, no tool panics on.
+//! Forged banks with valid checksums: if they pass verification, no tool panics.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{CHECKED_FROM, checksum};
 use lipz_testkit::tools::is_used;
 
-/// A bank with padded, joined, falling back and unknown elements, and a dub.
+/// Returns a bank with padded, joined, falling back and unknown elements, and a dub.
 fn bank() -> Vec<u8> {
     let inputs = [
         Input::from_bytes(
@@ -36,6 +36,6 @@ fn every_forged_byte() {
             used += usize::from(is_used(&forged, &good));
         }
     }
-    // Texts, names of events and source records may say anything.
+    // Texts, names of events and source records may have any content.
     assert!(used > 500, "{used}");
 }

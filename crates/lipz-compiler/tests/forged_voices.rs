@@ -1,8 +1,8 @@
-//! Voices and dubs of banks that somebody changed: `verify` refuses what is not as docs/reference/bank-format.md says, and without it no query
-//! leads astray.
+//! Forged voices and dubs in banks: `verify` refuses everything that contradicts docs/reference/bank-format.md, and
+//! without it no query returns wrong clips.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use lipz_bank::{Bank, Error, ErrorKind, Spoken};
+use lipz_bank::{Bank, Error, ErrorKind, VoiceSource};
 use lipz_compiler::{Compiler, Input, Options, Voices};
 use lipz_layout::{DUB_OF, NO_DUB, OTHER_DUB, Tag};
 use lipz_testkit::golden::{changed, section};
@@ -10,7 +10,7 @@ use std::ops::Range;
 
 const TAGS: &[u8] = b"en-us\0de-at\0de-de\0";
 
-/// A line with a German dub, which Austrians hear, too; and a line without one.
+/// Returns a bank with a line with a German dub, which is also played for Austrians, and a line without one.
 fn bank() -> Vec<u8> {
     let files = [("aye", "MA|EO"), ("de/aye", "AAA|E"), ("no", "O|O")];
     let file = |codes| format!(r#"{{ "visemes": "{codes}", "viseme_type": "blair", "text_en-us": "Aye|aye" }}"#);
@@ -23,7 +23,7 @@ fn slot(bytes: &[u8], key: &str) -> u32 {
     Bank::open(bytes).unwrap().clip_by_key(key).unwrap().slot()
 }
 
-/// The entry of the clip in a slot in the table of a voice, not counting the original's.
+/// Returns the entry of the clip in a slot in the table of a voice, not counting the original's.
 fn entry(bytes: &[u8], voice: usize, slot: u32) -> Range<usize> {
     let start = section(bytes, Tag::DUBS).start + (voice * 3 + slot as usize) * 4;
     start..start + 4
@@ -51,11 +51,11 @@ fn a_voice_leads_to_its_dub_and_back() {
         (voiced.clip.key(), voiced.spoken)
     };
     for asked in ["aye", "de/aye"] {
-        assert_eq!(played(asked, "en-us"), ("aye", Spoken::Original));
-        assert_eq!(played(asked, "de-de"), ("de/aye", Spoken::Dub));
-        assert_eq!(played(asked, "de-at"), ("de/aye", Spoken::OtherDub));
+        assert_eq!(played(asked, "en-us"), ("aye", VoiceSource::Original));
+        assert_eq!(played(asked, "de-de"), ("de/aye", VoiceSource::Dub));
+        assert_eq!(played(asked, "de-at"), ("de/aye", VoiceSource::OtherDub));
     }
-    assert_eq!(played("no", "de-de"), ("no", Spoken::Original));
+    assert_eq!(played("no", "de-de"), ("no", VoiceSource::Original));
     assert!(bank.voice("fr-fr").is_none());
     assert_eq!(bank.clip_by_key("de/aye").unwrap().voice(), bank.voice("de-de"));
 }
@@ -121,7 +121,7 @@ fn every_byte_counts() {
     for at in section(&bytes, Tag::DUBS) {
         for bit in 0..8 {
             let forged = changed(&bytes, |bank| bank[at] ^= 1 << bit);
-            // Only that another dub answers instead is a matter of taste.
+            // A change that only selects a different dub as the replacement remains valid.
             let is_other = entry(&bytes, 0, slot(&bytes, "aye")).contains(&at);
             assert!(error(&forged) == Some(ErrorKind::Voice) || is_other, "byte {at}, bit {bit}");
         }

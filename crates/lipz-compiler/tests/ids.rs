@@ -1,8 +1,7 @@
-//! Generated ids: what is written for keys that are hard to make identifiers of, and that compilers
-//! take it.
+//! Generated ids: the output for keys that are hard to convert to identifiers, and that compilers accept it.
 //!
-//! `fixtures/ids` holds the expected files; `LIPZ_BLESS=1` writes them anew. The Rust one is compiled
-//! into this test; a compiler of another language that is not on the machine is skipped.
+//! `fixtures/ids` contains the expected files; `LIPZ_BLESS=1` writes them again. The Rust file is compiled into this
+//! test. Languages without an installed compiler are skipped.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_bank::ClipId;
@@ -13,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Keys with everything that languages do not like, and texts that could end comments.
+/// Keys with all kinds of problems for languages, and texts that could end comments.
 const HARD: [(&str, &str); 22] = [
     ("hello", "Hello."),
     ("act1/mara-good-evening", "Good evening, Otto. | You are late,"),
@@ -146,7 +145,7 @@ fn clashes_name_both_keys() {
     assert_eq!(clashes(&files, Language::Json), [""; 0]);
 }
 
-/// Runs a tool with `arguments`; `None`, said aloud, where it is not installed.
+/// Runs a tool with `arguments`; prints a message and returns `None` if it is not installed.
 fn tool(name: &str, arguments: &[&str]) -> Option<Output> {
     let output = Command::new(name).args(arguments).current_dir(fixtures()).output();
     if output.is_err() {
@@ -161,7 +160,7 @@ fn assert_success(output: Option<Output>) {
     }
 }
 
-/// A program that fails to compile, or to run, if the header is wrong.
+/// A program that fails to compile or run if the header is wrong.
 const C_PROGRAM: &str = r#"
 #include "ids.h"
 #include "ids.h"
@@ -201,7 +200,7 @@ fn c_and_cpp_compile_the_header() {
 #[test]
 fn node_reads_the_typescript() {
     let folder = tempfile::tempdir().unwrap();
-    // JavaScript is what is left without types.
+    // JavaScript is TypeScript without the types.
     let typescript = fs::read_to_string(file(Language::TypeScript)).unwrap();
     let (constants, types) = typescript.split_once("/** The keys of the clips. */").unwrap();
     assert!(types.contains("| \"act1/mara-good-evening\""), "{types}");

@@ -1,9 +1,9 @@
-//! Layers: a stack answers as the bank of all sources, and becomes just that bank when it is merged.
+//! Layers: a stack returns the answers of the bank of all sources, and merging produces that bank.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::cast_possible_truncation, reason = "tests")]
 
 use lipz_bank::{Bank, ClipId, Recording};
 use lipz_compiler::diagnostics::Code;
-use lipz_compiler::{Compiler, Input, Options, Over, SplitBank, Stack};
+use lipz_compiler::{Compiler, Input, Options, SplitBank, Stack, StackBelow};
 use lipz_layout::{LayerRecord, Tag};
 use lipz_testkit::dialogues::{assert_same, with as with_dialogue};
 use lipz_testkit::{golden, stacked};
@@ -28,31 +28,31 @@ fn stack_of(files: &[Vec<u8>]) -> Stack {
     Stack::open(named.iter().map(|(name, bytes)| (name.as_str(), *bytes))).unwrap()
 }
 
-/// These files answer as the whole bank.
+/// Checks that these files return the answers of the whole bank.
 fn assert_stack(files: &[Vec<u8>], whole: &[u8]) {
     let files: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
     with_dialogue(&files, |dialogue| assert_same(dialogue, &open(whole)));
 }
 
-/// Packs versions of a project over each other. The stack has to say at each point what the bank of the version says, and
-/// to become that bank.
+/// Packs versions of a project on top of each other. After each, the stack must return the answers of the version's
+/// bank, and merge into it.
 fn check(versions: &[(Project, Compiler<'_>)]) {
     let (first, compiler) = &versions[0];
     let mut files = vec![compiler.compile(&inputs(first)).into_bank().unwrap()];
     for (project, compiler) in &versions[1..] {
         let whole = compiler.compile(&inputs(project)).into_bank().unwrap();
-        let over = Over::new(stack_of(&files));
+        let over = StackBelow::new(stack_of(&files));
         let compiled = compiler.compile_over(&inputs(project), &over);
         match compiled.bank {
             Some(layer) => files.push(layer),
             None => assert_eq!(compiled.reports.last().unwrap().diagnostics[0].code, Code::LayerWithoutChange),
         }
         assert_stack(&files, &whole);
-        assert!(stack_of(&files).into_bank() == whole, "the merged bank is another one");
+        assert!(stack_of(&files).into_bank() == whole, "the merged bank differs");
     }
 }
 
-/// A Lipz file of some parts, each of which a random version may have.
+/// Generates a Lipz file of some parts, each of which is optional.
 fn file() -> impl Strategy<Value = String> {
     let texts = prop::collection::btree_map(
         prop::sample::select(vec!["de-at", "de-de", "en-us", "fr-fr"]),
@@ -69,7 +69,7 @@ fn file() -> impl Strategy<Value = String> {
         elements
             .extend(visemes.iter().map(|visemes| format!("\"viseme_type\": \"blair\", \"visemes\": \"{visemes}\"")));
         elements.extend(events.map(|events| format!("\"events\": \"{events}\"")));
-        // No key is behind the last frame.
+        // No key is after the last frame.
         let curves = curves.filter(|_| visemes.is_none_or(|visemes| visemes != "|"));
         elements.extend(curves.map(|curves| format!("\"curves\": {curves}")));
         elements.extend(fps.map(|fps| format!("\"fps\": {fps}")));
@@ -77,13 +77,13 @@ fn file() -> impl Strategy<Value = String> {
     })
 }
 
-/// A version: some of a few clips.
+/// Generates a version: some of a few clips.
 fn project() -> impl Strategy<Value = Project> {
     let keys = prop::sample::select(vec!["a", "act1/aye", "act1/nay", "b", "z/z"]);
     prop::collection::btree_map(keys.prop_map(str::to_owned), file(), 0..5)
 }
 
-/// A later version: most clips as before.
+/// Generates later versions: most clips stay unchanged.
 fn versions() -> impl Strategy<Value = Vec<Project>> {
     (project(), prop::collection::vec((project(), any::<[bool; 5]>()), 1..4)).prop_map(|(first, later)| {
         let mut versions = vec![first];
@@ -112,12 +112,13 @@ fn a_stack_that_answers_otherwise_is_noticed() {
     let compiler = compiler(true, Some("en-us"));
     let pack = |text: &str| inputs(&one("a", &format!(r#"{{ "text_en-us": "{text}" }}"#)));
     let base = compiler.compile(&pack("Aye.")).into_bank().unwrap();
-    let over = Over::new(stack_of(std::slice::from_ref(&base)));
+    let over = StackBelow::new(stack_of(std::slice::from_ref(&base)));
     let patch = compiler.compile_over(&pack("Nay."), &over).into_bank().unwrap();
     assert_stack(&[base.clone(), patch], &base);
 }
 
-/// A locale that a layer removes and a later one brings back is another one: what stands in for a third locale is the new one.
+/// If a layer removes a locale and a later one adds it again, it is a different locale: only the new one is a stand-in
+/// for a third locale.
 #[test]
 fn a_locale_that_came_back_stands_in_for_none_below() {
     let events = r#"{ "events": "amy feels sad|" }"#;
@@ -154,8 +155,9 @@ proptest! {
     fn a_mod_changes_its_own_clips_only(base in project(), addition in project(), strip in any::<bool>()) {
         let default = compiler(strip, Some("en-us"));
         let below = default.compile(&inputs(&base)).into_bank().unwrap();
-        let over = Over::new(stack_of(std::slice::from_ref(&below))).keep_others(true);
-        // The maker of a mod does not have the settings of the game, but the bank knows its default locale, if it has it.
+        let over = StackBelow::new(stack_of(std::slice::from_ref(&below))).keep_others(true);
+        // The maker of a mod does not have the settings of the game, but the bank contains its default locale, if there
+        // is one.
         let known = open(&below).default_locale().map_or(Some("en-us"), |_| None);
         let compiled = compiler(strip, known).compile_over(&inputs(&addition), &over);
         let Some(layer) = compiled.bank else { return Ok(()) };
@@ -215,11 +217,11 @@ fn a_locale_that_is_added_removed_and_added_again() {
     check(&versions.map(|project| (project.clone(), compiler())));
 }
 
-/// Bytes of the layer that makes one project of another.
+/// Returns the length in bytes of the layer that turns one project into another.
 fn layer_bytes(old: &Project, new: &Project) -> usize {
     let compiler = compiler(true, Some("en-us"));
     let base = compiler.compile(&inputs(old)).into_bank().unwrap();
-    compiler.compile_over(&inputs(new), &Over::new(stack_of(&[base]))).into_bank().unwrap().len()
+    compiler.compile_over(&inputs(new), &StackBelow::new(stack_of(&[base]))).into_bank().unwrap().len()
 }
 
 #[test]
@@ -236,7 +238,7 @@ fn a_layer_is_as_long_as_its_change() {
         (0..10).fold(old.clone(), |project, number| with(&project, &format!("clip-{number}"), &clip(number, "Nay.")));
     let mut fewer = old.clone();
     fewer.remove("clip-7");
-    // Of a locale that one clip has, all others show the default one.
+    // In a locale that one clip has, all others show the default one.
     let german = with(&old, "clip-7", &clip(7, "Aye.").replace(" }", r#", "text_de-de": "Ja." }"#));
     assert!(layer_bytes(&old, &one) < 2200);
     assert!(layer_bytes(&old, &ten) < 4000);
@@ -250,7 +252,8 @@ fn layers_that_do_not_fit_are_refused() {
     let pack = |text: &str| compiler.compile(&inputs(&one("a", text))).into_bank().unwrap();
     let (base, other) = (pack(r#"{ "text_en-us": "Aye." }"#), pack(r#"{ "text_en-us": "Nay." }"#));
     let next = inputs(&one("a", r#"{ "text_en-us": "Yes." }"#));
-    let patch = compiler.compile_over(&next, &Over::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
+    let patch =
+        compiler.compile_over(&next, &StackBelow::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
     let code = |files: &[&Vec<u8>]| {
         let named = files.iter().map(|file| ("x", file.as_slice()));
         Stack::open(named).err().map(|report| report.diagnostics[0].code)
@@ -260,10 +263,12 @@ fn layers_that_do_not_fit_are_refused() {
         assert_eq!(code(files), Some(Code::LayerMisfit), "{}", files.len());
     }
     assert_eq!(code(&[&base, &patch, &patch]), None, "a layer over itself changes nothing");
-    // Another layer between them does no harm.
+    // Another layer between them makes no difference.
     let more = with(&one("a", r#"{ "text_en-us": "Aye." }"#), "b", r#"{ "text_en-us": "More." }"#);
-    let addition =
-        compiler.compile_over(&inputs(&more), &Over::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
+    let addition = compiler
+        .compile_over(&inputs(&more), &StackBelow::new(stack_of(std::slice::from_ref(&base))))
+        .into_bank()
+        .unwrap();
     assert_eq!(code(&[&base, &addition, &patch]), None);
     with_dialogue(&[&base, &addition, &patch], |dialogue| {
         assert!(dialogue.clip(ClipId::from_key("b")).is_some());
@@ -276,7 +281,7 @@ fn layers_that_do_not_fit_are_refused() {
 #[test]
 fn a_layer_over_a_stripped_bank_is_stripped_and_says_so() {
     let base = compiler(true, None).compile(&inputs(&one("a", r#"{ "text_en-us": "Aye." }"#))).into_bank().unwrap();
-    let over = Over::new(stack_of(&[base]));
+    let over = StackBelow::new(stack_of(&[base]));
     let compiled = compiler(false, None).compile_over(&inputs(&one("a", r#"{ "text_en-us": "Nay." }"#)), &over);
     let codes: Vec<Code> =
         compiled.reports.iter().flat_map(|report| &report.diagnostics).map(|found| found.code).collect();
@@ -289,8 +294,10 @@ fn text_banks_serve_in_a_stack() {
     let compiler = compiler(true, Some("en-us"));
     let base = compiler.compile(&inputs(&one("a", r#"{ "text_en-us": "Aye." }"#))).into_bank().unwrap();
     let more = with(&one("a", r#"{ "text_en-us": "Aye." }"#), "b", r#"{ "text_en-us": "Nay." }"#);
-    let patch =
-        compiler.compile_over(&inputs(&more), &Over::new(stack_of(std::slice::from_ref(&base)))).into_bank().unwrap();
+    let patch = compiler
+        .compile_over(&inputs(&more), &StackBelow::new(stack_of(std::slice::from_ref(&base))))
+        .into_bank()
+        .unwrap();
     // The German of the base comes as a download.
     let german = compiler.compile(&inputs(&one("a", r#"{ "text_de-de": "Ja." }"#))).into_bank().unwrap();
     let german = SplitBank::from_bytes(&german).unwrap().texts.remove(0).1;
@@ -302,13 +309,13 @@ fn text_banks_serve_in_a_stack() {
             clip.segment(0).unwrap().text(german).map(|text| text.as_str().to_owned())
         };
         assert_eq!([text("a"), text("b")], [Some("Ja.".to_owned()), None]);
-        // Merged, it has all of them.
+        // The merged bank has all of them.
         let whole = Stack::of("base", dialogue).unwrap().into_bank();
         assert_same(dialogue, &open(&whole));
     });
 }
 
-/// Golden layers: readers and writers of other languages are tested with them.
+/// Golden layers, with which readers and writers in other languages are tested.
 #[test]
 fn the_golden_layers_give_the_answers_beside_them() {
     gives("small", "patch", "patched.dump");
@@ -328,7 +335,7 @@ fn gives(base: &str, patch: &str, dump: &str) {
     assert_eq!(std::fs::read_to_string(path).unwrap(), found);
 }
 
-/// What is done to the section of a layer.
+/// Returns a patch with a change in its layer section.
 fn forged(patch: &[u8], at: usize, change: u8) -> Vec<u8> {
     golden::changed(patch, |bytes| bytes[at] ^= change)
 }
@@ -339,7 +346,7 @@ fn every_changed_byte_of_a_layer_is_refused_or_harmless() {
     let new = with(&one("a", r#"{ "text_en-us": "Nay." }"#), "c", r#"{ "visemes": "MA", "text_fr-fr": "Oui." }"#);
     let compiler = compiler(true, Some("en-us"));
     let base = compiler.compile(&inputs(&old)).into_bank().unwrap();
-    let over = Over::new(stack_of(std::slice::from_ref(&base)));
+    let over = StackBelow::new(stack_of(std::slice::from_ref(&base)));
     let patch = compiler.compile_over(&inputs(&new), &over).into_bank().unwrap();
     let section = golden::section(&patch, Tag::LAYER);
     let mut refused = 0;
@@ -347,18 +354,18 @@ fn every_changed_byte_of_a_layer_is_refused_or_harmless() {
         for change in [1, 2, 0x80, 0xFF] {
             let bytes = forged(&patch, at, change);
             let fits = stacked::every_query_verified(&[&base, &bytes]);
-            assert!(stacked::every_query(&[&base, &bytes]) == fits, "verification of the stack finds no more");
+            assert!(stacked::every_query(&[&base, &bytes]) == fits, "the stack verifies exactly what fits");
             refused += usize::from(!fits);
-            // What the reader takes, the tools take.
+            // The tools accept whatever the reader accepts.
             let stack = Stack::open([("base", base.as_slice()), ("patch", bytes.as_slice())]);
             assert_eq!(stack.is_ok(), fits, "byte {at} ^ {change}");
         }
     }
-    // A bit more in the filter of ids costs a search, and no more.
+    // An additional bit in the filter of ids only costs a search.
     let record = LayerRecord::ref_from_prefix(&patch[section.clone()]).unwrap().0;
     let length = section.len() - record.filter_count.get() as usize * size_of::<u64>();
     assert!(refused > 3 * length, "{refused} of {} changes", 4 * length);
-    // Without what is behind any of its bytes.
+    // Truncated after each of its bytes.
     for length in 0..section.len() {
         // It is the last section of the file.
         let cut = golden::changed(&patch, |bytes| {
@@ -372,7 +379,7 @@ fn every_changed_byte_of_a_layer_is_refused_or_harmless() {
     }
 }
 
-/// A locale that a layer brings shows the texts that stand in for it, also of clips that another layer has brought.
+/// A locale added by a layer shows the texts of its stand-in, including those of clips from another layer.
 #[test]
 fn a_new_locale_shows_what_a_layer_below_brought() {
     let first = one("b", r#"{ "text_en-us": "Ja.|Nein." }"#);

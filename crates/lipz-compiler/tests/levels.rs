@@ -1,4 +1,4 @@
-//! Levels that a project gives to lints, from every part of a run.
+//! Levels of lints in a project, applied in every part of a run.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::Bank;
@@ -23,7 +23,7 @@ fn a_warning_of_the_parser_becomes_an_error() {
     let denied = run(&[("aye", &marked)], &[(Code::ByteOrderMark, Some(Severity::Error))]);
     assert_eq!(found(&denied), [(Code::ByteOrderMark, Severity::Error)]);
     assert!(denied.bank.is_none());
-    // Also where there is no document to check.
+    // Even if there is no document to check.
     let broken = run(&[("aye", b"\xEF\xBB\xBF{")], &[(Code::ByteOrderMark, None)]);
     assert_eq!(found(&broken), [(Code::UnfinishedFile, Severity::Error)]);
 }

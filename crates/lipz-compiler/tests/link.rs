@@ -1,4 +1,4 @@
-//! Objects of shards, linked, are the bank that packs all sources in one go: byte for byte, in any number and order.
+//! Linked objects of shards are the bank made by packing all sources together: byte for byte, in any number and order.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 #![cfg(feature = "shards")]
 
@@ -16,7 +16,7 @@ use std::time::Duration;
 use support::shards::{drama, objects, project, variants};
 use zerocopy::{FromBytes, IntoBytes};
 
-/// What is linked to a bank in memory, and to the same in a file.
+/// Links to a bank in memory, and checks that linking to a file has the same result.
 fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize) -> Compiled {
     let folder = tempfile::tempdir().unwrap();
     let mut paths = objects(compiler, inputs, shards, folder.path());
@@ -85,7 +85,7 @@ fn dubs_and_their_originals() {
         .collect();
     let compiler = Compiler::new(options);
     [2, 8].into_iter().for_each(|shards| assert_same(&compiler, &lines, shards, 1));
-    // What is wrong between two clips is found when both are there.
+    // Problems between two clips are found when both are present.
     let mut wrong = lines.clone();
     wrong[1] = clip("de/line-0", r#"{ "visemes": "OOA", "text_de-de": "Mama!" }"#);
     wrong[3] = clip("de/line-1", r#"{ "visemes": "OO|A", "text_en-us": "Other!|Oh." }"#);
@@ -140,7 +140,7 @@ fn objects_whose_texts_are_not_in_order_are_refused() {
     };
     let (starts, texts) = (start(b"TXST"), start(b"TEXT"));
     let mut forged = bytes.clone();
-    // The first text is counted, and has one letter: what is before the second is no text.
+    // The first text is counted, and has one letter: the bytes before the second belong to no text.
     let first = U32::new(TEXT_HAS_LENGTH);
     forged[starts..starts + 4].copy_from_slice(first.as_bytes());
     forged[texts..texts + 4].copy_from_slice(b"\0\0\x01O");
@@ -154,7 +154,7 @@ fn objects_whose_texts_are_not_in_order_are_refused() {
     assert!(linked.reports[0].diagnostics[0].message.contains("its clips cannot be read"), "{:?}", linked.reports);
 }
 
-/// What was verified is what is copied.
+/// The copied data must be the verified data.
 #[test]
 fn objects_that_somebody_writes_to_meanwhile_are_refused() {
     for shards in [2, 150] {
@@ -173,7 +173,7 @@ fn objects_that_somebody_writes_to_meanwhile_are_refused() {
         let linked = Compiler::default().progress(meanwhile).link(&link, &path);
         assert!(linked.bank.is_none() && !path.exists(), "{shards} shards");
         let messages: Vec<_> = linked.reports.iter().flat_map(|report| &report.diagnostics).collect();
-        assert!(messages.iter().any(|found| found.message.contains("changed while it was linked")), "{messages:?}");
+        assert!(messages.iter().any(|found| found.message.contains("changed during the link")), "{messages:?}");
     }
 }
 

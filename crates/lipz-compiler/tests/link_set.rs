@@ -1,4 +1,4 @@
-//! A set that objects are linked to answers every question as the one bank does that they are linked to otherwise.
+//! A set linked from objects returns the same answers as the single bank linked from them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 #![cfg(feature = "shards")]
 
@@ -9,7 +9,9 @@ use lipz_bank::{Bank, ClipId, Dialogue, ErrorKind};
 use lipz_compiler::diff::diff;
 use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::shard::{Link, LinkedSet};
-use lipz_compiler::{Compiler, Documents, Input, MinCoverage, Options, Over, Stack, Voices, coverage, voice_coverage};
+use lipz_compiler::{
+    Compiler, Documents, Input, MinCoverage, Options, Stack, StackBelow, Voices, coverage, voice_coverage,
+};
 use lipz_file::write;
 use lipz_testkit::dialogues::{self, with};
 use proptest::prelude::*;
@@ -20,7 +22,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use support::shards::{drama, objects, project, variants};
 
-/// The names of the files in a folder.
+/// Returns the names of the files in a folder.
 fn names(folder: &Path) -> BTreeSet<String> {
     fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect()
 }
@@ -33,7 +35,7 @@ fn linked(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usize, i
     compiler.link_to_set(&Link::open(&paths).unwrap(), index)
 }
 
-/// Compares each bank of a set, when no other one is there, with the bank of all.
+/// Compares each bank of a set, without the others, with the bank of all clips.
 fn assert_alone(index: &[u8], files: &[Vec<u8>], whole: &Bank<'_>) {
     for number in 0..files.len() {
         let others = files.iter().enumerate().map(|(other, file)| if other == number { file.as_slice() } else { &[] });
@@ -55,7 +57,7 @@ fn assert_alone(index: &[u8], files: &[Vec<u8>], whole: &Bank<'_>) {
     }
 }
 
-/// Index and banks of the set at this path, as a program reads them.
+/// Returns index and banks of the set at this path, as a program reads them.
 fn read(index: &Path) -> (Vec<u8>, Vec<Vec<u8>>) {
     let bytes = fs::read(index).unwrap();
     let banks = SetIndex::open(&bytes).unwrap().verify().unwrap();
@@ -63,7 +65,7 @@ fn read(index: &Path) -> (Vec<u8>, Vec<Vec<u8>>) {
     (bytes, banks)
 }
 
-/// Compares the set at `index` with the bank of all, and what is made of both.
+/// Compares the set at `index` with the bank of all clips, and the results of tools on both.
 fn assert_answers(index: &Path, whole: &[u8]) {
     let (index_bytes, files) = read(index);
     let contents: Vec<&[u8]> = [&index_bytes].into_iter().chain(&files).map(Vec::as_slice).collect();
@@ -83,7 +85,7 @@ fn assert_answers(index: &Path, whole: &[u8]) {
             let has_all = own.locales().map(|locale| own.locale_tag(locale)).eq(tags.iter().copied());
             assert!(has_all, "each bank has all locales");
         }
-        assert!(Stack::of("set", set).unwrap().bank() == whole, "the merged set is another bank");
+        assert!(Stack::of("set", set).unwrap().bank() == whole, "the merged set differs");
         with(&[whole], |whole| {
             assert_eq!(coverage(set), coverage(whole));
             assert_eq!(voice_coverage(set), voice_coverage(whole));
@@ -110,7 +112,7 @@ fn assert_same(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, turn: usi
     assert_eq!(names(folder.path()).len(), expected, "nothing is left");
     let Some(whole) = packed.bank else { return };
     if shards == 1 {
-        assert!(read(&index).1 == [whole.clone()], "the one bank of a set is the bank");
+        assert!(read(&index).1 == [whole.clone()], "the only bank of a set equals the whole bank");
     }
     assert_answers(&index, &whole);
 }
@@ -127,7 +129,8 @@ fn the_drama_in_any_number_of_shards() {
 #[test]
 fn what_all_shards_decide_together() {
     let line = |key: &str, texts: &str| Input::from_bytes(key, format!("{{ {texts} }}"));
-    // One of 20 clips is translated: some shards have no German text at all, and that of another script is lost in some.
+    // One of 20 clips is translated: some shards have no German text at all, and some lack the text in the other
+    // script.
     let lines: Vec<Input> = (0..20)
         .map(|number| match number {
             3 => line("line-3", r#""text_en-us": "Aye.", "text_de-de": "Ja.", "text_zh-cn": "是""#),
@@ -147,7 +150,7 @@ fn what_all_shards_decide_together() {
     for options in variants {
         assert_same(&Compiler::new(options), &lines, 8, 3);
     }
-    // No voice has a locale: they are told in the same order.
+    // The locale of no voice has texts. They are reported in the same order.
     let foreign = [line("line", r#""text_it-it": "Ciao.""#), line("de/line", ""), line("fr/line", "")];
     let voices = Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap().dub("fr-fr", "fr/{key}").unwrap();
     assert_same(&Compiler::new(english().voices(voices)), &foreign, 3, 1);
@@ -168,24 +171,25 @@ fn a_new_set_takes_the_place_of_the_old_one_and_a_failed_one_does_not() {
     let again = linked(&compiler, &drama(), 4, 1, &index).files.unwrap();
     assert!(!again.index.is_new && again.banks.iter().all(|bank| !bank.is_new), "nothing is written twice");
     let before = names(folder.path());
-    // Left by a run that was killed.
+    // Left by a killed run.
     let orphan = folder.path().join("d.0-of-2.0123456789abcdef.lipzbank");
     fs::write(&orphan, "half a ba").unwrap();
     let mut clash = drama();
     clash.extend(["A/hello", "a/hello"].map(|key| Input::from_bytes(key, r#"{ "text_en-us": "Hello." }"#)));
     let failed = linked(&compiler, &clash, 4, 0, &index);
     assert!(failed.files.is_none() && !failed.reports.is_empty());
-    assert!(orphan.exists() && names(folder.path()).len() == before.len() + 1, "the old set is whole");
+    assert!(orphan.exists() && names(folder.path()).len() == before.len() + 1, "the old set is complete");
     let changed = [&drama()[1..], &[Input::from_bytes("z", r#"{ "text_en-us": "Hello." }"#)]].concat();
     let new = linked(&compiler, &changed, 4, 0, &index).files.unwrap();
     let gone: Vec<PathBuf> = new.removed.clone();
     assert!(gone.contains(&orphan) && gone.len() > 1, "{gone:?}");
-    assert_eq!(names(folder.path()).len(), before.len(), "an index, four banks, and three files of others");
+    assert_eq!(names(folder.path()).len(), before.len(), "an index, four banks, and three unrelated files");
     let whole = compiler.compile(&changed).bank.unwrap();
     assert_answers(&index, &whole);
 }
 
-/// A link that comes while another one has written banks, but no index: it removes what no index names.
+/// A second link waits for the first one, which has written banks but no index yet. It would remove these banks, because
+/// no index names them.
 #[test]
 fn of_two_links_to_one_set_one_comes_after_the_other() {
     let folder = tempfile::tempdir().unwrap();
@@ -203,7 +207,7 @@ fn of_two_links_to_one_set_one_comes_after_the_other() {
         let meanwhile = |_| {
             if !started.swap(true, Ordering::SeqCst) {
                 let other = scope.spawn(|| Compiler::new(options()).link_to_set(&second_link, &index));
-                // Long enough for it to be done, if nothing held it up.
+                // Long enough to finish if nothing blocked it.
                 let end = Instant::now() + Duration::from_secs(1);
                 while !other.is_finished() && Instant::now() < end {
                     std::thread::sleep(Duration::from_millis(10));
@@ -218,7 +222,7 @@ fn of_two_links_to_one_set_one_comes_after_the_other() {
     assert_eq!(names(&folder.path().join("out")).len(), 5, "an index and its banks");
 }
 
-/// A bank whose header claims the checksum of another one.
+/// A bank whose header claims the checksum of a different one.
 #[test]
 fn a_set_takes_no_bank_for_another() {
     let folder = tempfile::tempdir().unwrap();
@@ -237,8 +241,8 @@ fn a_set_takes_no_bank_for_another() {
     };
     assert_eq!(refused(&files), (1, ErrorKind::OtherBank));
     files.swap(0, 1);
-    assert_eq!(refused(&files), (1, ErrorKind::OtherBank), "in another order");
-    assert_eq!(refused(&files[..1]), (0, ErrorKind::OtherBank), "one is missing: the index is named");
+    assert_eq!(refused(&files), (1, ErrorKind::OtherBank), "in a different order");
+    assert_eq!(refused(&files[..1]), (0, ErrorKind::OtherBank), "a bank is missing, so the index is named");
 }
 
 proptest! {
@@ -250,7 +254,7 @@ proptest! {
     }
 }
 
-/// Without any of its banks, a set with a patch says which bank to load, unless the patch removes the clip.
+/// Without any of its banks, a set with a patch names the bank to load, unless the patch removes the clip.
 #[test]
 fn a_removed_clip_is_in_no_missing_bank() {
     let folder = tempfile::tempdir().unwrap();
@@ -260,11 +264,11 @@ fn a_removed_clip_is_in_no_missing_bank() {
     linked(&compiler, &inputs, 4, 0, &index).files.unwrap();
     let (index, banks) = read(&index);
     let set = [&index].into_iter().chain(&banks).map(|bytes| ("set", bytes));
-    let patch = compiler.compile_over(&inputs[1..], &Over::new(Stack::open(set).unwrap())).bank.unwrap();
+    let patch = compiler.compile_over(&inputs[1..], &StackBelow::new(Stack::open(set).unwrap())).bank.unwrap();
     let contents: Vec<&[u8]> = [index.as_slice(), &[], &[], &[], &[], &patch].into();
     with(&contents, |dialogue| {
         let missing = |input: &Input| dialogue.missing_bank(ClipId::from_key(&input.key));
-        assert!(!dialogue.has_bank(), "a patch is no base");
+        assert!(!dialogue.has_bank(), "a patch is not a base");
         assert_eq!(missing(&inputs[0]), None, "the patch removes it");
         for input in &inputs[1..] {
             let number = dialogue.set_index().unwrap().bank_of(ClipId::from_key(&input.key)) + 1;

@@ -1,4 +1,4 @@
-//! Which locales a bank has, and where their texts come from.
+//! The locales of a bank, and the origins of their texts.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -28,7 +28,7 @@ fn only(tags: &[&str]) -> Options {
     Options::new().default_locale("en-us").unwrap().locales(tags.iter().copied()).unwrap()
 }
 
-/// Each locale with what a player reads in it, clip by clip; `*` before fallbacks.
+/// Returns each locale with the texts that it shows, clip by clip; `*` marks fallbacks.
 fn shown(bytes: &[u8]) -> Vec<(String, Vec<String>)> {
     let bank = Bank::open(bytes).unwrap().verify().unwrap();
     let text = |clip: lipz_bank::Clip<'_>, locale| match clip.segment(0).unwrap().text(locale) {
@@ -50,7 +50,7 @@ fn chosen_locales_have_what_they_fall_back_to() {
     expect(&["de-at"], &[("de-at", ["*Ja.", "Servus.", "*No."])]);
     let english = ("en-us", ["Aye.", "Hello.", "No."]);
     expect(&["de-at", "en-us"], &[("de-at", ["*Ja.", "Servus.", "*No."]), english]);
-    // A locale that no file has is what it falls back to.
+    // A locale without any file shows only its fallbacks.
     expect(&["de-ch"], &[("de-ch", ["*Ja.", "*Servus.", "*No."])]);
 }
 
@@ -91,7 +91,7 @@ fn a_pseudo_locale_is_made_of_the_default_locale() {
     let all = shown(&packed(&options));
     let of = |wanted: &str| all.iter().find(|(tag, _)| tag == wanted).unwrap().1.clone();
     assert_eq!(of("en-xa"), ["[Åýé. one]", "[Ĥéļļö. one]", "[Ñö. one]"]);
-    assert_eq!(of("en-gb"), ["Aye, sir.", "*Hello.", "*No."], "nobody falls back to it");
+    assert_eq!(of("en-gb"), ["Aye, sir.", "*Hello.", "*No."], "no locale falls back to it");
     let without = Compiler::new(Options::new().pseudo(true)).compile(&inputs(&FILES));
     assert!(without.bank.is_none() && without.reports[0].diagnostics[0].code == Code::SettingValue);
 }
@@ -131,7 +131,7 @@ fn too_little_coverage_makes_no_bank() {
     assert_eq!(wanted(Some(50.0), None), 2);
     assert_eq!(wanted(Some(50.0), Some(("de-at", 30.0))), 1);
     assert_eq!(wanted(None, Some(("fr-fr", 1.0))), 1);
-    assert_eq!(wanted(None, Some(("DE_at", 30.0))), 0, "another spelling of the locale");
+    assert_eq!(wanted(None, Some(("DE_at", 30.0))), 0, "a different spelling of the locale");
 }
 
 #[test]

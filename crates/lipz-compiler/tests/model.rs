@@ -1,5 +1,5 @@
-//! A bank against the documents that it was made of: every frame, segment, text and event that the
-//! compiler was given is what the reader returns, before and after verification.
+//! A bank compared with its documents: the reader returns every frame, segment, text and event of the compiler's input,
+//! before and after verification.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz_bank::{Bank, Clip, EventName, Micros, Segment};
@@ -11,19 +11,19 @@ use proptest::prelude::*;
 use proptest::{collection, option, sample};
 use std::collections::BTreeMap;
 
-/// The locales of the documents. No two have the same language, so that a locale falls back to those that
-/// a project names, or else to the default locale.
+/// The locales of the documents. No two have the same language, so that a locale falls back to those named by a
+/// project, or else to the default locale.
 const TAGS: [&str; 7] = ["ar-eg", "de-de", "en-us", "es-mx", "fr-ca", "ja-jp", "pt-br"];
 
-/// What a clip must be, worked out in the simplest way that there is.
+/// The expected contents of a clip, computed in the simplest way.
 struct Model {
     fps: Option<f64>,
     viseme_type: Option<String>,
-    /// Codes per segment.
+    /// Codes of each segment.
     visemes: Option<Vec<String>>,
-    /// Display texts per segment, by locale.
+    /// Display texts of each segment, by locale.
     texts: BTreeMap<String, Vec<String>>,
-    /// Event strings per segment.
+    /// Event strings of each segment.
     events: Option<Vec<String>>,
 }
 
@@ -59,7 +59,7 @@ impl Model {
         lists.map(Vec::len).next().unwrap_or(1)
     }
 
-    /// The texts in a locale, and whether they are those of another one.
+    /// Returns the texts in a locale, and whether they are those of a different one.
     fn texts_in(&self, tag: &str, options: &Options) -> Option<(&Vec<String>, bool)> {
         let named = options.get_fallbacks().get(tag).cloned();
         let chain = named.unwrap_or_else(|| options.get_default_locale().map(str::to_owned).into_iter().collect());

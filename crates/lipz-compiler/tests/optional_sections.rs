@@ -1,5 +1,5 @@
-//! What holds for every optional section: it is written, `verify` looks at it, and splitting and comparing banks do
-//! not lose it. A new section fails here until each of these knows it.
+//! Requirements for every optional section: it is written, `verify` checks it, and splitting and comparing banks keep
+//! it. A new section fails here until each of these supports it.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::{Bank, Recording};
@@ -8,18 +8,9 @@ use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Input, SplitBank, Voices};
 use lipz_layout::Tag;
 use lipz_testkit::dialogues;
-use lipz_testkit::golden::{changed, directory, entry_of, put, section};
+use lipz_testkit::golden::{self, changed, directory, entry_of, put};
 
-/// Only the compiler reads them, which checks them itself (LZ0905).
-const FOR_TOOLS: [Tag; 2] = [Tag::SOURCE_INDEX, Tag::SOURCES];
-
-/// Only banks over others have it, and a stack of them looks at it: `layers.rs` beside this test.
-const OF_STACKS: [Tag; 1] = [Tag::LAYER];
-
-/// Sections of which a bank has all of a group or none.
-const GROUPS: [&[Tag]; 2] = [&[Tag::CURVE_CLIPS, Tag::CURVES, Tag::CURVE_KEYS], &[Tag::VOICES, Tag::DUBS]];
-
-/// A bank with all of them, and one of the same clips with none.
+/// Returns a bank with all of them, and one of the same clips without any.
 fn banks() -> (Vec<u8>, Vec<u8>) {
     let inputs =
         ["a", "a_de"].map(|key| Input::from_bytes(key, r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!" }"#));
@@ -42,30 +33,34 @@ fn has(bank: &[u8], tag: Tag) -> bool {
 fn every_optional_section_is_known_to_all_that_must_know_it() {
     let (with, without) = banks();
     let split = SplitBank::from_bytes(&with).unwrap();
-    for (tag, _) in Tag::OPTIONAL.into_iter().filter(|(tag, _)| !OF_STACKS.contains(tag)) {
+    // Only banks on top of others have a layer: see `layers.rs` next to this test.
+    for section in Tag::OPTIONAL.into_iter().filter(|section| section.tag != Tag::LAYER) {
+        let tag = section.tag;
         let name = String::from_utf8_lossy(&tag.0);
-        assert!(has(&with, tag), "no bank with {name}: set what `lower` writes it for in `banks` of this test");
+        assert!(
+            has(&with, tag),
+            "no bank with {name}: add the input for which `lower` writes it to `banks` of this test"
+        );
         assert!(!has(&without, tag), "{name} is not optional: banks that say nothing in it have it, too");
-        if FOR_TOOLS.contains(&tag) {
+        assert_eq!(has(&split.base, tag), section.is_in_base, "{name} in the base bank");
+        // The others are read only by the compiler, which checks them itself (LZ0905).
+        if !section.is_in_base {
             continue;
         }
-        assert!(has(&split.base, tag), "split.rs drops {name}");
         let is_refused = |at: usize| {
             let bytes = changed(&with, |bank| bank[at] ^= 0xFF);
             Bank::open(&bytes).and_then(Bank::verify).is_err()
         };
-        assert!(section(&with, tag).any(is_refused), "verify does not look at {name}");
-        // The bank as a program sees it, if it skips the section.
-        let alone = [tag];
-        let group = GROUPS.into_iter().find(|group| group.contains(&tag)).unwrap_or(&alone);
+        assert!(golden::section(&with, tag).any(is_refused), "verify does not check {name}");
+        // The bank as a program sees it that skips the section.
+        let group = Tag::OPTIONAL.iter().filter(|other| other.group == section.group);
         let hide = |bank: &mut Vec<u8>| {
             group
-                .iter()
                 .zip(b'0'..)
-                .for_each(|(tag, digit)| put(bank, entry_of(&with, *tag), [b'N', b'E', b'W', digit]));
+                .for_each(|(other, digit)| put(bank, entry_of(&with, other.tag), [b'N', b'E', b'W', digit]));
         };
         let hidden = changed(&with, hide);
         let is_seen = dialogues::with(&[&with], |old| dialogues::with(&[&hidden], |new| !diff(old, new).is_empty()));
-        assert!(is_seen, "diff does not see {name}");
+        assert!(is_seen, "diff does not compare {name}");
     }
 }

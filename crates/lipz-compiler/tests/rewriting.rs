@@ -1,4 +1,4 @@
-//! Formatting, fixing and converting keep what a file means, whatever is in it.
+//! Formatting, fixing and converting preserve the meaning of a file, for any contents.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 mod support;
@@ -8,14 +8,14 @@ use lipz_bank::{Bank, Clip};
 use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::format::{LineEnding, Style, format};
-use lipz_file::{Document, Raw, Value, text};
+use lipz_file::{Document, RawJson, Value, text};
 use lipz_testkit::dialogue;
 use lipz_testkit::documents::document;
 use proptest::prelude::*;
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
-/// The bank of one file, without its source record.
+/// Returns the bank of one file, without its source record.
 fn bank(file: &str, options: &Options) -> Vec<u8> {
     let options = options.clone().strip(true);
     let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
@@ -30,7 +30,7 @@ fn formatted(file: &str, default_locale: Option<&str>) -> String {
     format(&parsed(file), Style { default_locale, line_ending: LineEnding::detect(file) })
 }
 
-/// The document as a file with escapes where `escaped` says so, for one character after the other.
+/// Returns the document as a file, with those characters escaped for which `escaped` is true.
 fn spelled(document: &Document<'_>, escaped: &[bool]) -> String {
     let mut escaped = escaped.iter().copied().cycle();
     let mut literal = |text: &str| {
@@ -59,7 +59,7 @@ fn spelled(document: &Document<'_>, escaped: &[bool]) -> String {
     format!("{{{}}}", elements.join(","))
 }
 
-/// Every element is there, and says the same but for white space at the ends of segments.
+/// Checks that every element is kept, except for white space at the ends of segments.
 fn assert_same_elements(before: &Document<'_>, after: &Document<'_>) {
     assert_eq!(before.elements.len(), after.elements.len());
     for element in &before.elements {
@@ -72,9 +72,9 @@ fn assert_same_elements(before: &Document<'_>, after: &Document<'_>) {
                 };
                 assert_eq!(trimmed(&string.text), trimmed(&other.text), "{name}");
             }
-            // A curve has a line of its own.
+            // A curve has its own line.
             (Value::Other(raw), Value::Other(other)) if name == "curves" => {
-                let words = |raw: &Raw<'_>| raw.text.split_whitespace().collect::<String>();
+                let words = |raw: &RawJson<'_>| raw.text.split_whitespace().collect::<String>();
                 assert_eq!(words(raw), words(other));
             }
             (value, other) => assert_eq!(value, other, "{name}"),
@@ -82,7 +82,7 @@ fn assert_same_elements(before: &Document<'_>, after: &Document<'_>) {
     }
 }
 
-/// The columns of the `|` in the lines of texts and events.
+/// Returns the columns of the `|` in the lines of texts and events.
 fn columns(formatted: &str) -> Vec<Vec<usize>> {
     let is_padded = |line: &&str| line.starts_with("  \"text") || line.starts_with("  \"events\"");
     let width = |text: &str| text.graphemes(true).map(UnicodeWidthStr::width).sum();
@@ -90,7 +90,7 @@ fn columns(formatted: &str) -> Vec<Vec<usize>> {
     formatted.lines().filter(is_padded).map(delimiters).collect()
 }
 
-/// All segments of a converted clip as code strings.
+/// Returns all segments of a converted clip as code strings.
 fn codes(bytes: &[u8]) -> Vec<String> {
     let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
     let of = |clip: Clip<'_>| clip.segments().map(|segment| String::from_utf8_lossy(segment.frames()).into()).collect();
@@ -158,7 +158,7 @@ proptest! {
         let Some(bytes) = packed.bank else { return Ok(()) };
         let text = converted.text.unwrap_or(file);
         prop_assert_eq!(bank(&text, &Options::default()), bank(&text, &packing));
-        // What is unpacked is the converted file, and packs to the same bank without converting.
+        // The unpacked file is the converted one, and packs to the same bank without conversion.
         dialogue!(bank = &bytes);
         let documents = Documents::from_dialogue(&bank).unwrap();
         let (_, unpacked) = documents.iter().next().unwrap().unwrap();
@@ -206,12 +206,12 @@ fn converted(file: &str, to: VisemeType, options: &Options) -> (Option<String>, 
 fn only_codes_and_type_are_edited() {
     let default = Options::new().default_viseme_type(Blair);
     let cases = [
-        // The byte order mark, line endings, escapes and odd blanks of the rest stay.
+        // The byte order mark, line endings, escapes and unusual blanks elsewhere are kept.
         (
             "\u{FEFF}{\r\n\t\"visemes\" :  \"\\u004dA |-\",\r\n\t\"x\":[ 1 ],\"viseme_type\":\"blair\"  }",
             "\u{FEFF}{\r\n\t\"visemes\" :  \"AD |-\",\r\n\t\"x\":[ 1 ],\"viseme_type\":\"toonboom\"  }",
         ),
-        // A file whose type comes from the project names its own from now on.
+        // A file whose type comes from the project now sets it itself.
         (
             "{\n  \"visemes\" : \"MA\",\n  \"fps\" : 24\n}",
             "{\n  \"visemes\" : \"AD\",\n  \"viseme_type\" : \"toonboom\",\n  \"fps\" : 24\n}",
@@ -231,7 +231,7 @@ fn files_without_a_type() {
         converted(r#"{"visemes":"MA-"}"#, ToonBoom, &none).0.unwrap(),
         r#"{"visemes":"AD-","viseme_type":"toonboom"}"#
     );
-    let ambiguous = "LZ0405: these codes cannot be converted: they may be blair or toonboom";
+    let ambiguous = "LZ0405: these codes cannot be converted because they may be blair or toonboom";
     for to in [Blair, ToonBoom] {
         assert_eq!(converted(r#"{"visemes":"AEF-"}"#, to, &none), (None, vec![ambiguous.into()]));
     }
@@ -270,7 +270,7 @@ fn packing_converts_and_reports_what_is_lost() {
     let options = Options::new().viseme_type(ToonBoom);
     let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
     let [diagnostic] = &compiled.reports[0].diagnostics[..] else { panic!("{:?}", compiled.reports) };
-    assert_eq!(diagnostic.message, "3 frames lose their own mouth shape: toonboom has no `L` and no `U`");
+    assert_eq!(diagnostic.message, "3 frames lose their own mouth shape because toonboom has no `L` or `U`");
     assert_eq!(diagnostic.notes, ["`L` becomes `B` in 2 frames", "`U` becomes `F` in 1 frame"]);
     let bytes = compiled.bank.unwrap();
     assert_eq!(codes(&bytes), ["ADBEFCG-", "BFB"]);

@@ -1,4 +1,4 @@
-//! JSON → bank → JSON: every element that is packed comes back as it was; → bank again: the same bytes.
+//! JSON → bank → JSON: every packed element is restored; → bank again: the same bytes.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 mod support;
@@ -30,7 +30,7 @@ fn unpacked(bytes: &[u8]) -> Files {
     documents.iter().map(|document| file(document.unwrap())).collect()
 }
 
-/// What a bank keeps of a file: converted codes, and no texts but those of the chosen locales.
+/// Returns the part of a file that a bank keeps: converted codes, and only the texts of the chosen locales.
 fn kept(file: &[u8], options: &Options) -> Vec<u8> {
     let converted = options.get_viseme_type().and_then(|to| Compiler::new(options.clone()).convert(file, to).text);
     let file = converted.map_or(file.to_vec(), String::into_bytes);
@@ -53,7 +53,7 @@ fn assert_round_trip(files: &Files, options: &Options) {
     if options.get_locales().is_none() {
         assert_eq!(again, bytes);
     } else {
-        // Chosen locales no longer find the texts that they fell back to, if those were not packed.
+        // Chosen locales lose the fallback texts that were not packed.
         assert_eq!(texts(&unpacked(&again)), texts(&expected));
     }
 }
@@ -105,7 +105,7 @@ fn a_stripped_bank_gives_display_forms() {
     assert_eq!(again, bytes);
 }
 
-/// Options under which elements may differ in segments.
+/// Returns options that allow elements with different segments.
 fn joining() -> Options {
     Options::new().levels(joined_segments())
 }
@@ -114,7 +114,8 @@ fn joined_segments() -> [(Code, Option<Severity>); 1] {
     [(Code::SegmentCount, Some(Severity::Warning))]
 }
 
-/// The texts and events of one document with the other elements of another: segments that differ.
+/// Generates a document that combines the texts and events of a document with the other elements of a second one, which
+/// has different segments.
 fn uneven() -> impl Strategy<Value = Document<'static>> {
     let is_segmented = |element: &Element<'_>| element.name.text.starts_with("text") || element.name.text == "events";
     (document(), document()).prop_map(move |(one, other)| {
@@ -137,7 +138,7 @@ fn elements_that_are_joined_come_back() {
     assert_round_trip(&files, &joining());
 }
 
-/// What projects decide about files.
+/// Generates options of projects.
 fn options() -> impl Strategy<Value = Options> {
     let tags = ["ar-eg", "de-ch", "de-de", "en-us", "en-xa", "es-mx", "fr-ca", "pt-br"];
     let locales = option::of(collection::btree_set(sample::select(tags.to_vec()), 0..5));

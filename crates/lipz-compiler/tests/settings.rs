@@ -1,4 +1,4 @@
-//! `lipz.toml` with anything in it: diagnostics with places in the file, and no panic.
+//! `lipz.toml` with any contents: diagnostics with positions in the file, and no panic.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::{Fps, VisemeType};
@@ -55,7 +55,7 @@ fn every_setting_is_read() {
     let limits = options.get_text_limits();
     assert_eq!((limits.get_line_columns(), limits.get_lines()), (Some(42), Some(2)));
     assert_eq!(limits.get_characters_per_second(), Some(17.5));
-    assert_eq!(options.get_levels().severity(Code::UnknownEmotion), None, "a lint by itself wins over its group");
+    assert_eq!(options.get_levels().severity(Code::UnknownEmotion), None, "a lint takes precedence over its group");
     assert_eq!(options.get_levels().severity(Code::UnknownLocale), Some(Severity::Error));
     assert_eq!(options.get_levels().severity(Code::SegmentCount), Some(Severity::Warning));
     let names = options.get_known_names();
@@ -70,7 +70,7 @@ fn a_locale_has_one_entry() {
         let (_, report) = parse(text.as_bytes());
         let [diagnostic] = &report.diagnostics[..] else { unreachable!("{text}: {:?}", report.diagnostics) };
         assert_eq!(diagnostic.code, Code::SettingValue);
-        assert!(diagnostic.message.starts_with("a second entry for the locale `de-"), "{}", diagnostic.message);
+        assert!(diagnostic.message.starts_with("the locale `de-"), "{}", diagnostic.message);
     }
 }
 
@@ -82,7 +82,7 @@ fn a_byte_order_mark_is_skipped() {
     assert_eq!(&report.source.text[report.diagnostics[0].primary.as_ref().unwrap().span.range()], "stirp");
 }
 
-/// The template with every setting uncommented.
+/// Returns the template with every setting uncommented.
 fn uncommented() -> String {
     template(&[])
         .replace("\n#", "\n")

@@ -32,7 +32,7 @@ fn text_banks_answer_as_the_whole() {
                 text_count += usize::from(segment.text(own).is_some());
             }
         }
-        // Nothing of another language comes along, but what the locale falls back to.
+        // It contains no texts of other languages, except for those that the locale falls back to.
         assert!(bytes.len() < whole.len() / 5, "{tag}: {} of {} bytes", bytes.len(), whole.len());
     }
     assert!(text_count > 500, "{text_count} texts");

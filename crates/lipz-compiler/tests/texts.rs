@@ -1,11 +1,11 @@
-//! What a project decides about texts: limits of screens and readers, literal braces.
+//! Options of a project for texts: limits of screens and reading speed, literal braces.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_bank::Bank;
 use lipz_compiler::{Compiler, Input, Options, TextLimits};
 use lipz_diagnostics::Code;
 
-/// Codes and marked characters of the diagnostics in one file.
+/// Returns codes and marked characters of the diagnostics in one file.
 fn diagnostics(file: &str, options: &Options) -> Vec<(Code, String, String)> {
     let compiled = Compiler::new(options.clone()).compile(&[Input::from_bytes("clip", file)]);
     let found = compiled.reports.iter().flat_map(|report| report.diagnostics.iter().map(move |found| (report, found)));
@@ -28,7 +28,7 @@ fn lines_are_measured_in_columns() {
     let found = diagnostics(file, &options);
     let marked: Vec<_> = found.iter().map(|(code, marked, _)| (*code, marked.as_str())).collect();
     assert_eq!(marked, [(Code::TextTooWide, "123456789"), (Code::TextTooWide, "いいえいえ")]);
-    assert_eq!(found[1].2, "a line of this text has 10 columns, the limit is 8");
+    assert_eq!(found[1].2, "a line of this text has 10 columns, but the limit is 8");
 }
 
 #[test]
@@ -42,13 +42,13 @@ fn lines_are_counted() {
 #[test]
 fn reading_takes_the_time_of_the_segment() {
     let options = limits(TextLimits::new().characters_per_second(10.0));
-    // Half a second, one second, no time; five characters are read in half a second.
+    // Half a second, one second, no time. Five characters can be read in half a second.
     let file = r#"{ "fps": 4, "visemes": "AA|AAAA||", "text_en-us": "12345|1234567890!|in no time|" }"#;
     let found = diagnostics(file, &options);
     let marked: Vec<_> = found.iter().map(|(code, marked, _)| (*code, marked.as_str())).collect();
     assert_eq!(marked, [(Code::ReadsTooFast, "1234567890!"), (Code::ReadsTooFast, "in no time")]);
-    assert_eq!(found[0].2, "11 characters in 1.00 s are 11.0 a second, the limit is 10");
-    // Without a frame rate or mouth shapes nobody knows the time.
+    assert_eq!(found[0].2, "11 characters in 1.00 s are 11.0 per second, but the limit is 10");
+    // Without a frame rate or visemes, the time is unknown.
     assert!(diagnostics(r#"{ "visemes": "A", "text_en-us": "1234567890!" }"#, &options).is_empty());
     assert!(diagnostics(r#"{ "fps": 4, "text_en-us": "1234567890!" }"#, &options).is_empty());
 }
@@ -73,7 +73,7 @@ fn literal_braces_are_displayed() {
     assert_eq!(diagnostics(file, &Options::default()).len(), 2);
 }
 
-/// A clip has at most 65,535 segments, and each a text of as many bytes; all texts of a clip can have more.
+/// A clip has at most 65,535 segments, and each segment a text with as many bytes. All texts of a clip can have more.
 #[test]
 fn what_belongs_to_one_clip_has_limits() {
     let texts = |parts: &[usize]| parts.iter().map(|&length| "x".repeat(length)).collect::<Vec<_>>().join("|");
@@ -91,8 +91,8 @@ fn what_belongs_to_one_clip_has_limits() {
     let message = |text: &str| compiled(text).reports.pop().and_then(|mut report| report.diagnostics.pop()).unwrap();
     let long = message(&texts(&[1, 0x1_0000]));
     assert_eq!(long.code, Code::BankTooLarge);
-    assert_eq!(long.message, "the text of a segment has 65536 bytes; a bank has room for 65535");
+    assert_eq!(long.message, "the text of a segment has 65536 bytes, but a bank stores at most 65535");
     let many = message(&texts(&[1; 0x1_0000]));
     assert_eq!(many.code, Code::BankTooLarge);
-    assert_eq!(many.message, "the clip has 65536 segments; a bank has room for 65535");
+    assert_eq!(many.message, "the clip has 65536 segments, but a bank stores at most 65535");
 }

@@ -1,4 +1,4 @@
-//! The typed events of a bank are those that its event strings parse to.
+//! The typed events of a bank equal its parsed event strings.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 mod support;
@@ -9,7 +9,7 @@ use lipz_file::event;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
-/// Character, verb and object of an event, from either side.
+/// Character, verb and object of an event, from either source.
 type Parts<'e> = (Option<&'e str>, &'static str, Option<&'e str>);
 
 fn stored<'d>(segment: &Segment<'d>) -> Vec<Parts<'d>> {
@@ -29,18 +29,18 @@ fn parsed(string: &str) -> Vec<Parts<'_>> {
         .collect()
 }
 
-/// The numbers of gestures as they are written: they have places among the names.
+/// Returns the numbers of gestures as written, which are stored among the names.
 fn numbers(string: &str) -> impl Iterator<Item = &str> {
     let events = event::parse(string).into_iter().flatten();
     events.filter_map(|event| event.command.amount().map(|word| word.text))
 }
 
-/// The same as a bank has them.
+/// Returns the same numbers from a bank.
 fn strengths(segment: &Segment<'_>) -> Vec<Strength> {
     segment.events().filter_map(|event| event.command.amount()).collect()
 }
 
-/// Compares all events of a bank with its strings; returns how many there are.
+/// Compares all events of a bank with its strings. Returns their number.
 fn compare(bytes: &[u8]) -> usize {
     let bank = Bank::open(bytes).and_then(Bank::verify).unwrap();
     let (mut count, mut names) = (0, BTreeSet::new());
@@ -58,7 +58,7 @@ fn compare(bytes: &[u8]) -> usize {
     let curves: Vec<String> =
         bank.clips().flat_map(|clip| clip.curves()).map(|curve| curve.name().to_string()).collect();
     names.extend(curves.iter().map(String::as_str));
-    // Names are numbered in their order, without gaps, and none is there that no event and no curve has.
+    // Names are numbered in order, without gaps, and each is used by an event or a curve.
     for (name, number) in names.iter().zip(0..) {
         assert_eq!(bank.event_name(name).map(|name| name.to_words()[1]), Some(number), "{names:?}");
     }
@@ -75,7 +75,7 @@ fn the_drama() {
     assert!(compare(&bank) > 100);
 }
 
-/// One part of an event string: an event, or something that is nearly one, or none at all.
+/// Generates one part of an event string: an event, an almost valid one, or other text.
 fn part() -> impl Strategy<Value = String> {
     let word = "amy|rob|door|sad|feels|stops|staring|日本|é|x";
     let words = proptest::collection::vec(word, 0..5).prop_map(|words| words.join(" "));
@@ -90,7 +90,7 @@ proptest! {
         let strings: Vec<String> = segments.iter().map(|parts| parts.join(",")).collect();
         let file = format!(r#"{{ "events": "{}" }}"#, strings.join("|"));
         let inputs = ["a", "b"].map(|key| Input::from_bytes(key, file.clone()));
-        // What the checks say about the events makes no difference to them.
+        // The diagnostics about the events do not affect them.
         let names = KnownNames::new().characters(["amy"]).props(["door"]);
         let banks = [KnownNames::new(), names].map(|names| {
             Compiler::new(Options::new().known_names(names)).compile(&inputs).bank.unwrap()

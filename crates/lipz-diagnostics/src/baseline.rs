@@ -1,12 +1,12 @@
-//! Baselines: diagnostics that a project has known for long and passes over, so that only new ones are reported.
+//! Baselines: known diagnostics that a project hides, so that only new ones are reported.
 
 use crate::{Code, Diagnostic, Report, Severity, Span, escape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// Diagnostics that are known, counted by file and rule: places change with every edit of a file, these do not.
+/// Known diagnostics, counted by file and rule. Unlike positions, these counts do not change with every edit of a file.
 ///
-/// As text it has a line for each, `2 LZ0501 voices/mayor.lipz`; lines that start with `#` are comments.
+/// The text form has one line for each, `2 LZ0501 voices/mayor.lipz`. Lines that start with `#` are comments.
 ///
 /// ```
 /// use lipz_diagnostics::{Baseline, Code, Diagnostic, Report};
@@ -20,22 +20,21 @@ use std::fmt;
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Baseline {
-    entries: BTreeMap<(String, Code), Entry>,
+    entries: BTreeMap<(String, Code), BaselineCount>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Entry {
+struct BaselineCount {
     count: usize,
-    /// The line, if the baseline was read.
+    /// The line, if the baseline was parsed from text.
     span: Span,
 }
 
-/// What a file of a baseline begins with.
-const HEADING: &str =
-    "# Diagnostics that `lipz check --baseline` passes over: how many, of which rule, in which file.\n";
+/// The first line of a baseline file.
+const HEADING: &str = "# Diagnostics that `lipz check --baseline` hides: count, rule and file.\n";
 
 impl Baseline {
-    /// Reads a baseline, and reports lines that are none of it (LZ1606).
+    /// Parses a baseline, and reports invalid lines (LZ1606).
     pub fn parse(text: &str) -> (Baseline, Vec<Diagnostic>) {
         let mut baseline = Baseline::default();
         let mut diagnostics = Vec::new();
@@ -49,10 +48,10 @@ impl Baseline {
             }
             match entry(content) {
                 Ok((count, code, path)) => {
-                    baseline.entries.insert((path.to_owned(), code), Entry { count, span });
+                    baseline.entries.insert((path.to_owned(), code), BaselineCount { count, span });
                 }
                 Err(message) => {
-                    let help = "a line has a count, a code and a path: `2 LZ0501 voices/mayor.lipz`";
+                    let help = "write a count, a code and a path: `2 LZ0501 voices/mayor.lipz`";
                     diagnostics.push(Diagnostic::at(Code::BaselineEntry, span, message).help(help));
                 }
             }
@@ -60,27 +59,28 @@ impl Baseline {
         (baseline, diagnostics)
     }
 
-    /// All diagnostics of `reports` that may be passed over, in files by the names that `name` gives to paths.
+    /// Returns all diagnostics of `reports` that may be hidden. `name` converts paths to the names of files in the
+    /// baseline.
     pub fn from_reports(reports: &[Report], name: impl Fn(&str) -> String) -> Baseline {
-        let mut entries: BTreeMap<(String, Code), Entry> = BTreeMap::new();
+        let mut entries: BTreeMap<(String, Code), BaselineCount> = BTreeMap::new();
         for report in reports {
             for found in report.diagnostics.iter().filter(|found| may_be_known(found)) {
-                let none = Entry { count: 0, span: Span::new(0, 0) };
+                let none = BaselineCount { count: 0, span: Span::new(0, 0) };
                 entries.entry((name(&report.source.path), found.code)).or_insert(none).count += found.count();
             }
         }
         Baseline { entries }
     }
 
-    /// Adds the entries of `other` about files for which `is_kept` holds.
+    /// Adds the entries of `other` for the files that `is_kept` selects.
     pub fn keep(&mut self, other: &Baseline, is_kept: impl Fn(&str) -> bool) {
         for ((path, code), entry) in other.entries.iter().filter(|((path, _), _)| is_kept(path)) {
             self.entries.entry((path.clone(), *code)).or_insert(*entry);
         }
     }
 
-    /// Removes what is known from `reports`, and says how many that were. Of a rule that reports more often in a file than
-    /// before, nobody can tell which diagnostic is new: all of them stay.
+    /// Removes known diagnostics from `reports`, and returns their number. If a rule reports more often in a file than
+    /// before, all of its diagnostics stay, because the new ones cannot be identified.
     pub fn pass_over(&self, reports: &mut [Report], name: impl Fn(&str) -> String) -> usize {
         let found = Baseline::from_reports(reports, &name);
         let mut known = BTreeSet::new();
@@ -101,7 +101,7 @@ impl Baseline {
         passed
     }
 
-    /// Reports entries that stand for more than there is in `reports`, for files that `is_checked` (LZ1606).
+    /// Reports entries with higher counts than in `reports`, for the files that `is_checked` selects (LZ1606).
     pub fn left_over(
         &self,
         reports: &[Report],
@@ -109,17 +109,17 @@ impl Baseline {
         is_checked: impl Fn(&str) -> bool,
     ) -> Vec<Diagnostic> {
         let found = Baseline::from_reports(reports, name);
-        let left = |((path, code), entry): (&(String, Code), &Entry)| {
+        let left = |((path, code), entry): (&(String, Code), &BaselineCount)| {
             let count = found.entries.get(&(path.clone(), *code)).map_or(0, |found| found.count);
             if count >= entry.count || !is_checked(path) {
                 return None;
             }
             let shown = escape::quoted(path);
             let message = match count {
-                0 => format!("no {code} is left in {shown}"),
-                _ => format!("{count} of {} {code} are left in {shown}", entry.count),
+                0 => format!("{shown} has no {code}, but the baseline lists it"),
+                _ => format!("{shown} has {count} {code}, but the baseline lists {}", entry.count),
             };
-            let help = "write the baseline again, with `--write-baseline`";
+            let help = "write the baseline again with `--write-baseline`";
             Some(Diagnostic::at(Code::BaselineEntry, entry.span, message).help(help))
         };
         let mut left: Vec<Diagnostic> = self.entries.iter().filter_map(left).collect();
@@ -127,13 +127,13 @@ impl Baseline {
         left
     }
 
-    /// How many diagnostics it knows.
+    /// Returns the number of known diagnostics.
     pub fn count(&self) -> usize {
         self.entries.values().map(|entry| entry.count).sum()
     }
 }
 
-/// The text that [`Baseline::parse`] reads.
+/// Prints the text that [`Baseline::parse`] parses.
 impl fmt::Display for Baseline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(HEADING)?;
@@ -141,19 +141,19 @@ impl fmt::Display for Baseline {
     }
 }
 
-/// The parts of a line, or why it has none.
+/// Returns the parts of a line, or why it is invalid.
 fn entry(line: &str) -> Result<(usize, Code, &str), String> {
     let mut parts = line.splitn(3, ' ');
     let (Some(count), Some(code), Some(path)) = (parts.next(), parts.next(), parts.next()) else {
-        return Err("a line of the baseline has less than three parts".to_owned());
+        return Err("a line of the baseline has fewer than three fields".to_owned());
     };
     let count = count.parse().map_err(|_| format!("{} is not a count", escape::quoted(count)))?;
-    let code = code.parse().map_err(|_| format!("no rule is called {}", escape::quoted(code)))?;
+    let code = code.parse().map_err(|_| format!("{} is not a rule", escape::quoted(code)))?;
     Ok((count, code, path))
 }
 
-/// Whether a diagnostic may be passed over: not if files were not found or not written, for a check of nothing must not
-/// look like a good one.
+/// Whether a diagnostic may be hidden. It may not if files were not found or not written, because a check of nothing
+/// must not look successful.
 fn may_be_known(found: &Diagnostic) -> bool {
     let is_about_files = ("LZ0800".."LZ1100").contains(&found.code.number());
     found.code != Code::BaselineEntry && !(is_about_files && found.severity == Severity::Error)
@@ -191,7 +191,13 @@ mod tests {
         let fewer = [report("a b.lipz", &[Code::UnknownElement])];
         let told: Vec<_> =
             known.left_over(&fewer, same, |path| path != "c.lipz").into_iter().map(|d| d.message).collect();
-        assert_eq!(told, ["1 of 2 LZ0203 are left in `a b.lipz`", "no LZ0601 is left in `a b.lipz`"]);
+        assert_eq!(
+            told,
+            [
+                "`a b.lipz` has 1 LZ0203, but the baseline lists 2",
+                "`a b.lipz` has no LZ0601, but the baseline lists it"
+            ]
+        );
     }
 
     #[test]
@@ -199,7 +205,7 @@ mod tests {
         let (known, faults) = Baseline::parse("# mine\r\n\r\n1 LZ0601 a.lipz\r\nx LZ0601 a\n1 LZ9999 a\n1 LZ0601");
         assert_eq!(known.count(), 1);
         let messages: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
-        assert_eq!(messages[..2], ["`x` is not a count", "no rule is called `LZ9999`"]);
+        assert_eq!(messages[..2], ["`x` is not a count", "`LZ9999` is not a rule"]);
         assert_eq!(messages.len(), 3);
     }
 

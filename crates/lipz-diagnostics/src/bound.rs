@@ -1,17 +1,18 @@
-//! How many diagnostics of one kind a file may have: the rest is counted.
+//! Limits the number of diagnostics per kind and file: the rest is counted.
 
 use crate::{Code, Diagnostic};
 use std::collections::BTreeMap;
 
-/// Diagnostics of one code in one file that are kept. Those after them are one more, which says how many they are.
+/// The number of diagnostics of one code that are kept per file. All others become one diagnostic, which states their
+/// number.
 pub const PER_FILE_AND_CODE: usize = 1_000;
 
-/// From so many on, [`limit_many`] counts: more than a file can have of all codes that are about its elements.
+/// The length from which [`limit_many`] counts. A file cannot have as many diagnostics that concern its elements.
 const MANY: usize = 1 << 16;
 
-/// Keeps the first [`PER_FILE_AND_CODE`] diagnostics of each code in a file, and makes one of the others, at the place
-/// of the first of these: the memory that a file needs hardly depends on how often somebody repeats a mistake. Of the
-/// others, only the fixes are kept ([`Diagnostic::fixes`]).
+/// Keeps the first [`PER_FILE_AND_CODE`] diagnostics of each code in a file, and replaces the others by one, at the
+/// position of the first of these. The memory for a file therefore hardly depends on how often an error is repeated.
+/// Only the fixes of the others are kept ([`Diagnostic::fixes`]).
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, bound};
@@ -45,11 +46,11 @@ pub fn limit(diagnostics: &mut Vec<Diagnostic>) {
     });
     for mut all in rest.into_values() {
         all.message = format!("{} more {} in this file are not shown", all.rest, all.code);
-        diagnostics.push(all.help("mend those before them; the next run shows the others"));
+        diagnostics.push(all.help("fix those shown first; the next run shows the rest"));
     }
 }
 
-/// The same once there are very many, for loops that add one after the other.
+/// The same for very long lists only, for loops that add one diagnostic at a time.
 pub fn limit_many(diagnostics: &mut Vec<Diagnostic>) {
     if diagnostics.len() >= MANY {
         limit(diagnostics);

@@ -1,13 +1,13 @@
-//! One diagnostic: what is wrong, where, how bad it is, and what to do about it.
+//! One diagnostic: a problem, its position and severity, and advice.
 
 use crate::fix::Fixes;
 use crate::{Code, Span, escape};
 use std::fmt;
 
-/// How bad a diagnostic is.
+/// The severity of a diagnostic.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Severity {
-    /// The input is used as described; someone should look at it.
+    /// The input is used as described, but should be checked.
     Warning,
     /// No bank is written.
     Error,
@@ -22,23 +22,23 @@ impl fmt::Display for Severity {
     }
 }
 
-/// A marked stretch of the source with a remark under it.
+/// A marked part of the source with a remark under it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Label {
-    /// What is marked.
+    /// The marked part.
     pub span: Span,
-    /// What to say about it; may be empty.
+    /// The remark; may be empty.
     pub text: String,
 }
 
-/// A change of the source that certainly keeps what the author meant.
+/// A change of the source that certainly matches the author's intent.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Fix {
-    /// What is replaced.
+    /// The part that is replaced.
     pub span: Span,
-    /// What is there afterwards.
+    /// The replacement.
     pub replacement: String,
 }
 
@@ -46,31 +46,31 @@ pub struct Fix {
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Diagnostic {
-    /// The rule behind the diagnostic.
+    /// The rule that reports the diagnostic.
     pub code: Code,
-    /// How bad it is, by default [`Code::default_severity`].
+    /// The severity, by default [`Code::default_severity`].
     pub severity: Severity,
-    /// One sentence that is enough by itself.
+    /// One sentence that is understandable on its own.
     pub message: String,
-    /// The characters that the diagnostic is about; `None` if it is about the whole file.
+    /// The characters that the diagnostic marks; `None` if it concerns the whole file.
     pub primary: Option<Label>,
-    /// Other places that belong to the diagnostic.
+    /// Other positions that belong to the diagnostic.
     pub labels: Vec<Label>,
     /// Further facts, one line each.
     pub notes: Vec<String>,
-    /// What to do.
+    /// Advice on what to do.
     pub help: Option<String>,
-    /// The change that does it, if one is certain.
+    /// The change that solves the problem, if one is certain.
     pub fix: Option<Fix>,
-    /// How many others of the code in its file it stands for, which are not shown; 0 for itself. See
+    /// How many hidden diagnostics of its code and file it stands for; 0 if it stands for itself. See
     /// [`bound`](crate::bound).
     pub rest: usize,
     /// Their fixes.
     pub(crate) rest_fixes: Option<Box<Fixes>>,
 }
 
-/// `error[LZ0401]: message`, then notes and help, a line each; without the place, which only a
-/// [`Report`](crate::Report) knows.
+/// Prints `error[LZ0401]: message`, then notes and help, one per line. The position is not included, because only a
+/// [`Report`](crate::Report) has it.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}[{}]: {}", self.severity, self.code, escape::text(&self.message))?;
@@ -82,7 +82,7 @@ impl fmt::Display for Diagnostic {
 }
 
 impl Label {
-    /// Marks the characters of `span`; the text may be empty.
+    /// Marks the characters of `span`. The text may be empty.
     pub fn new(span: Span, text: impl Into<String>) -> Label {
         Label { span, text: text.into() }
     }
@@ -100,7 +100,7 @@ impl Label {
 /// );
 /// ```
 impl Diagnostic {
-    /// A diagnostic about a whole file.
+    /// Returns a diagnostic about a whole file.
     pub fn new(code: Code, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             code,
@@ -116,14 +116,14 @@ impl Diagnostic {
         }
     }
 
-    /// A diagnostic about the characters of `span`.
+    /// Returns a diagnostic about the characters of `span`.
     pub fn at(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
         let mut diagnostic = Diagnostic::new(code, message);
         diagnostic.primary = Some(Label::new(span, ""));
         diagnostic
     }
 
-    /// Adds a remark under the characters that the diagnostic is about; none if it is about the whole file.
+    /// Adds a remark under the primary characters. Does nothing for a diagnostic about a whole file.
     #[must_use]
     pub fn label(mut self, text: impl Into<String>) -> Self {
         if let Some(primary) = &mut self.primary {
@@ -132,7 +132,7 @@ impl Diagnostic {
         self
     }
 
-    /// Marks another place.
+    /// Marks another position.
     #[must_use]
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label::new(span, text));
@@ -146,26 +146,26 @@ impl Diagnostic {
         self
     }
 
-    /// Says what to do.
+    /// Adds advice on what to do.
     #[must_use]
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
         self
     }
 
-    /// Offers a change that certainly keeps what the author meant.
+    /// Adds a change that certainly matches the author's intent.
     #[must_use]
     pub fn fix(mut self, span: Span, replacement: impl Into<String>) -> Self {
         self.fix = Some(Fix::new(span, replacement));
         self
     }
 
-    /// The changes that are certain: its own, or those of the diagnostics that it stands for.
+    /// Returns the certain changes: its own, or those of the diagnostics that it stands for.
     pub fn fixes(&self) -> impl Iterator<Item = Fix> {
         self.fix.iter().cloned().chain(self.rest_fixes.iter().flat_map(|fixes| fixes.iter()))
     }
 
-    /// Takes back the changes that are not certain after all.
+    /// Removes changes that turn out to be uncertain.
     pub fn retain_fixes(&mut self, mut is_certain: impl FnMut(&Fix) -> bool) {
         self.fix = self.fix.take().filter(&mut is_certain);
         if let Some(fixes) = self.rest_fixes.take() {
@@ -173,7 +173,7 @@ impl Diagnostic {
         }
     }
 
-    /// Keeps the fix of a diagnostic that it stands for.
+    /// Adds the fix of a diagnostic that it stands for.
     pub(crate) fn add_fix_of_rest(&mut self, fix: &Fix) {
         self.rest_fixes.get_or_insert_default().push(fix);
     }
@@ -183,12 +183,12 @@ impl Diagnostic {
         self.severity == Severity::Error
     }
 
-    /// How many diagnostics it is: one, or those that it stands for.
+    /// Returns how many diagnostics it counts as: one, or those that it stands for.
     pub fn count(&self) -> usize {
         self.rest.max(1)
     }
 
-    /// Where the diagnostic starts, for sorting: whole-file diagnostics come first.
+    /// Returns the start of the diagnostic, for sorting. Whole-file diagnostics come first.
     pub fn start(&self) -> u32 {
         self.primary.as_ref().map_or(0, |label| label.span.start)
     }

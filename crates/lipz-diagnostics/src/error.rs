@@ -1,9 +1,9 @@
-//! Diagnostics as an error: the reason why a function has no result.
+//! Diagnostics as an error: why a function has no result.
 
 use crate::{Report, Severity, reports};
 use std::fmt;
 
-/// Diagnostics about one or more files, at least one of which is an error. `Display` and `Debug` list all of them, so that a
+/// Diagnostics about one or more files, including at least one error. `Display` and `Debug` list all of them, so that a
 /// `main` that returns the error prints them.
 ///
 /// ```
@@ -18,20 +18,20 @@ pub struct DiagnosticsError {
 }
 
 impl DiagnosticsError {
-    /// The value and the reports, which are warnings then.
+    /// Returns the value and the reports, which then contain only warnings.
     ///
     /// # Errors
-    /// If a report has an error. It takes the warnings with it.
+    /// If a report has an error. The error also contains the warnings.
     pub fn check<T>(value: T, reports: Vec<Report>) -> Result<(T, Vec<Report>), DiagnosticsError> {
         if reports::have_errors(&reports) { Err(DiagnosticsError { reports }) } else { Ok((value, reports)) }
     }
 
-    /// The diagnostics, file by file.
+    /// Returns the diagnostics, file by file.
     pub fn reports(&self) -> &[Report] {
         &self.reports
     }
 
-    /// The same without a copy.
+    /// Returns the diagnostics without a copy.
     pub fn into_reports(self) -> Vec<Report> {
         self.reports
     }
@@ -56,7 +56,7 @@ impl fmt::Display for DiagnosticsError {
     }
 }
 
-/// The same text: a `main` that returns the error prints it.
+/// Prints the same text, because a `main` that returns the error prints it this way.
 impl fmt::Debug for DiagnosticsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

@@ -1,13 +1,12 @@
-//! Text from files as messages show it: nothing in it steers the terminal, and nothing hides.
+//! Text from files for use in messages: it cannot control the terminal, and contains nothing invisible.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Characters of a name that a message shows.
+/// The most characters of a name in a message.
 const NAME_SHOWN: usize = 60;
 
-/// The text with control characters, and those that change the direction of writing, as JSON spells
-/// them.
+/// Returns the text with control characters and direction marks in JSON's spelling.
 ///
 /// ```
 /// use lipz_diagnostics::escape;
@@ -32,7 +31,7 @@ pub fn text(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// A name between backquotes, cut where nobody would want to read the rest.
+/// Returns a name between backquotes, cut off after a reasonable length.
 ///
 /// ```
 /// use lipz_diagnostics::escape;
@@ -46,7 +45,7 @@ pub fn quoted(name: &str) -> String {
     }
 }
 
-/// One character between backquotes, or its number if there is nothing to see by itself.
+/// Returns one character between backquotes, or its number if it is not visible on its own.
 ///
 /// ```
 /// use lipz_diagnostics::escape;
@@ -57,7 +56,7 @@ pub fn character(c: char) -> String {
     if has_shape(c) { format!("`{c}`") } else { code_point(c) }
 }
 
-/// The same, with the number of each character outside ASCII: many of them look like others.
+/// The same, with the number of each character outside ASCII, because many of them look like others.
 ///
 /// ```
 /// use lipz_diagnostics::escape;
@@ -68,19 +67,19 @@ pub fn numbered(c: char) -> String {
     if c.is_ascii() || !has_shape(c) { character(c) } else { format!("`{c}` ({})", code_point(c)) }
 }
 
-/// Whether there is something to see of a character that stands by itself.
+/// Whether a character is visible on its own.
 pub fn has_shape(c: char) -> bool {
-    // What Rust escapes without need is to be seen; what else it escapes has no shape of its own:
-    // controls, white space, combining marks, code points without a character.
+    // Rust also escapes some visible characters. All others that it escapes are not visible on their own: control
+    // characters, whitespace, combining marks, code points without a character.
     matches!(c, '\'' | '"' | '\\') || c.escape_debug().len() == 1
 }
 
-/// The character by its number: `U+001B`.
+/// Returns the number of the character: `U+001B`.
 pub fn code_point(c: char) -> String {
     format!("U+{:04X}", u32::from(c))
 }
 
-/// Whether a terminal acts on the character instead of showing it.
+/// Whether a terminal interprets the character instead of showing it.
 pub(crate) fn steers(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{2069}')

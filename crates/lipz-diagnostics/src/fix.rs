@@ -1,25 +1,25 @@
-//! Applying fixes: a source text and what to replace in it → the new text.
+//! Applies fixes: a source text and its replacements → the new text.
 
 use crate::{Fix, Span};
 
-/// A text after some fixes, by [`Fix::apply_all`].
+/// The result of [`Fix::apply_all`].
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
-pub struct Applied {
+pub struct FixedText {
     /// The new text.
     pub text: String,
-    /// Which of the fixes were applied, by their places in the list.
+    /// The indices of the applied fixes in the list.
     pub applied: Vec<usize>,
 }
 
 impl Fix {
-    /// A change that puts `replacement` where `span` is.
+    /// Returns a change that replaces `span` by `replacement`.
     pub fn new(span: Span, replacement: impl Into<String>) -> Fix {
         Fix { span, replacement: replacement.into() }
     }
 
-    /// Applies `fixes` to the text in which their spans are. Of fixes that overlap, only the one that starts
-    /// first is applied; one that leads out of the text, or into the middle of a character, is not.
+    /// Applies `fixes` to the text that their spans refer to. If fixes overlap, only the one that starts first is
+    /// applied. A fix that reaches outside the text, or into a character, is skipped.
     ///
     /// ```
     /// use lipz_diagnostics::{Fix, Span};
@@ -28,15 +28,15 @@ impl Fix {
     /// assert_eq!(Fix::apply_all(r#"{"fps": "24",}"#, &[&comma]).text, r#"{"fps": "24"}"#);
     /// assert_eq!(Fix::apply_all(r#"{"fps": "24",}"#, &[&comma, &quotes]).text, r#"{"fps": 24}"#);
     /// ```
-    pub fn apply_all(text: &str, fixes: &[&Fix]) -> Applied {
+    pub fn apply_all(text: &str, fixes: &[&Fix]) -> FixedText {
         let mut order: Vec<usize> = (0..fixes.len()).collect();
         order.sort_by_key(|&index| fixes.get(index).map(|fix| fix.span));
-        let mut fixed = Applied { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
+        let mut fixed = FixedText { text: String::with_capacity(text.len()), applied: Vec::with_capacity(fixes.len()) };
         let mut done = 0;
         for index in order {
             let Some(fix) = fixes.get(index) else { continue };
             let range = fix.span.range();
-            // `get` is `None` for what overlaps the last fix, too.
+            // `get` also returns `None` if the range overlaps the last fix.
             if let (Some(kept), Some(_)) = (text.get(done..range.start), text.get(range.clone())) {
                 fixed.text.push_str(kept);
                 fixed.text.push_str(&fix.replacement);
@@ -49,16 +49,16 @@ impl Fix {
     }
 }
 
-/// The fixes of many diagnostics, of which nothing else is kept: 12 bytes for each, and the replacement.
+/// The fixes of many diagnostics, without the rest of these: 12 bytes each, and the replacement.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Fixes {
-    /// What is replaced, and where the replacement ends in `replacements`.
+    /// The replaced part, and the end of its replacement in `replacements`.
     spans: Vec<(Span, u32)>,
     replacements: String,
 }
 
 impl Fixes {
-    /// Adds a fix, unless there are 4 GiB of them.
+    /// Adds a fix, unless there are 4 GiB of replacements.
     pub(crate) fn push(&mut self, fix: &Fix) {
         if let Ok(end) = u32::try_from(self.replacements.len() + fix.replacement.len()) {
             self.replacements.push_str(&fix.replacement);
@@ -66,7 +66,7 @@ impl Fixes {
         }
     }
 
-    /// The fixes in the order in which they were added.
+    /// Returns the fixes in the order in which they were added.
     pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = Fix> {
         let mut start = 0;
         self.spans.iter().map(move |&(span, end)| {

@@ -1,14 +1,14 @@
-//! The levels that a project gives to rules, and diagnostics at these levels.
+//! The levels of rules in a project, and their effect on diagnostics.
 
 use crate::{Code, Diagnostic, Severity};
 use std::collections::{BTreeMap, btree_map};
 
-/// The levels that a project gives to rules; all other rules have their own.
+/// The levels of rules in a project. All other rules have their default level.
 ///
-/// Rules that are allowed by default ([`Code::is_allowed_by_default`]) report nothing unless they are given one.
+/// Rules that are allowed by default ([`Code::is_allowed_by_default`]) report nothing unless their level is set.
 ///
-/// A level is a severity, or `None` to allow what the rule reports. Errors that cannot be lowered
-/// ([`Code::can_be_lowered`]) stay errors, whatever level they are given.
+/// A level is a severity, or `None` to allow the reported problems. Errors that cannot be lowered
+/// ([`Code::can_be_lowered`]) stay errors at any level.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Levels, Severity};
@@ -27,27 +27,27 @@ use std::collections::{BTreeMap, btree_map};
 pub struct Levels(BTreeMap<Code, Option<Severity>>);
 
 impl Levels {
-    /// Every rule has its own level.
+    /// Returns the default levels of all rules.
     pub fn new() -> Levels {
         Levels::default()
     }
 
-    /// Gives a rule a level; `None` allows what it reports. The last one counts.
+    /// Sets the level of a rule; `None` allows the reported problems. The last level counts.
     pub fn set(&mut self, code: Code, level: Option<Severity>) {
         self.0.insert(code, level);
     }
 
-    /// The severity with which the rule reports in this project; `None` if that is allowed.
+    /// Returns the severity of the rule in this project; `None` if its problems are allowed.
     pub fn severity(&self, code: Code) -> Option<Severity> {
         self.at(code, code.default_severity())
     }
 
-    /// Whether the rule reports with a lower severity than its own, or not at all.
+    /// Whether the rule reports with a severity below its default, or not at all.
     pub fn lowers(&self, code: Code) -> bool {
         self.severity(code) < Some(code.default_severity())
     }
 
-    /// Gives the diagnostics their levels in this project, and drops those that it allows.
+    /// Sets the severities of the diagnostics in this project, and removes allowed ones.
     pub fn apply(&self, diagnostics: &mut Vec<Diagnostic>) {
         diagnostics.retain_mut(|diagnostic| {
             let severity = self.at(diagnostic.code, diagnostic.severity);
@@ -56,7 +56,7 @@ impl Levels {
         });
     }
 
-    /// What becomes of a severity.
+    /// Returns the severity after applying the level.
     fn at(&self, code: Code, severity: Severity) -> Option<Severity> {
         match self.0.get(&code) {
             None if code.is_allowed_by_default() => None,
@@ -84,7 +84,7 @@ impl<const N: usize> From<[(Code, Option<Severity>); N]> for Levels {
     }
 }
 
-/// The levels that were set, in the order of the codes.
+/// Returns the levels that were set, ordered by code.
 impl IntoIterator for Levels {
     type Item = (Code, Option<Severity>);
     type IntoIter = btree_map::IntoIter<Code, Option<Severity>>;

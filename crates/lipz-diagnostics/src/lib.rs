@@ -1,9 +1,8 @@
-//! Diagnostics of lipz: what is wrong in dialogue, where, how bad it is, and what to do about it.
+//! Diagnostics of lipz: problems in dialogue, their positions and severities, and advice.
 //!
-//! A [`Diagnostic`] is about one place in one file; a [`Report`] has all diagnostics about a file,
-//! with its text. Each comes from a rule with a stable [`Code`], which has a [page](Code::page). A
-//! project may give rules other [`Levels`]. `Display` is for logs; [`render`] shows reports to people,
-//! editors, code scanning and build systems:
+//! A [`Diagnostic`] concerns one position in one file; a [`Report`] has all diagnostics of a file, with its text. Each
+//! comes from a rule with a stable [`Code`], which has a [page](Code::page). A project may set different [`Levels`] for
+//! rules. `Display` is for logs; [`render`] shows reports to people, editors, code scanning and build systems:
 //!
 //! ```
 //! use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
@@ -19,15 +18,15 @@
 //! );
 //! ```
 //!
-//! An editor finds all it needs in the fields: [`Source::line_column`] turns offsets into places, and
-//! [`Fix::apply_all`] applies what is certain.
+//! The fields contain all data for an editor: [`Source::line_column`] converts offsets to positions, and
+//! [`Fix::apply_all`] applies certain changes.
 //!
-//! The crate does no I/O and runs everywhere. The rules themselves are where the data is that they look
-//! at: `lipz-file`, `lipz-compiler`, `lipz-interop`. The command `lipz` prints, and chooses exit codes.
+//! The crate does no I/O and runs everywhere. The checks are in the crates with the data that they check: `lipz-file`,
+//! `lipz-compiler`, `lipz-interop`. The command `lipz` prints, and chooses exit codes.
 //!
 //! # Features
 //!
-//! * `human` (on by default): [`render::human`] and [`render::Human`], text with the marked source.
+//! * `human` (on by default): [`render::human`] and [`render::HumanStyle`], text with the marked source.
 //! * `json`: [`render::json`], [`render::sarif`] and [`render::gitlab`], documents for programs.
 
 mod baseline;
@@ -48,7 +47,7 @@ pub use baseline::Baseline;
 pub use code::{Code, UnknownCode};
 pub use diagnostic::{Diagnostic, Fix, Label, Severity};
 pub use error::DiagnosticsError;
-pub use fix::Applied;
+pub use fix::FixedText;
 pub use levels::Levels;
 pub use report::Report;
 pub use source::{LineColumn, Source, Span};

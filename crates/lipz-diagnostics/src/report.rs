@@ -1,4 +1,4 @@
-//! Diagnostics grouped by the file that they are about.
+//! Diagnostics grouped by file.
 
 use crate::render::Places;
 use crate::{Code, Diagnostic, Severity, Source};
@@ -7,48 +7,48 @@ use std::fmt;
 /// U+FEFF in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// Stands for a byte that is not UTF-8: the character of one byte that ASCII has for this.
+/// Replaces a byte that is not UTF-8: the substitute character of ASCII, which is one byte long.
 const SUBSTITUTE: char = '\u{1A}';
 
-/// The diagnostics in one file, with its text for showing them.
+/// The diagnostics of one file, with its text for excerpts.
 #[derive(Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct Report {
     /// The file.
     pub source: Source,
-    /// The diagnostics, in the order of their places.
+    /// The diagnostics, ordered by position.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl Report {
-    /// Diagnostics in a file, in the order of their places. Their spans are places in the text of `source`.
+    /// Returns diagnostics in a file, ordered by position. Their spans refer to the text of `source`.
     pub fn new(source: Source, diagnostics: Vec<Diagnostic>) -> Report {
         Report { source, diagnostics }
     }
 
-    /// One diagnostic about a file as a whole, or about no file if `path` is empty.
+    /// Returns one diagnostic about a file as a whole, or without a file if `path` is empty.
     pub fn about(path: impl Into<String>, diagnostic: Diagnostic) -> Report {
         Report::all_about(path, vec![diagnostic])
     }
 
-    /// Diagnostics about a file as a whole.
+    /// Returns diagnostics about a file as a whole.
     pub fn all_about(path: impl Into<String>, diagnostics: Vec<Diagnostic>) -> Report {
         Report::new(Source::new(path, ""), diagnostics)
     }
 
-    /// Diagnostics in a file with these bytes: a byte order mark is no part of the text, and each byte that is not
-    /// UTF-8 is replaced by one of U+001A, so that all places stay where they are.
+    /// Returns diagnostics in a file with these bytes. A byte order mark is not part of the text, and each byte that is
+    /// not UTF-8 is replaced by one U+001A, so that positions do not change.
     pub fn from_bytes(path: impl Into<String>, bytes: &[u8], diagnostics: Vec<Diagnostic>) -> Report {
         let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         Report::new(Source::new(path, readable(text)), diagnostics)
     }
 
-    /// A diagnostic with a help line about a file as a whole, or about no file if `path` is empty.
+    /// Returns a diagnostic with a help line about a file as a whole, or without a file if `path` is empty.
     pub fn failure(path: impl Into<String>, code: Code, message: impl Into<String>, help: &str) -> Report {
         Report::about(path, Diagnostic::new(code, message).help(help))
     }
 
-    /// The number of diagnostics with this severity.
+    /// Returns the number of diagnostics with this severity.
     pub fn count(&self, severity: Severity) -> usize {
         let of_severity = self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == severity);
         of_severity.map(Diagnostic::count).sum()
@@ -60,7 +60,7 @@ impl Report {
     }
 }
 
-/// The bytes as text, in which bytes that are not UTF-8 are substitutes of the same length.
+/// Returns the bytes as text, in which bytes that are not UTF-8 are replaced by substitutes of the same length.
 fn readable(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len());
     for chunk in bytes.utf8_chunks() {
@@ -70,8 +70,8 @@ fn readable(bytes: &[u8]) -> String {
     text
 }
 
-/// Each diagnostic with its place, `voices/mayor.lipz:3:16: error[LZ0401]: …`, as compilers write them.
-/// [`render::human`](crate::render::human) shows the marked source, too.
+/// Prints each diagnostic with its position, `voices/mayor.lipz:3:16: error[LZ0401]: …`, in the format of compilers.
+/// [`render::human`](crate::render::human) also shows the marked source.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let places = Places::new(self);
@@ -83,7 +83,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// The same text, because a `main` that returns the report as an error prints it this way.
+/// Prints the same text, because a `main` that returns the report as an error prints it this way.
 impl fmt::Debug for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.diagnostics.len() {
@@ -93,7 +93,7 @@ impl fmt::Debug for Report {
     }
 }
 
-/// A report is also why something could not be done: `?` passes it on, and it prints its diagnostics.
+/// A report also serves as an error: `?` returns it, and it prints its diagnostics.
 impl std::error::Error for Report {}
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! All reports of a run: how many diagnostics they have, and their order.
+//! All reports of a run: their counts and their order.
 //!
 //! ```
 //! use lipz_diagnostics::{Code, Diagnostic, Report, Severity, reports};
@@ -14,21 +14,21 @@ use crate::{Code, Diagnostic, Report, Severity};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// How often a rule has reported.
+/// The number of diagnostics of a rule.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Frequency {
     /// The rule.
     pub code: Code,
-    /// The highest severity with which it has reported.
+    /// The highest severity of its diagnostics.
     pub severity: Severity,
-    /// Diagnostics, with those that are only counted.
+    /// The number of diagnostics, including those that are only counted.
     pub count: usize,
-    /// Diagnostics with a certain fix.
+    /// The number of diagnostics with a certain fix.
     pub fixable: usize,
 }
 
-/// The number of diagnostics with this severity.
+/// Returns the number of diagnostics with this severity.
 pub fn count(reports: &[Report], severity: Severity) -> usize {
     reports.iter().map(|report| report.count(severity)).sum()
 }
@@ -38,7 +38,7 @@ pub fn have_errors(reports: &[Report]) -> bool {
     reports.iter().any(Report::has_errors)
 }
 
-/// How often each rule has reported, the most frequent one first; rules that have not are left out.
+/// Returns the counts of all rules with diagnostics, the most frequent first.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, reports};
@@ -61,7 +61,7 @@ pub fn frequencies(reports: &[Report]) -> Vec<Frequency> {
     frequencies
 }
 
-/// Sorts reports by path and merges those about the same file. Reports without diagnostics are dropped.
+/// Sorts reports by path and merges those of the same file. Removes reports without diagnostics.
 pub fn sort(reports: &mut Vec<Report>) {
     reports.retain(|report| !report.diagnostics.is_empty());
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));

@@ -1,8 +1,8 @@
-//! Places in source files: byte spans, lines and columns.
+//! Positions in source files: byte spans, lines and columns.
 
 use std::ops::Range;
 
-/// A stretch of a source file, in bytes of its text (without a byte order mark).
+/// A part of a source file, in bytes of its text (without a byte order mark).
 ///
 /// ```
 /// use lipz_diagnostics::Span;
@@ -17,15 +17,15 @@ pub struct Span {
 }
 
 impl Span {
-    /// The span from `start` to `end`. Files are shorter than 4 GiB, see
+    /// Returns the span from `start` up to, but not including, `end`. Files are shorter than 4 GiB, see
     /// `lipz_file::MAX_FILE_BYTES`; longer ones saturate.
     pub fn new(start: usize, end: usize) -> Span {
         let clamp = |offset| u32::try_from(offset).unwrap_or(u32::MAX);
         Span { start: clamp(start), end: clamp(end) }
     }
 
-    /// The character of `text` at `place`, or its end: the way back from
-    /// [`Source::line_column`], for parsers that tell no offsets.
+    /// Returns the character of `text` at `place`, or its end. The inverse of [`Source::line_column`], for parsers that
+    /// report no offsets.
     ///
     /// ```
     /// use lipz_diagnostics::{LineColumn, Span};
@@ -40,7 +40,7 @@ impl Span {
         Span::new(start, start + length)
     }
 
-    /// The span as a range, for slicing.
+    /// Returns the span as a range, for slicing.
     pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize
     }
@@ -55,24 +55,24 @@ pub struct LineColumn {
     pub column: u32,
 }
 
-/// A source file: how messages name it, and its text where there is one.
+/// A source file: its name in messages, and its text if there is one.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
 pub struct Source {
-    /// Path as the user gave it, with `/`.
+    /// Path as given by the user, with `/`.
     pub path: String,
     /// The text, without a byte order mark. Bytes that are not UTF-8 are replaced.
     pub text: String,
 }
 
 impl Source {
-    /// A file with this name and text.
+    /// Returns a file with this name and text.
     pub fn new(path: impl Into<String>, text: impl Into<String>) -> Source {
         Source { path: path.into(), text: text.into() }
     }
 
-    /// Line and column of a byte offset; offsets past the end are the end. It reads the text up to there: who asks for
-    /// thousands of places keeps the starts of lines, as [`render`](crate::render) does.
+    /// Returns line and column of a byte offset; offsets past the end lead to the end. Reads the text up to there. For
+    /// thousands of positions, store the starts of lines, as [`render`](crate::render) does.
     pub fn line_column(&self, offset: u32) -> LineColumn {
         let mut offset = (offset as usize).min(self.text.len());
         while !self.text.is_char_boundary(offset) {

@@ -1,16 +1,15 @@
-//! "Did you mean": the known name that a misspelt one is nearest to.
+//! "Did you mean": the known name nearest to a misspelt one.
 
-/// Bytes of the longest name that is compared: the work grows with the product of the lengths.
+/// The greatest length of names that are compared, in bytes, because the work grows with the product of the lengths.
 const LONGEST_COMPARED: usize = 200;
 
-/// Letters of a known name for each one that may differ.
+/// The number of letters of a known name per letter that may differ.
 const LETTERS_PER_CHANGE: usize = 3;
 
-/// The known name that someone who wrote `written` probably meant, the first of several that are
-/// equally near.
+/// Returns the known name that was probably meant by `written`, or the first of several that are equally near.
 ///
-/// Case, separators and other signs make no difference, and of every three letters of the known name
-/// one may be missing, wrong, too many or swapped with the next.
+/// Case, separators and other signs are ignored. In every three letters of the known name, one may be missing, wrong,
+/// extra or swapped with the next.
 ///
 /// ```
 /// use lipz_diagnostics::suggest;
@@ -23,7 +22,7 @@ pub fn nearest<'k>(written: &str, known: impl IntoIterator<Item = &'k str>) -> O
     near.min_by_key(|&(distance, _)| distance).map(|(_, known)| known)
 }
 
-/// The letters to change to get from `written` to `known`; `None` if they are too many for a
+/// Returns the number of letters to change to get from `written` to `known`; `None` if there are too many for a
 /// misspelling.
 ///
 /// ```
@@ -41,7 +40,7 @@ pub fn distance(written: &str, known: &str) -> Option<usize> {
     (distance * LETTERS_PER_CHANGE <= known.chars().count()).then_some(distance)
 }
 
-/// What is compared: letters and digits, in lower case.
+/// Returns the compared form: letters and digits, in lower case.
 fn letters(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }

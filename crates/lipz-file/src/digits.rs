@@ -3,26 +3,26 @@
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use std::fmt;
 
-/// Digits that a record of the bank can count.
+/// The maximal number of digits, because a record of the bank has 16 bits for it.
 const MAX_DIGITS: usize = u16::MAX as usize;
 
-/// A loop or a power transfer: one digit or more.
+/// A loop or a power transfer: one or more digits.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Digits(String);
 
 /// Why a text is not a loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NotDigits {
-    /// There are none.
+    /// The text is empty.
     Empty,
-    /// A character other than a digit, and the byte at which it is.
+    /// A character other than a digit, and its offset in bytes.
     Foreign(char, usize),
-    /// More than a bank can store.
+    /// There are more digits than a bank can store.
     TooMany,
 }
 
 impl Digits {
-    /// The digits in `text`.
+    /// Parses the digits in `text`.
     ///
     /// ```
     /// use lipz_file::digits::{Digits, NotDigits};
@@ -31,7 +31,7 @@ impl Digits {
     /// ```
     ///
     /// # Errors
-    /// If they are not digits from 0 to 9, none at all, or more than 65,535.
+    /// If there are characters other than digits from 0 to 9, no digits, or more than 65,535 digits.
     pub fn parse(text: &str) -> Result<Digits, NotDigits> {
         if let Some((at, foreign)) = text.char_indices().find(|(_, c)| !c.is_ascii_digit()) {
             return Err(NotDigits::Foreign(foreign, at));
@@ -43,7 +43,7 @@ impl Digits {
         }
     }
 
-    /// The digits.
+    /// Returns the digits.
     pub fn as_str(&self) -> &str {
         &self.0
     }
@@ -56,16 +56,16 @@ impl fmt::Display for Digits {
 }
 
 impl NotDigits {
-    /// The diagnostic about the setting `name`, whose value is at `value`. `text_start` is the byte at which its text
-    /// starts, if it is there unescaped: then only the foreign character is marked.
+    /// Returns the diagnostic for the setting `name`, whose value is at `value`. `text_start` is the offset of the
+    /// value's text in bytes, if it has no escapes: then only the foreign character is marked.
     pub fn diagnostic(self, name: &str, value: Span, text_start: Option<usize>) -> Diagnostic {
         let (what, help) = match self {
             NotDigits::Empty => ("is empty".to_owned(), "write at least one digit; 0 alone keeps the morph still"),
             NotDigits::Foreign(c, _) => {
-                let what = format!("has {}, which is not a digit", escape::character(c));
-                (what, "each digit, 0 to 9, says how far the morph moves")
+                let what = format!("contains {}, which is not a digit", escape::character(c));
+                (what, "write digits from 0 to 9, one for each position of the morph")
             }
-            NotDigits::TooMany => ("has too many digits".to_owned(), "a bank stores loops of up to 65,535 digits"),
+            NotDigits::TooMany => ("has too many digits".to_owned(), "write at most 65,535 digits"),
         };
         let span = match (self, text_start) {
             (NotDigits::Foreign(c, at), Some(start)) => Span::new(start + at, start + at + c.len_utf8()),

@@ -1,8 +1,8 @@
-//! The document model: the elements of a Lipz file in file order, with the places of their characters.
+//! The document model: the elements of a Lipz file in file order, with the positions of their characters.
 
-use crate::spelled::Walk;
+use crate::literal_walk::LiteralWalk;
 #[cfg(feature = "format")]
-use crate::spelled::first_character;
+use crate::literal_walk::first_character;
 use crate::text;
 use lipz_diagnostics::Span;
 use std::borrow::Cow;
@@ -25,46 +25,46 @@ pub struct Element<'s> {
     pub value: Value<'s>,
 }
 
-/// The value of an element, as far as the format looks into it.
+/// The value of an element, as far as the format interprets it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Value<'s> {
     /// A string, escapes decoded.
     String(JsonString<'s>),
-    /// A number in its spelling: `24`, `24.0`, `2.4e1`.
-    Number(Raw<'s>),
+    /// A number as spelled: `24`, `24.0`, `2.4e1`.
+    Number(RawJson<'s>),
     /// Anything else (`true`, `null`, an array, an object) as JSON text.
-    Other(Raw<'s>),
+    Other(RawJson<'s>),
 }
 
-/// JSON text that is kept as it is spelled.
+/// JSON text, kept as spelled.
 #[derive(Clone, Debug)]
-pub struct Raw<'s> {
+pub struct RawJson<'s> {
     /// The text.
     pub text: Cow<'s, str>,
-    /// Where it is.
+    /// The position of the text.
     pub span: Span,
 }
 
-/// A decoded JSON string that knows where each of its characters is in the file.
+/// A decoded JSON string with the position of each of its characters in the file.
 #[derive(Clone, Debug)]
 pub struct JsonString<'s> {
     /// The decoded characters.
     pub text: Cow<'s, str>,
-    /// The literal with its quotes, if the file has them; empty in a document that was not read from a file.
+    /// The literal as in the file, usually with quotes; empty in a document that was not read from a file.
     literal: &'s str,
-    /// Where the literal starts in the file.
+    /// The offset of the literal in the file.
     start: u32,
 }
 
-/// Values are equal when they say the same, wherever they are.
-impl PartialEq for Raw<'_> {
+/// Values are equal if they have the same text, at any position.
+impl PartialEq for RawJson<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text
     }
 }
-impl Eq for Raw<'_> {}
+impl Eq for RawJson<'_> {}
 
-/// Strings are equal when they say the same, however they are escaped and wherever they are.
+/// Strings are equal if they have the same text, with any escapes and at any position.
 impl PartialEq for JsonString<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text
@@ -73,12 +73,12 @@ impl PartialEq for JsonString<'_> {
 impl Eq for JsonString<'_> {}
 
 impl<'s> Document<'s> {
-    /// The element with this name.
+    /// Returns the element with this name.
     pub fn get(&self, name: &str) -> Option<&Element<'s>> {
         self.elements.iter().find(|element| element.name.text == name)
     }
 
-    /// The text of the string element with this name.
+    /// Returns the text of the string element with this name.
     pub fn string(&self, name: &str) -> Option<&str> {
         match &self.get(name)?.value {
             Value::String(string) => Some(&string.text),
@@ -86,9 +86,9 @@ impl<'s> Document<'s> {
         }
     }
 
-    /// The names of elements that are lost if `other` takes the place of this document: those that it does not have,
-    /// or has with another value. What recordings decide (`visemes`, `viseme_type`, `fps`) does not count, nor do
-    /// strings without characters to display.
+    /// Returns the names of elements that are lost if `other` replaces this document: those that it lacks, or has with
+    /// a different value. Elements that depend on recordings (`visemes`, `viseme_type`, `fps`) do not count, nor do
+    /// strings without displayed characters.
     pub fn lost_in<'a>(&'a self, other: &'a Document<'_>) -> impl Iterator<Item = &'a str> {
         let is_work = |element: &&Element<'_>| match &element.value {
             _ if matches!(&*element.name.text, "visemes" | "viseme_type" | "fps") => false,
@@ -106,7 +106,7 @@ impl<'s> Document<'s> {
     }
 }
 
-/// Whether two values differ at most in blanks around `|`, which only bring it below others.
+/// Whether two values differ at most in spaces around `|`, which only align it.
 fn says_the_same(one: &Value<'_>, other: &Value<'_>) -> bool {
     match (one, other) {
         (Value::String(one), Value::String(other)) => trimmed(&one.text).eq(trimmed(&other.text)),
@@ -114,13 +114,13 @@ fn says_the_same(one: &Value<'_>, other: &Value<'_>) -> bool {
     }
 }
 
-/// The segments of a text without the blanks at their ends.
+/// Returns the trimmed segments of a text.
 fn trimmed(text: &str) -> impl Iterator<Item = &str> {
     text::segments(text).map(|range| text::trim(text.get(range).unwrap_or_default()))
 }
 
 impl Value<'_> {
-    /// Where the value is, with the quotes of a string.
+    /// Returns the position of the value, including the quotes of a string.
     pub fn span(&self) -> Span {
         match self {
             Value::String(string) => string.span(),
@@ -128,7 +128,7 @@ impl Value<'_> {
         }
     }
 
-    /// What the value is, as a writer would call it.
+    /// Returns the type of the value in the words of a writer.
     pub fn type_name(&self) -> &'static str {
         match self {
             Value::String(_) => "a string",
@@ -143,39 +143,39 @@ impl Value<'_> {
     }
 }
 
-impl<'s> Raw<'s> {
-    /// JSON text that is in no file.
-    pub fn new(text: impl Into<Cow<'s, str>>) -> Raw<'s> {
-        Raw { text: text.into(), span: Span::default() }
+impl<'s> RawJson<'s> {
+    /// Returns JSON text that is not from a file.
+    pub fn new(text: impl Into<Cow<'s, str>>) -> RawJson<'s> {
+        RawJson { text: text.into(), span: Span::default() }
     }
 }
 
 impl<'s> From<Cow<'s, str>> for JsonString<'s> {
-    /// A string that is in no file.
+    /// Returns a string that is not from a file.
     fn from(text: Cow<'s, str>) -> Self {
         JsonString { text, literal: "", start: 0 }
     }
 }
 
 impl<'s> JsonString<'s> {
-    /// The string with this literal (quotes included), which starts at byte `start` of the file.
+    /// Returns the string with this literal (quotes included), which starts at byte `start` of the file.
     pub(crate) fn from_literal(text: Cow<'s, str>, literal: &'s str, start: u32) -> JsonString<'s> {
         JsonString { text, literal, start }
     }
 
-    /// Where the literal is, with its quotes.
+    /// Returns the position of the literal, including its quotes.
     pub fn span(&self) -> Span {
         Span::new(self.start as usize, self.start as usize + self.literal.len())
     }
 
-    /// Where the characters of `range` (bytes of the decoded text) are in the file, escapes
-    /// included. An empty range gives an empty span.
+    /// Returns the position of the characters of `range` (bytes of the decoded text) in the file, including escapes. An
+    /// empty range leads to an empty span.
     pub fn span_of(&self, range: Range<usize>) -> Span {
         self.spans_of([range]).next().unwrap_or_default()
     }
 
-    /// Where each of the ranges is, as [`span_of`](Self::span_of) says. Ranges that ascend are found in one walk through the
-    /// string, however many there are.
+    /// Returns the position of each range, like [`span_of`](Self::span_of). Any number of ascending ranges is found in
+    /// one walk through the string.
     pub fn spans_of(&self, ranges: impl IntoIterator<Item = Range<usize>>) -> impl Iterator<Item = Span> {
         let mut walk = self.walk();
         ranges.into_iter().map(move |range| {
@@ -185,13 +185,13 @@ impl<'s> JsonString<'s> {
         })
     }
 
-    /// The literal as it is spelled in the file, or as [`literal`](crate::literal) spells it.
+    /// Returns the literal as spelled in the file, or by [`literal`](crate::literal).
     #[cfg(feature = "format")]
     pub(crate) fn spelling(&self) -> Cow<'_, str> {
         if self.literal.is_empty() { Cow::Owned(crate::literal(&self.text)) } else { Cow::Borrowed(self.literal) }
     }
 
-    /// The characters, each with its spelling in the file: `é` with `é` or `\u00e9`.
+    /// Returns the characters, each with its spelling in the file: `é` with `é` or `\u00e9`.
     #[cfg(feature = "format")]
     pub(crate) fn characters(&self) -> impl Iterator<Item = (char, &str)> {
         let mut rest = self.literal.get(1..).unwrap_or_default();
@@ -205,17 +205,17 @@ impl<'s> JsonString<'s> {
         })
     }
 
-    /// A walk through the inner part of the literal; `None` where escapes need no walk.
-    fn walk(&self) -> Option<Walk<'_>> {
+    /// Returns a walk through the inner part of the literal; `None` if there are no escapes.
+    fn walk(&self) -> Option<LiteralWalk<'_>> {
         let inner = self.literal.strip_prefix('"')?.get(..self.literal.len().checked_sub(2)?)?;
-        (inner.len() != self.text.len()).then(|| Walk::new(inner))
+        (inner.len() != self.text.len()).then(|| LiteralWalk::new(inner))
     }
 
-    /// Offset in the literal of the character that starts at byte `decoded` of the text.
-    fn source_offset(&self, walk: &mut Option<Walk<'_>>, decoded: usize) -> usize {
+    /// Returns the offset in the literal of the character that starts at byte `decoded` of the text.
+    fn source_offset(&self, walk: &mut Option<LiteralWalk<'_>>, decoded: usize) -> usize {
         match walk {
             Some(walk) => 1 + walk.to(decoded),
-            None if !self.literal.starts_with('"') => decoded, // one without quotes
+            None if !self.literal.starts_with('"') => decoded, // no quotes
             None if self.literal.len() < 2 => 0,
             None => 1 + decoded, // no escapes
         }

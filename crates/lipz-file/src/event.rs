@@ -1,5 +1,4 @@
-//! Character Event Syntax: what the events of a segment say (Lipz specification, last chapter), and the gestures that lipz
-//! adds.
+//! Character Event Syntax: the events of a segment (Lipz specification, last chapter), and the gestures that lipz adds.
 
 use crate::curve::thousandths;
 use crate::emotion::Blend;
@@ -8,13 +7,13 @@ pub use lipz_types::Command;
 use std::fmt;
 use std::ops::Range;
 
-/// What separates the events of a segment.
+/// The separator of the events of a segment.
 pub const SEPARATOR: char = ',';
 
-/// The verb that a blend of emotions follows.
+/// The verb before a blend of emotions.
 const FEELS: &str = "feels";
 
-/// What lipz adds besides verbs that a number may follow.
+/// The verb that lipz adds, in addition to those that accept a number.
 const BLINKS: &str = "blinks";
 const LOOKS: &str = "looks";
 const AWAY: &str = "away";
@@ -23,17 +22,17 @@ const AWAY: &str = "away";
 pub const EMOTIONS: [&str; 11] =
     ["neutral", "amused", "happy", "sad", "irritated", "angry", "suspicious", "confused", "afraid", "thinking", "evil"];
 
-/// A word of a segment, and where it stands.
+/// A word of a segment, with its position.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Word<'t> {
     /// The word.
     pub text: &'t str,
-    /// Where it starts, in bytes of the segment.
+    /// The offset in bytes of the segment.
     pub start: usize,
 }
 
 impl Word<'_> {
-    /// Where the word is, in bytes of the segment.
+    /// Returns the position of the word, in bytes of the segment.
     pub fn range(&self) -> Range<usize> {
         self.start..self.start + self.text.len()
     }
@@ -41,19 +40,19 @@ impl Word<'_> {
 
 /// One event: `[character] verb …`.
 ///
-/// It is displayed as it is written, with one blank between the words. Of a [blend](crate::emotion), its object is the strongest
-/// emotion.
+/// It is displayed as written, with one space between the words. The object of a [blend](crate::emotion) is its
+/// strongest emotion.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Event<'t> {
-    /// Who; `None` for the speaker of the clip.
+    /// The character that acts; `None` for the speaker of the clip.
     pub character: Option<Word<'t>>,
-    /// What.
+    /// The action of the character.
     pub command: Command<Word<'t>, Word<'t>>,
-    /// Where the verb is, in bytes of the segment; both words of `stops staring`.
+    /// The position of the verb, in bytes of the segment; both words for `stops staring`.
     pub verb: Range<usize>,
 }
 
-/// The command of these two words.
+/// Returns the command of these two words.
 fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>, Word<'t>>> {
     Some(match (verb, object.text) {
         ("feels", _) => Command::Feels(object),
@@ -67,7 +66,7 @@ fn command<'t>(verb: &str, object: Word<'t>) -> Option<Command<Word<'t>, Word<'t
     })
 }
 
-/// The gesture that these words are, and where its verb is.
+/// Parses words as a gesture. Returns it with the position of its verb.
 fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>, Word<'t>>, Range<usize>)> {
     let is_number = |word: &Word<'_>| thousandths(word.text).is_ok_and(|number| number >= 0);
     let (verb, number) = match words {
@@ -89,7 +88,7 @@ fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>, Word<'t>
 }
 
 impl Event<'_> {
-    /// The number of a gesture in thousandths; `None` if there is none.
+    /// Returns the number of a gesture in thousandths; `None` if there is none.
     pub fn number(&self) -> Option<i32> {
         thousandths(self.command.amount()?.text).ok()
     }
@@ -108,17 +107,17 @@ impl fmt::Display for Event<'_> {
     }
 }
 
-/// A stretch of a segment between two `,`: one event, or some other syntax.
+/// A part of a segment between two `,`: one event, or a different syntax.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Part<'t> {
-    /// The stretch with the white space around it.
+    /// The part with the whitespace around it.
     pub text: &'t str,
-    /// Where it starts, in bytes of the segment.
+    /// The offset in bytes of the segment.
     pub start: usize,
 }
 
 impl<'t> Part<'t> {
-    /// The words of the part.
+    /// Returns the words of the part.
     pub fn words(self) -> impl Iterator<Item = Word<'t>> {
         let mut at = 0;
         std::iter::from_fn(move || {
@@ -130,12 +129,12 @@ impl<'t> Part<'t> {
         })
     }
 
-    /// The event that the part is; `None` if it is some other syntax.
+    /// Parses the part as an event; `None` if it has a different syntax.
     pub fn event(self) -> Option<Event<'t>> {
         self.short_event().or_else(|| self.feeling().map(|(event, _)| event)).or_else(|| self.gesture())
     }
 
-    /// The event `[character] feels BLEND` that the part is, with its blend; `None` if it is something else.
+    /// Parses the part as the event `[character] feels BLEND`, with its blend; `None` if it is something else.
     pub fn feeling(self) -> Option<(Event<'t>, Blend<'t>)> {
         let mut words = self.words();
         let (first, second) = (words.next()?, words.next()?);
@@ -150,7 +149,7 @@ impl<'t> Part<'t> {
         Some((Event { character, command, verb: verb.range() }, blend))
     }
 
-    /// An event that lipz adds: `[character] nods [number]`.
+    /// Parses an event that lipz adds: `[character] nods [number]`.
     fn gesture(self) -> Option<Event<'t>> {
         let words: Vec<Word<'t>> = self.words().take(4).collect();
         let of = |character, words: &[Word<'t>]| {
@@ -160,7 +159,7 @@ impl<'t> Part<'t> {
         of(None, &words).or_else(|| words.split_first().and_then(|(character, rest)| of(Some(*character), rest)))
     }
 
-    /// An event of the specification.
+    /// Parses an event of the specification.
     fn short_event(self) -> Option<Event<'t>> {
         let mut words = self.words();
         let (first, second, third) = (words.next()?, words.next()?, words.next());
@@ -177,7 +176,7 @@ impl<'t> Part<'t> {
     }
 }
 
-/// The parts of a segment between `,`; there is always at least one.
+/// Returns the parts of a segment between `,`. There is always at least one.
 pub fn parts(segment: &str) -> impl Iterator<Item = Part<'_>> {
     let mut start = 0;
     segment.split(SEPARATOR).map(move |text| {
@@ -187,8 +186,8 @@ pub fn parts(segment: &str) -> impl Iterator<Item = Part<'_>> {
     })
 }
 
-/// The events of a segment, separated by `,`; `None` if a part of it is some other syntax, as in
-/// scripts: then the segment is one string that only the game understands.
+/// Returns the events of a segment, separated by `,`. `None` if a part has a different syntax, as in scripts: the
+/// segment is then one string, which only the game interprets.
 ///
 /// An empty segment has no events.
 ///
@@ -207,7 +206,8 @@ pub fn parse(segment: &str) -> Option<impl Iterator<Item = Event<'_>>> {
     is_whole.then(|| parts(segment).filter_map(Part::event))
 }
 
-/// The events `[character] feels BLEND` of a segment, with their blends; none if a part of it is some other syntax.
+/// Returns the events `[character] feels BLEND` of a segment, with their blends. Empty if a part has a different
+/// syntax.
 ///
 /// ```
 /// use lipz_file::event::feelings;
@@ -215,7 +215,7 @@ pub fn parse(segment: &str) -> Option<impl Iterator<Item = Event<'_>>> {
 /// assert_eq!(feelings("say('feels fear 4'), feels fear 4").count(), 0);
 /// ```
 pub fn feelings(segment: &str) -> impl Iterator<Item = (Event<'_>, Blend<'_>)> {
-    // Most events are others.
+    // Most events have other verbs.
     let is_whole = segment.contains(FEELS) && parse(segment).is_some();
     parts(segment).filter(move |_| is_whole).filter_map(Part::feeling)
 }
@@ -229,7 +229,7 @@ mod tests {
         parse(segment).map(Iterator::collect)
     }
 
-    /// Character, verb and object of the one event in `segment`.
+    /// Returns character, verb and object of the only event in `segment`.
     fn one(segment: &str) -> Option<(Option<&str>, &str, Option<&str>)> {
         match all(segment)?.as_slice() {
             [event] => Some((
@@ -273,7 +273,7 @@ mod tests {
             assert_eq!(one(&format!(" amy {text}")), Some((Some("amy"), verb, number)));
         }
         assert_eq!(all("nods 2.5").unwrap()[0].number(), Some(2500));
-        // What meant something before means it still.
+        // Syntax of the specification keeps its meaning.
         assert_eq!(one("nods feels sad"), Some((Some("nods"), "feels", Some("sad"))));
         assert_eq!(one("looks sees away"), Some((Some("looks"), "sees", Some("away"))));
         for text in ["nods -1", "nods twice", "nods 4 5", "blinks 2", "looks", "looks door", "amy bob nods"] {
@@ -324,7 +324,7 @@ mod tests {
     }
 
     proptest! {
-        /// Events that are displayed and parsed again are the same.
+        /// Displaying and parsing events returns the same events.
         #[test]
         fn parse_and_display(events in proptest::collection::vec(event(), 1..4)) {
             let padded = events.join(" \t,\r\n ").replace(' ', "  ");

@@ -1,10 +1,10 @@
 //! Lipz files: the JSON format for spoken dialogue, as a library.
 //!
-//! A Lipz file holds one voice clip: one mouth-shape code per frame, subtitles per locale, events
-//! per segment (Lipz File Format 1.0 by Erik Hermansen). This crate reads such a file into a
-//! [`Document`] that knows where each of its characters stands, writes it again, and carries the
-//! rules that the format states about [texts](mod@text), [locales](mod@locale) and
-//! [frame rates](mod@rate). What is wrong with a file is a list of [`Diagnostic`](lipz_diagnostics::Diagnostic)s.
+//! A Lipz file contains one voice clip: one viseme code per frame, subtitles per locale, and events per segment (Lipz
+//! File Format 1.0 by Erik Hermansen). This crate parses such a file into a [`Document`] that stores the position of
+//! each character, and writes it again. It also implements the format's rules for [texts](mod@text),
+//! [locales](mod@locale) and [frame rates](mod@rate). Problems of a file are a list of
+//! [`Diagnostic`](lipz_diagnostics::Diagnostic)s.
 //!
 //! ```
 //! let file = br#"{ "fps": 24, "visemes": "SMA-|EOO-", "text_en-us": "Hello, |Amy." }"#;
@@ -16,8 +16,8 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! What is not here: checks of one element against another and project-wide rules (crate
-//! `lipz-compiler`), the binary bank (`lipz-bank`), printing (`lipz`).
+//! Other crates check elements against each other and apply project-wide rules (`lipz-compiler`), read the binary bank
+//! (`lipz-bank`), and print (`lipz`).
 
 pub mod curve;
 pub mod digits;
@@ -26,16 +26,18 @@ pub mod emotion;
 pub mod event;
 #[cfg(feature = "format")]
 pub mod format;
+mod literal_walk;
 pub mod locale;
 mod parse;
 pub mod rate;
 pub mod schema;
-mod spelled;
 pub mod text;
 mod write;
 
-pub use document::{Document, Element, JsonString, Raw, Value};
-pub use parse::{Fragment, MAX_FILE_BYTES, Parsed, decode, decode_marked, parse, too_large, without_byte_order_mark};
+pub use document::{Document, Element, JsonString, RawJson, Value};
+pub use parse::{
+    Fragment, MAX_FILE_BYTES, ParsedFile, decode, decode_marked, parse, too_large, without_byte_order_mark,
+};
 pub use write::{literal, write};
 
 /// The example of the README, run as a test.

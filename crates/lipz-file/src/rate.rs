@@ -1,24 +1,24 @@
-//! Frame rates: from the decimal spelling of `fps` to an exact ratio.
+//! Frame rates: conversion of the decimal spelling of `fps` to an exact ratio.
 
-/// A frame rate read from decimal digits.
+/// A frame rate from decimal digits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Rate {
     /// Frames in `denominator` seconds.
     pub numerator: u32,
     /// Seconds; the ratio is in lowest terms.
     pub denominator: u32,
-    /// Whether the ratio is exactly what the digits say, not only the nearest one.
+    /// Whether the ratio is exactly the number in the digits, and not only the nearest one.
     pub is_exact: bool,
 }
 
-/// Decimal places that 128 bits hold for numbers up to 1000.
+/// The decimal places that fit 128 bits, for numbers up to 1000.
 const MAX_PLACES: usize = 34;
 
-/// The ratio that a JSON number spells; `None` outside 1 to 1000 (Lipz specification, `fps`).
+/// Returns the ratio of a JSON number; `None` outside 1 to 1000 (Lipz specification, `fps`).
 ///
-/// 23.976 is 2997/125, not 24000/1001: the digits count. Digits that no ratio of 32-bit numbers
-/// holds give the nearest such ratio, and `is_exact` is false. 23.976023976023978 is 24000/1001: these are all digits
-/// that a 64-bit floating-point number of it has, which other programs write.
+/// 23.976 is 2997/125, not 24000/1001, because the digits count. If no ratio of 32-bit numbers is exact, returns the
+/// nearest one, and `is_exact` is false. 23.976023976023978 is 24000/1001: it has all digits of the 64-bit
+/// floating-point number, which other programs write.
 ///
 /// ```
 /// use lipz_file::rate::{Rate, parse};
@@ -34,7 +34,7 @@ pub fn parse(number: &str) -> Option<Rate> {
     }
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    // An exponent beyond i64 leaves the range, or meets a mantissa too long for any file.
+    // An exponent beyond i64 is out of range, unless the mantissa is too long for any file.
     let exponent: i64 = exponent.strip_prefix('+').unwrap_or(exponent).parse().ok()?;
     if !whole.bytes().chain(fraction.bytes()).all(|byte| byte.is_ascii_digit()) {
         return None; // a minus sign: negative
@@ -44,7 +44,7 @@ pub fn parse(number: &str) -> Option<Rate> {
     let leading_zeros = digits.len() - digits.trim_start_matches('0').len();
     let point = point.checked_sub(i64::try_from(leading_zeros).ok()?)?;
     let digits = digits.trim_matches('0');
-    // The value is 0.digits · 10^point, and the first digit is not 0: 1 … 9999.9… in the range.
+    // The value is 0.digits · 10^point, and the first digit is not 0: 1 … 9999.9… for values in range.
     let point = usize::try_from(point).ok().filter(|point| (1..=4).contains(point) && !digits.is_empty())?;
     let places = digits.len().saturating_sub(point).min(MAX_PLACES);
     let mut value: u128 = 0;
@@ -62,15 +62,15 @@ pub fn parse(number: &str) -> Option<Rate> {
     Some(Rate { numerator, denominator, is_exact })
 }
 
-/// Whether the digits are those of a rate of video, `24000/1001` and its like, as a program prints the nearest
-/// 64-bit floating-point number: it could not be said more exactly.
+/// Whether the digits are a video rate, such as `24000/1001`, in the form in which programs print the nearest 64-bit
+/// floating-point number. It cannot be more exact.
 fn is_ntsc_double(number: &str, numerator: u32, denominator: u32) -> bool {
     let is_ntsc = 1001 % denominator == 0 && u64::from(numerator) * u64::from(1001 / denominator) % 1000 == 0;
     is_ntsc && number.parse() == Ok(f64::from(numerator) / f64::from(denominator))
 }
 
-/// `value / scale` in lowest terms if both fit 32 bits, otherwise the last convergent of its
-/// continued fraction that does.
+/// Returns `value / scale` in lowest terms if both fit 32 bits, otherwise the last convergent of its continued fraction
+/// that does.
 fn nearest_ratio(value: u128, scale: u128) -> (u32, u32, bool) {
     let (mut dividend, mut divisor) = (value, scale);
     let (mut before, mut last) = ((0_u128, 1_u128), (1_u128, 0_u128));

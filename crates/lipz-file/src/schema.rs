@@ -1,23 +1,23 @@
-//! The JSON Schema of Lipz files: so that editors complete elements, explain them and mark faults.
+//! The JSON Schema of Lipz files, with which editors complete elements, explain them and mark errors.
 //!
-//! A schema says less than the checks of the compiler: it cannot count segments or know what a game
-//! shows. What it can say, it says of the same constants as the checks.
+//! A schema covers less than the checks of the compiler: it cannot count segments or include the rules of a game. For
+//! its rules, it uses the same constants as the checks.
 
 use crate::text::DELIMITER;
 use lipz_types::VisemeType;
 use serde_json::{Map, Value, json};
 
-/// Where the schema is published.
+/// The published address of the schema.
 pub const ID: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/lipz.schema.json");
 
 /// `ll-cc`, as in [`has_lipz_shape`](crate::locale::has_lipz_shape).
 const LIPZ_LOCALE: &str = "[a-z]{2}-[a-z]{2}";
-/// Language, script, region and variants of BCP 47 (RFC 5646, section 2.1) in lower case.
+/// Language, script, region and variants of BCP 47 (RFC 5646, section 2.1), in lower case.
 const EXTENDED_LOCALE: &str = "[a-z]{2,3}(-[a-z]{4})?(-([a-z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*";
 
-/// The schema (draft 2020-12) as indented JSON text.
+/// Returns the schema (draft 2020-12) as indented JSON text.
 ///
-/// With `extended_locales` it accepts any BCP 47 language tag in the names of texts, in lower case.
+/// With `extended_locales`, it accepts any BCP 47 language tag in the names of texts, in lower case.
 ///
 /// ```
 /// let schema = lipz_file::schema::json_schema(false);
@@ -43,8 +43,8 @@ pub fn json_schema(extended_locales: bool) -> String {
             },
             "events": {
                 "title": "Events",
-                "description": "What happens at the start of each segment, such as `feels happy` or \
-                                `mara points door`. `|` separates segments, as many as in `visemes`.",
+                "description": "Events at the start of each segment, such as `feels happy` or `mara points door`. `|` \
+                    separates segments, as many as in `visemes`.",
                 "type": "string",
                 "examples": ["feels happy|points door"],
             },
@@ -54,7 +54,7 @@ pub fn json_schema(extended_locales: bool) -> String {
             text_name.as_str(): {
                 "title": "Subtitle",
                 "description": "The text in one language and country. `|` separates segments, as many as in \
-                                `visemes`; `{…}` is a remark that is not displayed.",
+                                `visemes`; `{…}` is meta, which is not displayed.",
                 "type": "string",
                 "examples": ["Mayor?|{louder} Mayor!"],
             },
@@ -80,9 +80,8 @@ fn curves() -> Value {
     let key = r"\d+:-?\d+(\.\d+)?";
     json!({
         "title": "Curves",
-        "description": "Numbers that change while the clip plays, by their names: blend shapes, emotions. A key is \
-                        `frame:value`; keys are separated by spaces, in the order of their frames. Values have at most \
-                        three digits behind the point.",
+        "description": "Named numbers that change while the clip plays, such as blend shapes and emotions. A key is \
+            `frame:value`; keys are separated by spaces and sorted by frame. Values have at most three decimal places.",
         "type": "object",
         "propertyNames": { "minLength": 1 },
         "additionalProperties": { "type": "string", "pattern": format!(r"^\s*{key}(\s+{key})*\s*$") },
@@ -94,7 +93,7 @@ fn viseme_type() -> Value {
     let description = |kind: VisemeType| match kind {
         VisemeType::Blair => "Preston Blair's chart",
         VisemeType::ToonBoom => "Toon Boom's chart",
-        VisemeType::Rms => "Loudness of the frame: ten degrees of openness",
+        VisemeType::Rms => "Loudness of the frame: ten levels of openness",
     };
     let codes = |kind: VisemeType| kind.codes().chars().map(String::from).collect::<Vec<_>>().join(" ");
     let descriptions = VisemeType::ALL.map(|kind| format!("{}: {}", description(kind), codes(kind)));
@@ -102,12 +101,12 @@ fn viseme_type() -> Value {
         "title": "Viseme type",
         "description": format!("The set of codes in `visemes`.\n\n{}", descriptions.join("\n\n")),
         "enum": VisemeType::ALL.map(VisemeType::name),
-        // Visual Studio Code shows these beside the names.
+        // Visual Studio Code shows these next to the names.
         "enumDescriptions": descriptions,
     })
 }
 
-/// For each viseme type, and for none: the codes that `visemes` may have.
+/// Returns the valid codes of `visemes` for each viseme type, and without one.
 fn codes_per_type() -> Vec<Value> {
     let pattern = |kind: VisemeType| json!({ "pattern": format!("^[{}{DELIMITER}]*$", kind.codes()) });
     let rule =

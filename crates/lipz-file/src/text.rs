@@ -1,4 +1,4 @@
-//! Texts as a player sees them: segments, trimming, meta information.
+//! Texts as players see them: segments, trimming, meta.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -6,7 +6,7 @@ use std::ops::Range;
 /// The segment delimiter.
 pub const DELIMITER: char = '|';
 
-/// The segments of an element: the byte ranges between its delimiters. There is always at least one.
+/// Returns the segments of an element: the byte ranges between its delimiters. There is always at least one.
 pub fn segments(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     let mut start = 0;
     let ends = memchr::memchr_iter(DELIMITER as u8, text.as_bytes()).chain([text.len()]);
@@ -17,38 +17,38 @@ pub fn segments(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     })
 }
 
-/// The number of segments of an element.
+/// Returns the number of segments of an element.
 pub fn segment_count(text: &str) -> usize {
     1 + memchr::memchr_iter(DELIMITER as u8, text.as_bytes()).count()
 }
 
-/// A text without the white space at its ends, as JSON has white space: blank, tab, CR, LF.
-/// Everything else (U+00A0, U+200B, …) is content.
+/// Returns a text without the whitespace of JSON at its ends: space, tab, CR, LF. Everything else (U+00A0, U+200B, …)
+/// is content.
 pub fn trim(text: &str) -> &str {
     let is_blank = |byte: &u8| is_white_space(char::from(*byte));
     if !text.as_bytes().first().is_some_and(is_blank) && !text.as_bytes().last().is_some_and(is_blank) {
-        return text; // without a look at whole characters
+        return text; // without decoding characters
     }
     text.trim_matches(is_white_space)
 }
 
-/// White space as JSON has it: blank, tab, CR, LF.
+/// Whether a character is whitespace in JSON: space, tab, CR, LF.
 pub fn is_white_space(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\r' | '\n')
 }
 
-/// What is displayed of a segment, and what is odd about its braces.
+/// The display form of a segment, with problems of its braces.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Display<'t> {
-    /// The text without `{meta}`, then trimmed. Blanks around a removed meta stay.
+    /// The text without `{meta}`, then trimmed. Spaces around a removed meta stay.
     pub text: Cow<'t, str>,
-    /// Where braces without a partner are; they are displayed as they are.
+    /// Offsets of braces without a partner, which are displayed unchanged.
     pub unbalanced: Vec<usize>,
-    /// Where meta contains braces: the outer opening ones.
+    /// Offsets of the outer opening braces of meta that contains braces.
     pub nested: Vec<usize>,
 }
 
-/// The display form of one segment (Lipz specification, element `text_ll-cc` and "Segmenting").
+/// Returns the display form of one segment (Lipz specification, element `text_ll-cc` and "Segmenting").
 ///
 /// ```
 /// let display = lipz_file::text::display("{smiling} Hello {to: amy} there ");
@@ -71,7 +71,7 @@ pub fn display(segment: &str) -> Display<'_> {
     display
 }
 
-/// Where the `{meta}` of a segment are, with their braces: the outermost balanced pairs, in order.
+/// Returns the ranges of `{meta}` in a segment, including their braces: the outermost balanced pairs, in order.
 ///
 /// ```
 /// assert_eq!(lipz_file::text::meta_ranges("{smiling} Hello {to {amy}} {"), [0..9, 16..26]);
@@ -83,10 +83,10 @@ pub fn meta_ranges(segment: &str) -> Vec<Range<usize>> {
     }
 }
 
-/// What begins the meta information of who speaks from there on.
+/// The start of meta that names the speaker from there on.
 const SPEAKER: &str = "{speaker:";
 
-/// Who speaks, where a text says so, in order: `{speaker: Mara}`; nobody, if it says that.
+/// Returns the speakers that a text names, in order: `{speaker: Mara}`. An empty name ends the current one.
 ///
 /// ```
 /// let text = "{speaker: Mara} Hi. {smiling} {speaker:}|{speaker:Tom} Ho.";
@@ -97,12 +97,12 @@ pub fn speakers(text: &str) -> impl Iterator<Item = &str> {
     meta_ranges(text).into_iter().filter_map(name)
 }
 
-/// Whether there is anything in these bytes, such as those of a bank with its files, that [`speakers`] could find.
+/// Whether [`speakers`] could find anything in these bytes, such as a bank with its files.
 pub fn may_name_speakers(bytes: &[u8]) -> bool {
     memchr::memmem::find(bytes, SPEAKER.as_bytes()).is_some()
 }
 
-/// Where the meta information of a segment is, with its braces, in order.
+/// Returns the ranges of meta in a segment, including its braces, in order.
 ///
 /// ```
 /// let text = "{smiling} Hello {to: amy} there";
@@ -113,7 +113,7 @@ pub fn meta(segment: &str) -> Vec<Range<usize>> {
     metas(segment, &mut Vec::new(), &mut Vec::new())
 }
 
-/// The outermost balanced pairs of braces, in order.
+/// Returns the outermost balanced pairs of braces, in order.
 fn metas(segment: &str, unbalanced: &mut Vec<usize>, nested: &mut Vec<usize>) -> Vec<Range<usize>> {
     let mut open: Vec<usize> = Vec::new();
     let mut pairs: Vec<Range<usize>> = Vec::new();
@@ -123,7 +123,7 @@ fn metas(segment: &str, unbalanced: &mut Vec<usize>, nested: &mut Vec<usize>) ->
             (b'}', None) => unbalanced.push(at),
             (b'}', Some(&start)) => {
                 open.pop();
-                // Pairs inside of this one belong to it.
+                // Pairs inside this one belong to it.
                 let inner = pairs.iter().rposition(|pair| pair.start < start).map_or(0, |outside| outside + 1);
                 if inner < pairs.len() {
                     pairs.truncate(inner);

@@ -1,9 +1,9 @@
-//! Writing a document as a Lipz file.
+//! Writes a document as a Lipz file.
 
 use crate::{Document, Value};
 
-/// The document as JSON text: one element a line, two blanks of indentation, a newline at the end.
-/// Reading it again gives an equal document.
+/// Returns the document as JSON text: one element per line, indented by two spaces, with a final newline. Parsing it
+/// leads to an equal document.
 pub fn write(document: &Document<'_>) -> String {
     let mut out = String::from("{");
     for (index, element) in document.elements.iter().enumerate() {
@@ -19,7 +19,7 @@ pub fn write(document: &Document<'_>) -> String {
     out
 }
 
-/// A text as a JSON string literal, with its quotes. Characters outside ASCII stay as they are.
+/// Returns a text as a JSON string literal, including its quotes. Characters outside ASCII are unchanged.
 ///
 /// ```
 /// assert_eq!(lipz_file::literal("\"Né\"\n"), r#""\"Né\"\n""#);

@@ -1,11 +1,11 @@
-//! Files made to hurt: they are read in linear time, without deep recursion.
+//! Malicious files are parsed in linear time, without deep recursion.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz_diagnostics::{Code, Severity};
 use lipz_file::parse;
 
-/// Time and memory are not measured here (a timed test proves nothing on a shared machine): with
-/// anything quadratic, or one stack frame per level, these would not end.
+/// Time and memory are not measured here, because a timed test proves nothing on a shared machine. With anything
+/// quadratic, or one stack frame per level, these tests would not end.
 fn errors(text: &str) -> Vec<Code> {
     let parsed = parse(text.as_bytes());
     parsed.diagnostics.iter().filter(|found| found.severity == Severity::Error).map(|found| found.code).collect()
@@ -44,7 +44,7 @@ fn many_elements() {
     assert_eq!(parsed.diagnostics.len(), 1_001);
 }
 
-/// All in one line: nothing looks for its end more than once.
+/// All on one line: nothing searches for its end more than once.
 #[test]
 fn many_mistakes() {
     let all = |element: &str| format!("{{{}}}", vec![element; 200_000].join(","));

@@ -1,10 +1,10 @@
-//! Several mistakes in one file: each is reported once, and what can be read is read.
+//! Files with several errors: each is reported once, and the readable part is returned.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz_diagnostics::{Diagnostic, Fix};
-use lipz_file::{Fragment, Parsed, parse};
+use lipz_file::{Fragment, ParsedFile, parse};
 
-/// Line, message and the marked characters of each diagnostic.
+/// Returns line, message and marked characters of each diagnostic.
 fn told(text: &str) -> Vec<(usize, String, &str)> {
     let one = |found: &Diagnostic| {
         let span = found.primary.as_ref().unwrap().span.range();
@@ -18,12 +18,12 @@ fn messages(text: &str) -> Vec<String> {
 }
 
 fn fragment(text: &str) -> Fragment<'_> {
-    let Parsed { document, fragment, .. } = parse(text.as_bytes());
+    let ParsedFile { document, fragment, .. } = parse(text.as_bytes());
     assert!(document.is_none());
     fragment.unwrap()
 }
 
-/// The names of the elements that were read.
+/// Returns the names of the readable elements.
 fn names(text: &str) -> Vec<String> {
     fragment(text).document.elements.iter().map(|element| element.name.text.to_string()).collect()
 }
@@ -44,17 +44,17 @@ const MANY: &str = r#"{
 #[test]
 fn each_mistake_is_told_once() {
     let expected = [
-        (3, "names and strings need straight double quotes", "'"),
+        (3, "a name or string does not start with a straight double quote", "'"),
         (3, "a comma is missing between two elements", ""),
         (4, "JSON has no comments", "// taken twice"),
-        (5, "`fps` needs double quotes", "fps"),
-        (5, "a decimal number has a point: 3.0", ","),
-        (6, "`\\v` is not an escape that JSON knows", "\\v"),
-        (7, "a colon separates name and value", "="),
+        (5, "`fps` has no double quotes", "fps"),
+        (5, "`3,0` has a decimal comma", ","),
+        (6, "`\\v` is not a JSON escape", "\\v"),
+        (7, "`=` is used instead of a colon", "="),
         (8, "a comma follows the last element", ","),
         (8, "one comma too many", ","),
-        (9, "JSON does not know `True`", "True"),
-        (10, "`024` is not a number as JSON has it", "024"),
+        (9, "`True` is not a JSON value", "True"),
+        (10, "`024` is not a JSON number", "024"),
         (10, "a comma follows the last element", ","),
         (10, "a comma follows the last element", ","),
     ];
@@ -94,12 +94,12 @@ fn nothing_follows_from_a_mistake() {
     let cases = [
         (r#"{ "a": "the "Admiral": a parrot", "b": 1 }"#, "the text ends at this quotation mark, and a name follows"),
         ("{\n\"a\": \"He said \"no\" and left\",\n\"b\": 1\n}", "the text ends at this quotation mark"),
-        ("{\n\"a\": \"open,\n\"b\": 1\n}", "a line break inside a string"),
-        ("{\n\"a\": \"one\n\n\ntwo\",\n\"b\": 1\n}", "a line break inside a string"),
-        ("{\n\"a\": \"open\n}", "a line break inside a string"),
-        ("{\n\"a\": \"cut\n off", "a line break inside a string"),
-        ("{\n\"a\": Hello there, friend\n}", "`Hello` needs double quotes"),
-        ("{\n\"a\": Hello there, friend,\n\"b\": 1\n}", "`Hello` needs double quotes"),
+        ("{\n\"a\": \"open,\n\"b\": 1\n}", "a string contains a line break"),
+        ("{\n\"a\": \"one\n\n\ntwo\",\n\"b\": 1\n}", "a string contains a line break"),
+        ("{\n\"a\": \"open\n}", "a string contains a line break"),
+        ("{\n\"a\": \"cut\n off", "a string contains a line break"),
+        ("{\n\"a\": Hello there, friend\n}", "`Hello` has no double quotes"),
+        ("{\n\"a\": Hello there, friend,\n\"b\": 1\n}", "`Hello` has no double quotes"),
         ("{\n\"x\": [1, 2},\n\"b\": 1\n}", "a comma or a closing brace is missing here"),
         ("{\n\"a\": 1,\n{ \"b\": 1 }\n}", "an element starts with its name in double quotes"),
         ("{ \"a\": 1, /* open", "JSON has no comments"),
@@ -108,23 +108,23 @@ fn nothing_follows_from_a_mistake() {
         ("{ \"a\": 1 }, \"b\": 1 }", "the object is closed too early"),
         ("{ \"a\": 1 } }", "one closing brace too many"),
         ("{ \"a\": 1; \"b\": 1 }", "a comma or a closing brace is missing here"),
-        ("{ \"a\": 24000/1001, \"b\": 1 }", "JSON has no fractions: `24000/1001`"),
-        ("{ \"a\": 24 fps, \"b\": 1 }", "a number has no unit"),
-        ("{ \"a\": −24, \"b\": 1 }", "`−` (U+2212) is not the minus of JSON"),
-        ("{ \"a\": “one\", \"b\": 1 }", "names and strings need straight double quotes"),
-        ("{ \"a\": 'don't go', \"b\": 1 }", "names and strings need straight double quotes"),
-        ("{ \"a\": tru, \"b\": 1 }", "`tru` needs double quotes"),
-        ("{ \"a\": -, \"b\": 1 }", "`-` is not a number as JSON has it"),
-        ("{ \"a\": 1.e5, \"b\": 1 }", "`1.e5` is not a number as JSON has it"),
-        ("{ \"a\": \"\\u12\", \"b\": 1 }", "`\\u12` is not an escape that JSON knows"),
-        ("{ \"a\": \"a\t\t\tb\", \"b\": 1 }", "a tab inside a string"),
-        ("{ \"a\": [1", "the file ends before its object does"),
-        ("{ \"a\": tru", "the file ends before its object does"),
-        ("{ \"a\": 2.", "the file ends before its object does"),
+        ("{ \"a\": 24000/1001, \"b\": 1 }", "`24000/1001` is a fraction, which JSON does not have"),
+        ("{ \"a\": 24 fps, \"b\": 1 }", "a number is followed by a word"),
+        ("{ \"a\": −24, \"b\": 1 }", "`−` (U+2212) is not a minus sign in JSON"),
+        ("{ \"a\": “one\", \"b\": 1 }", "a name or string does not start with a straight double quote"),
+        ("{ \"a\": 'don't go', \"b\": 1 }", "a name or string does not start with a straight double quote"),
+        ("{ \"a\": tru, \"b\": 1 }", "`tru` has no double quotes"),
+        ("{ \"a\": -, \"b\": 1 }", "`-` is not a JSON number"),
+        ("{ \"a\": 1.e5, \"b\": 1 }", "`1.e5` is not a JSON number"),
+        ("{ \"a\": \"\\u12\", \"b\": 1 }", "`\\u12` is not a JSON escape"),
+        ("{ \"a\": \"a\t\t\tb\", \"b\": 1 }", "a string contains a tab"),
+        ("{ \"a\": [1", "the file ends before its object is closed"),
+        ("{ \"a\": tru", "the file ends before its object is closed"),
+        ("{ \"a\": 2.", "the file ends before its object is closed"),
     ];
     for (text, expected) in cases {
         assert_eq!(messages(text), [expected], "{text}");
-        // A bracket that closes something else, or an object without a name, may be of any element.
+        // A bracket that closes something else, or an object without a name, may belong to any element.
         let reads_on = text.contains("\"b\"") && !text.contains("2}") && !text.contains("{ \"b\"");
         assert_eq!(names(text).contains(&"b".to_owned()), reads_on, "{text}: {:?}", names(text));
     }
@@ -133,7 +133,10 @@ fn nothing_follows_from_a_mistake() {
 #[test]
 fn a_file_cut_off_is_told_beside_other_mistakes() {
     let found = messages("{\n  'fps': 24,\n  \"visemes\": \"MA\",");
-    assert_eq!(found, ["names and strings need straight double quotes", "the file ends before its object does"]);
+    assert_eq!(
+        found,
+        ["a name or string does not start with a straight double quote", "the file ends before its object is closed"]
+    );
 }
 
 #[test]

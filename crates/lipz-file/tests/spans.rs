@@ -1,10 +1,10 @@
-//! Spans point at the very characters, whatever stands around them and however they are escaped.
+//! Spans mark exactly the right characters, in any context and with any escapes.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
 use lipz_file::{Document, Value};
 use proptest::prelude::*;
 
-/// The source characters of a range of the decoded text of element `name`.
+/// Returns the source characters of a range of the decoded text of element `name`.
 fn spelled<'s>(text: &'s str, document: &Document<'_>, name: &str, part: &str) -> &'s str {
     let Value::String(string) = &document.get(name).unwrap().value else { panic!("not a string") };
     let at = string.text.find(part).unwrap();
@@ -41,7 +41,7 @@ fn spans_count_behind_the_byte_order_mark() {
     assert_eq!(&bytes[3..][span.range()], b"24");
 }
 
-/// A character spelled in one of the ways that JSON has.
+/// Spells a character in one of the ways of JSON.
 fn spell(character: char, way: u8) -> String {
     let mut units = [0; 2];
     match (way % 3, character) {

@@ -7,19 +7,19 @@ use std::io::{self, Read};
 use std::ops::Deref;
 use std::path::Path;
 
-/// The most bytes that a bank has: its offsets have 32 bits.
+/// The greatest length of a bank, because its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
 
-/// Where the bytes of a file are.
+/// The storage of a file's bytes.
 #[derive(Debug)]
 enum Backing {
-    /// In memory of this process: nobody can change the bytes any more.
+    /// The memory of this process, where the bytes cannot change.
     Memory,
-    /// In the file, which is mapped into the address space.
+    /// The file, mapped into the address space.
     Map,
 }
 
-/// The bytes of a file, which can be used as `&[u8]`.
+/// The bytes of a file, usable as `&[u8]`.
 pub struct FileBytes(Bytes);
 
 enum Bytes {
@@ -28,25 +28,25 @@ enum Bytes {
 }
 
 impl FileBytes {
-    /// Reads the file at `path` into memory. What happens to the file afterwards does not change the bytes.
+    /// Reads the file at `path` into memory. Later changes to the file do not change the bytes.
     ///
     /// # Errors
-    /// When the system cannot open or read the file; `IsADirectory` for a folder. Of a file that is longer than any
-    /// bank, only as much is read as `Bank::open` needs to refuse it.
+    /// If the system cannot open or read the file; `IsADirectory` for a folder. If the file is longer than any bank,
+    /// only the start is read, which is enough for `Bank::open` to reject it.
     pub fn read(path: impl AsRef<Path>) -> io::Result<FileBytes> {
         FileBytes::read_from(&File::open(path)?)
     }
 
-    /// Maps the file at `path` into the address space: this takes microseconds however long the file is, only the
-    /// pages that are touched are read, and all programs that map the file share them.
+    /// Maps the file at `path` into the address space. This takes microseconds for a file of any length. Only the pages
+    /// that are accessed are read, and all programs that map the file share them.
     ///
     /// # Safety
-    /// As long as these bytes exist, no process changes or truncates the file. To replace it, rename a new file
-    /// over it, as `lipz pack` does. Otherwise the bytes change under a reader that has checked them, which is
-    /// undefined behaviour, and access to pages that are gone ends the program.
+    /// While these bytes exist, no process may change or truncate the file. To replace it, rename a new file over it,
+    /// as `lipz pack` does. Otherwise the bytes change under a reader that has checked them, which is undefined
+    /// behaviour, and access to truncated pages ends the program.
     ///
     /// # Errors
-    /// When the system cannot open or map the file; `IsADirectory` for a folder.
+    /// If the system cannot open or map the file; `IsADirectory` for a folder.
     #[allow(unsafe_code)] // the caller keeps the contract
     pub unsafe fn map(path: impl AsRef<Path>) -> io::Result<FileBytes> {
         let file = File::open(path)?;
@@ -67,21 +67,21 @@ impl FileBytes {
     /// That of [`FileBytes::map`].
     #[allow(unsafe_code)] // the caller keeps the contract
     pub(crate) unsafe fn map_from(mut file: &File) -> io::Result<FileBytes> {
-        // A folder refuses to be read with a better reason than to be mapped.
+        // For a folder, the error of reading is clearer than that of mapping.
         let _ = file.read(&mut [0])?;
-        // SAFETY: nobody changes or truncates the file while it is mapped: the contract.
+        // SAFETY: by the contract, the file is not changed or truncated while it is mapped.
         let map = unsafe { Mmap::map(file) }?;
         Ok(FileBytes(Bytes::Mapped(map)))
     }
 
-    /// Announces that all of a mapped file is about to be read, in order.
+    /// Advises the system that all of a mapped file will be read, in order.
     pub(crate) fn expect_all(&self) {
         #[cfg(unix)]
         self.advise(memmap2::Advice::Sequential);
     }
 
-    /// Announces that pages of a mapped file will be touched here and there: without this the system reads
-    /// many pages around each, and the first line of a cold bank takes twenty times as long.
+    /// Advises the system that pages of a mapped file will be accessed at random. Otherwise the system reads many pages
+    /// around each one, and the first line of a cold bank takes twenty times as long.
     pub(crate) fn expect_queries(&self) {
         #[cfg(unix)]
         self.advise(memmap2::Advice::Random);
@@ -90,7 +90,7 @@ impl FileBytes {
     #[cfg(unix)]
     fn advise(&self, advice: memmap2::Advice) {
         if let Bytes::Mapped(map) = &self.0 {
-            // Only speed depends on it.
+            // Errors are ignored, because only the speed depends on the advice.
             let _ = map.advise(advice);
         }
     }
@@ -107,14 +107,14 @@ impl Deref for FileBytes {
     }
 }
 
-/// Bytes that were made or received, not read from a file.
+/// Bytes that the program generated or received, instead of reading a file.
 impl From<Vec<u8>> for FileBytes {
     fn from(bytes: Vec<u8>) -> FileBytes {
         FileBytes(Bytes::InMemory(bytes))
     }
 }
 
-/// How many bytes, and where they are.
+/// Prints the number of bytes, and their storage.
 impl fmt::Debug for FileBytes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let backing = match &self.0 {

@@ -1,8 +1,8 @@
-//! What a refresh has changed.
+//! The changes made by a refresh.
 
 use std::path::{Path, PathBuf};
 
-/// The files that a [refresh](crate::Dialogue::refresh) has taken in.
+/// The changed files of a [refresh](crate::Dialogue::refresh).
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Changes {
     files: Vec<PathBuf>,
@@ -13,12 +13,12 @@ impl Changes {
         Changes { files }
     }
 
-    /// Whether all files are as before. Then all handles still count.
+    /// Whether no file has changed. If so, all handles are still valid.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
     }
 
-    /// The files that are new or have changed, and banks that a set no longer names.
+    /// Returns the files that are new or have changed, and banks that a set no longer names.
     pub fn files(&self) -> impl ExactSizeIterator<Item = &Path> {
         self.files.iter().map(PathBuf::as_path)
     }

@@ -1,4 +1,4 @@
-//! A dialogue together with its files.
+//! A dialogue with its files.
 
 use crate::files::{HostFile, HostFiles, Mode};
 use crate::stamp::Stamp;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::{fmt, fs};
 
 self_cell!(
-    /// One version: the files, and the dialogue that they are.
+    /// One version of the files, with their dialogue.
     struct Snapshot {
         owner: HostFiles,
         #[covariant]
@@ -19,34 +19,35 @@ self_cell!(
 
 type View<'a> = lipz_bank::Dialogue<'a>;
 
-/// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks.
+/// Files that return answers like one bank: a bank or a set of banks, with patches and text banks.
 ///
-/// Name them from the bottom to the top: the base first, a bank or the index of a set, next to which its banks are; then patches,
-/// downloads and mods, each over those before it, and text banks, each after the bank of its clips. The kind of a file is in its
-/// header. Opening checks that all files fit.
+/// Pass them from the bottom to the top. The base comes first: a bank, or the index of a set, whose banks are in the
+/// same folder. Then come patches, downloads and mods, each after those below it, and text banks, each after the bank
+/// of its clips. The kind of a file is in its header. Opening checks that all files match.
 ///
-/// The value is one version of the files. A clone is the same version, and copies the paths alone: give one to each thread that reads.
-/// [`refresh`](Dialogue::refresh), [`add`](Dialogue::add) and [`remove`](Dialogue::remove) change this value only, all files or
-/// none; clones stay as they are. [`Locale`](lipz_bank::Locale), [`Voice`](lipz_bank::Voice) and names are those of a version:
-/// in a different version they lead to nothing, so look them up again. A [`Cursor`](lipz_bank::Cursor) and a
-/// [`ClipId`](lipz_bank::ClipId) count in every version.
+/// The value is one version of the files. A clone is the same version, and copies only the paths: give one to each
+/// thread that reads. [`refresh`](Dialogue::refresh), [`add`](Dialogue::add) and [`remove`](Dialogue::remove) change
+/// only this value, and either all files or none; clones do not change. A [`Locale`](lipz_bank::Locale), a
+/// [`Voice`](lipz_bank::Voice) or a name belongs to one version and leads to nothing in a different one, so look it up
+/// again. A [`Cursor`](lipz_bank::Cursor) and a [`ClipId`](lipz_bank::ClipId) are valid in every version.
 ///
-/// The banks of a set are verified when the first answer is from one of them. The clips of a damaged one are missing, and
-/// [`failures`](Dialogue::failures) says why.
+/// A bank of a set is verified on the first query that needs it. If it is damaged, its clips are missing, and
+/// [`failures`](Dialogue::failures) returns the reason.
 #[derive(Clone)]
 pub struct Dialogue {
     snapshot: Arc<Snapshot>,
     sources: Vec<Source>,
     mode: Mode,
-    seen: Seen,
+    seen: ObservedStamps,
 }
 
-/// A look at the files.
+/// The observed state of the files.
 #[derive(Clone)]
-struct Seen {
-    /// The banks of a set may be gone when a new set has taken its place.
+struct ObservedStamps {
+    /// The stamps of the files; `None` for a bank of a set that is missing, because a new set may have replaced it.
     stamps: Vec<Option<Stamp>>,
-    /// Whether other files would look otherwise. Younger ones may be replaced by some that look the same.
+    /// Whether any later change to the files will change a stamp. Recently written files may be replaced without a
+    /// visible change.
     are_settled: bool,
 }
 
@@ -54,42 +55,43 @@ impl Dialogue {
     /// Reads the files into memory and verifies them.
     ///
     /// # Errors
-    /// The first file that cannot be read, is damaged, or does not fit those before it.
+    /// The first file that cannot be read, is damaged, or does not match those before it.
     pub fn open<S: Into<Source>>(sources: impl IntoIterator<Item = S>) -> Result<Dialogue, OpenError> {
         Dialogue::open_in(sources, Mode { is_mapped: false, verifies: true })
     }
 
-    /// Like [`Dialogue::open`], without verifying the files: for programs that have done so before, such as with
-    /// `lipz verify`. No query panics all the same, but a damaged file may have wrong answers or none, and each text is checked to
-    /// be UTF-8 when it is asked for.
+    /// Like [`Dialogue::open`], without verifying the files: for programs that have verified them before, such as with
+    /// `lipz verify`. Queries still do not panic, but a damaged file may lead to wrong values or `None`, and each text
+    /// is checked to be UTF-8 on each query.
     ///
     /// # Errors
-    /// As [`Dialogue::open`], for what headers and directories show.
+    /// As [`Dialogue::open`], as far as headers and directories show them.
     pub fn open_unverified<S: Into<Source>>(sources: impl IntoIterator<Item = S>) -> Result<Dialogue, OpenError> {
         Dialogue::open_in(sources, Mode { is_mapped: false, verifies: false })
     }
 
-    /// Maps the files and verifies them, which reads all of them; the banks of a set when they are asked for.
+    /// Maps the files and verifies them, which reads all of them. Banks of a set are mapped and verified on demand.
     ///
     /// # Safety
-    /// As for [`FileBytes::map`](crate::FileBytes::map), for these files and for all that take their place: no process changes or
-    /// truncates one as long as this dialogue, a clone or a later version of it exists. Rename new files over old ones. `lipz link`
-    /// gives new banks of a set new names, and removes the old ones when the new index is there.
+    /// As for [`FileBytes::map`](crate::FileBytes::map), for these files and for all that replace them: no process may
+    /// change or truncate one while this dialogue, a clone or a later version of it exists. Rename new files over old
+    /// ones. `lipz shard link` writes new banks of a set under new names, and removes the old ones after it has written
+    /// the new index.
     ///
     /// # Errors
-    /// As [`Dialogue::open`], and when a file cannot be mapped.
+    /// As [`Dialogue::open`], and if a file cannot be mapped.
     #[allow(unsafe_code)] // the caller keeps the contract
     pub unsafe fn open_mapped<S: Into<Source>>(sources: impl IntoIterator<Item = S>) -> Result<Dialogue, OpenError> {
         Dialogue::open_in(sources, Mode { is_mapped: true, verifies: true })
     }
 
-    /// Maps the files without verifying them: opening takes microseconds, and a page is read when it is touched.
+    /// Maps the files without verifying them. Opening takes microseconds, and a page is read when it is accessed.
     ///
     /// # Safety
     /// As for [`Dialogue::open_mapped`].
     ///
     /// # Errors
-    /// As [`Dialogue::open_unverified`], and when a file cannot be mapped.
+    /// As [`Dialogue::open_unverified`], and if a file cannot be mapped.
     #[allow(unsafe_code)] // the caller keeps the contract
     pub unsafe fn open_mapped_unverified<S: Into<Source>>(
         sources: impl IntoIterator<Item = S>,
@@ -99,57 +101,59 @@ impl Dialogue {
 
     fn open_in<S: Into<Source>>(sources: impl IntoIterator<Item = S>, mode: Mode) -> Result<Dialogue, OpenError> {
         let sources: Vec<Source> = sources.into_iter().map(Into::into).collect();
-        // Before they are read: what is written afterwards then shows.
-        let mut seen = Seen::of(&sources, &[])?;
+        // Before the files are read, so that later changes are detected.
+        let mut seen = ObservedStamps::of(&sources, &[])?;
         let files = HostFiles::load(&sources, mode, None)?;
         let snapshot = Arc::new(snapshot(files)?);
         if snapshot.borrow_owner().list().len() > sources.len() {
-            seen.are_settled = false; // the banks of a set were not looked at before
+            seen.are_settled = false; // the banks of a set are not in it yet
         }
         Ok(Dialogue { snapshot, sources, mode, seen })
     }
 
-    /// Takes in new versions of the files once all of them are verified and fit, and reports which have changed. Otherwise this
-    /// version stays in use. Call it where a pause of some milliseconds does not hurt, or with a clone in a thread of your own.
+    /// Opens new versions of the files if all of them are verified and match, and returns the changes. Otherwise this
+    /// version stays in use. Call it where a pause of some milliseconds does no harm, or with a clone in your own
+    /// thread.
     ///
-    /// As long as the files look the same, this costs one `stat` each. Of files that are younger than two seconds, the headers are
-    /// read with every call: on some file systems the next version could look the same.
+    /// While the files look the same, this costs one `stat` each. The headers of files younger than two seconds are
+    /// read with every call, because on some file systems the next version could look the same.
     ///
     /// # Errors
-    /// Why the files cannot be used, such as a patch that was made over another version of its base: replace the other file, too.
-    /// The same files are not refused again once they are older than two seconds; a missing one is refused every time.
+    /// The reason why the files cannot be used, such as a patch that was packed over another version of its base:
+    /// replace that file as well. The same invalid files are not reported again once they are older than two seconds; a
+    /// missing file is reported every time.
     pub fn refresh(&mut self) -> Result<Changes, OpenError> {
-        let now = Seen::of(&self.sources, self.snapshot.borrow_owner().list())?;
+        let now = ObservedStamps::of(&self.sources, self.snapshot.borrow_owner().list())?;
         if self.seen.are_settled && self.seen.stamps == now.stamps {
             return Ok(Changes::default());
         }
         self.seen = now;
         let changes = self.take_in(self.sources.clone());
-        // A bank that a new index names may arrive after it, and no stamp is about that bank yet.
+        // A bank that a new index names may arrive after it, and does not have a stamp yet.
         self.seen.are_settled &= !matches!(&changes, Err(error) if error.is_missing());
         changes
     }
 
-    /// Opens another file on top of the others: a text bank, a patch, the dubs of a voice. What it changes is in the result.
+    /// Opens another file on top of the others: a text bank, a patch, the dubs of a voice. Returns the changes.
     ///
     /// # Errors
-    /// Why the file cannot be used. The dialogue stays as it was.
+    /// The reason why the file cannot be used. The dialogue is then unchanged.
     pub fn add(&mut self, source: impl Into<Source>) -> Result<Changes, OpenError> {
         let mut sources = self.sources.clone();
         sources.push(source.into());
         self.take_in(sources)
     }
 
-    /// Lets go of a file, by the path or the name that it was opened with; nothing changes if there is none.
+    /// Removes a file by the path or name with which it was opened. Does nothing if there is no such file.
     ///
     /// # Errors
-    /// When the others do not fit without it, such as the patches over it. The dialogue stays as it was.
+    /// If the remaining files do not match without it, such as the patches above it. The dialogue is then unchanged.
     pub fn remove(&mut self, path: impl AsRef<Path>) -> Result<Changes, OpenError> {
         let is_kept = |source: &Source| source.path() != path.as_ref();
         self.take_in(self.sources.iter().filter(|source| is_kept(source)).cloned().collect())
     }
 
-    /// Goes on with these sources.
+    /// Replaces the sources with these.
     fn take_in(&mut self, sources: Vec<Source>) -> Result<Changes, OpenError> {
         let old = self.snapshot.borrow_owner();
         let files = HostFiles::load(&sources, self.mode, Some(old))?;
@@ -160,35 +164,35 @@ impl Dialogue {
         }
         changed.sort_unstable();
         changed.dedup();
-        // A file that was added twice changes no path, and does not fit.
+        // A file that was added twice changes no path, and does not match.
         let is_same = files.list().len() == old.list().len() && changed.is_empty();
         if !is_same {
             self.snapshot = Arc::new(snapshot(files)?);
-            self.seen.are_settled = false; // of the files that are new
+            self.seen.are_settled = false; // the new files are not in it yet
         }
         self.sources = sources;
         Ok(Changes::new(changed))
     }
 
-    /// The files that this version is made of, from the bottom to the top, the banks of a set among them.
+    /// Returns the files of this version, from the bottom to the top, including the banks of a set.
     pub fn files(&self) -> impl ExactSizeIterator<Item = &Path> {
         self.snapshot.borrow_owner().list().iter().map(|file| file.path.as_path())
     }
 
-    /// Opens, and in most modes verifies, the banks of a set that have not been asked for yet.
+    /// Opens, and in most modes verifies, the banks of a set that no query has needed yet.
     ///
     /// # Errors
-    /// The first bank that is damaged or not the one that the index names.
+    /// The first bank that is damaged or is not the one that the index names.
     pub fn open_all(&self) -> Result<(), OpenError> {
         self.snapshot.borrow_owner().open_all()
     }
 
-    /// Why clips are missing: the banks of a set that were asked for and turned out to be damaged.
+    /// Returns the reasons for missing clips: the banks of a set that are damaged, among those opened so far.
     pub fn failures(&self) -> impl Iterator<Item = OpenError> + '_ {
         self.snapshot.borrow_owner().failures()
     }
 
-    /// The dialogue without its files, for functions that take one, whoever has opened it.
+    /// Returns the dialogue without its files, for functions that accept any dialogue.
     pub fn view(&self) -> &lipz_bank::Dialogue<'_> {
         self.snapshot.borrow_dependent()
     }
@@ -202,9 +206,9 @@ fn snapshot(files: HostFiles) -> Result<Snapshot, OpenError> {
     })
 }
 
-impl Seen {
-    /// A look at the sources that may be replaced, which have to be there, and at the other files.
-    fn of(sources: &[Source], files: &[HostFile]) -> Result<Seen, OpenError> {
+impl ObservedStamps {
+    /// Observes the sources that may be replaced, which must exist, and the other files.
+    fn of(sources: &[Source], files: &[HostFile]) -> Result<ObservedStamps, OpenError> {
         let look = |path: &Path| fs::metadata(path).map(|metadata| Stamp::new(&metadata));
         let mut stamps = Vec::new();
         for source in sources.iter().filter(|source| source.contents().is_none()) {
@@ -213,11 +217,11 @@ impl Seen {
         let banks = files.iter().filter(|file| sources.iter().all(|source| source.path() != file.path));
         stamps.extend(banks.map(|bank| look(&bank.path).ok()));
         let are_settled = stamps.iter().flatten().all(Stamp::is_settled);
-        Ok(Seen { stamps, are_settled })
+        Ok(ObservedStamps { stamps, are_settled })
     }
 }
 
-/// The files, not their contents.
+/// Prints the files, not their contents.
 impl fmt::Debug for Dialogue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("Dialogue").field(&self.files().collect::<Vec<_>>()).finish()

@@ -1,23 +1,23 @@
-//! Why files are not used as a dialogue.
+//! The error for files that cannot be used as a dialogue.
 
 use lipz_bank::ErrorKind;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
-/// Why files are not used as a [`Dialogue`](crate::Dialogue): which file, what is wrong with it, and what to do.
+/// Why files cannot be used as a [`Dialogue`](crate::Dialogue): the file, its problem, and a remedy.
 #[derive(Debug)]
 pub struct OpenError {
     path: PathBuf,
     cause: Cause,
 }
 
-/// What is wrong with a file.
+/// The problem of a file.
 #[derive(Debug)]
 pub(crate) enum Cause {
     /// The system cannot open, read or map it.
     File(io::Error),
-    /// It is damaged, or does not fit the others.
+    /// It is damaged, or does not match the others.
     Contents(lipz_bank::Error),
 }
 
@@ -26,17 +26,17 @@ impl OpenError {
         OpenError { path: path.to_owned(), cause: cause.into() }
     }
 
-    /// The file that is not used.
+    /// Returns the path of the unusable file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Whether the file is not there.
+    /// Whether the file is missing.
     pub(crate) fn is_missing(&self) -> bool {
         self.io_error().map_or(false, |error| error.kind() == io::ErrorKind::NotFound)
     }
 
-    /// The error of the system, if the file cannot be opened, read or mapped.
+    /// Returns the error of the system, if the file cannot be opened, read or mapped.
     pub fn io_error(&self) -> Option<&io::Error> {
         match &self.cause {
             Cause::File(error) => Some(error),
@@ -44,7 +44,7 @@ impl OpenError {
         }
     }
 
-    /// The error of the reader, if the file is damaged or does not fit those before it.
+    /// Returns the error of the reader, if the file is damaged or does not match those before it.
     pub fn bank_error(&self) -> Option<lipz_bank::Error> {
         match &self.cause {
             Cause::File(_) => None,
@@ -52,20 +52,20 @@ impl OpenError {
         }
     }
 
-    /// What to do about it.
+    /// Returns advice on how to solve the problem.
     fn remedy(&self) -> &'static str {
         let kind = match &self.cause {
-            Cause::File(_) => return "check the path and whether the file is there",
+            Cause::File(_) => return "check the path of the file",
             Cause::Contents(error) => error.kind(),
         };
         match kind {
             ErrorKind::TextsOnly => "name the bank of these texts before them",
             ErrorKind::OtherClips => "name these texts after the bank that they were split from, or pack both again",
-            ErrorKind::NotALayer => "open one whole bank only; pack the others with --over",
+            ErrorKind::NotALayer => "open only one complete bank, and pack the others with --over",
             ErrorKind::OtherBase => {
-                "name the banks that the patch was packed over before it, or pack it again over these"
+                "before the patch, name the banks that it was packed over, or pack it again over these"
             }
-            ErrorKind::LayerCount => "name a bank, and at most 15 patches",
+            ErrorKind::LayerCount => "name one bank and at most 15 patches",
             ErrorKind::OtherBank => "copy all banks of the set together with its index",
             ErrorKind::UnsupportedVersion | ErrorKind::SectionUnknown => "update lipz, or pack the file again",
             ErrorKind::NotABank | ErrorKind::NotASet => "name a file that lipz has packed",

@@ -11,10 +11,11 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// How files are opened.
+/// The way in which files are opened.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Mode {
-    /// Mapped, not read: only where the caller of an unsafe function has promised what that asks for.
+    /// Whether to map files instead of reading them. Only set if the caller has accepted the contract of an unsafe
+    /// function.
     pub(crate) is_mapped: bool,
     pub(crate) verifies: bool,
 }
@@ -28,30 +29,29 @@ self_cell!(
     }
 );
 
-/// A file that is in memory or mapped, and may be open.
+/// A file in memory or mapped, which may be open.
 pub(crate) struct HostFile {
     pub(crate) path: PathBuf,
     bytes: Arc<FileBytes>,
     /// Its number among the files.
     number: usize,
-    /// Opened, and in most modes verified, when it is asked for: for the banks of a set, that is later.
+    /// Opened, and in most modes verified, on first use, which is later for the banks of a set.
     open: OnceCell<Result<Arc<OpenFile>, lipz_bank::Error>>,
 }
 
-/// The files of one version of a dialogue, the banks of a set behind its index.
+/// The files of one version of a dialogue, with the banks of a set after its index.
 pub(crate) struct HostFiles {
     list: Vec<HostFile>,
-    /// How many banks the set has that is the base.
+    /// The number of banks in the base, if that is a set.
     shards: usize,
     mode: Mode,
 }
 
 impl HostFiles {
-    /// Reads or maps the files, and opens those that are not banks of a set. Files that are the same in `old` are taken from
-    /// there.
+    /// Reads or maps the files, and opens those that are not banks of a set. Unchanged files are taken from `old`.
     pub(crate) fn load(sources: &[Source], mode: Mode, old: Option<&HostFiles>) -> Result<HostFiles, OpenError> {
         match HostFiles::load_once(sources, mode, old) {
-            // A new set has taken the place of the one that named this bank.
+            // The set was replaced by a new one while this bank was being opened.
             Err(error) if error.is_missing() && sources.iter().all(|source| source.path() != error.path()) => {
                 HostFiles::load_once(sources, mode, old)
             }
@@ -85,7 +85,7 @@ impl HostFiles {
         Ok(files)
     }
 
-    /// The bytes of a source: those of `old`, if its file has the same checksum.
+    /// Returns the bytes of a source, from `old` if its file has the same checksum.
     fn bytes_of(&self, source: &Source, old: Option<&HostFiles>) -> Result<Arc<FileBytes>, OpenError> {
         if let Some(bytes) = source.contents() {
             return Ok(Arc::clone(bytes));
@@ -109,7 +109,7 @@ impl HostFiles {
         let number = self.list.len();
         let file = HostFile { path: path.to_owned(), bytes, number, open: OnceCell::new() };
         if let Some(open) = old.and_then(|old| old.opened_like(&file)) {
-            let _ = file.open.set(Ok(open)); // it is empty
+            let _ = file.open.set(Ok(open)); // the cell is empty
         }
         self.list.push(file);
         if (1..=self.shards).contains(&number) {
@@ -121,8 +121,8 @@ impl HostFiles {
         }
     }
 
-    /// The same bank, if it is open here under the same number. Texts are verified again: their bank may be a new one; so are banks
-    /// of a set: their index may be.
+    /// Returns the same bank, if it is open here under the same number. Texts and banks of a set are verified again,
+    /// because their bank or index may be new.
     fn opened_like(&self, file: &HostFile) -> Option<Arc<OpenFile>> {
         let same = self.list.iter().find(|old| Arc::ptr_eq(&old.bytes, &file.bytes) && old.number == file.number)?;
         let open = same.open.get()?.as_ref().ok()?;
@@ -131,7 +131,7 @@ impl HostFiles {
         if is_bank && !is_of_set { Some(Arc::clone(open)) } else { None }
     }
 
-    /// The file, opened now if it is not open yet.
+    /// Returns the file, and opens it first if necessary.
     fn open<'f>(&self, file: &'f HostFile) -> Result<&'f OpenFile, lipz_bank::Error> {
         let open = file.open.get_or_init(|| {
             if self.mode.verifies {
@@ -154,7 +154,7 @@ impl HostFiles {
         }
     }
 
-    /// Checks that a file is the one that the index of the set names, by its header.
+    /// Checks by its header that a file is the one that the index of the set names.
     fn check_bank_of_set(&self, number: usize, file: &DialogueFile<'_>) -> Result<(), lipz_bank::Error> {
         if !(1..=self.shards).contains(&number) {
             return Ok(());
@@ -166,7 +166,7 @@ impl HostFiles {
         }
     }
 
-    /// Opens the banks of a set that have not been asked for yet.
+    /// Opens the banks of a set that no query has needed yet.
     pub(crate) fn open_all(&self) -> Result<(), OpenError> {
         self.list.iter().try_for_each(|file| match self.open(file) {
             Ok(_) => Ok(()),
@@ -178,7 +178,7 @@ impl HostFiles {
         &self.list
     }
 
-    /// Why banks of the set are not used, which were opened and are damaged.
+    /// Returns the errors of those opened banks of the set that are damaged.
     pub(crate) fn failures(&self) -> impl Iterator<Item = OpenError> + '_ {
         self.list.iter().filter_map(|file| match file.open.get()? {
             Ok(_) => None,
@@ -188,12 +188,12 @@ impl HostFiles {
 }
 
 impl HostFile {
-    /// The checksum in its header.
+    /// Returns the checksum in its header.
     pub(crate) fn checksum(&self) -> Option<u64> {
         checksum(&self.bytes[..]).ok().flatten()
     }
 
-    /// Whether the file has the same contents as another, by its length and the checksum in its header.
+    /// Whether two files have the same contents, by their lengths and the checksums in their headers.
     pub(crate) fn is_like(&self, other: &HostFile) -> bool {
         self.path == other.path && self.bytes.len() == other.bytes.len() && self.checksum() == other.checksum()
     }
@@ -213,9 +213,9 @@ impl Files for HostFiles {
     }
 }
 
-/// The paths of the banks that an index names, which are in its folder; none for a file that is not an index.
+/// Returns the paths of the banks that an index names, which are in its folder. Empty for other files.
 fn banks_of_set(path: &Path, file: &[u8]) -> Result<Vec<PathBuf>, OpenError> {
-    // Names are checked to lead to no other folder: whatever the mode, an index is verified.
+    // An index is verified in every mode, so that its names lead to no other folder.
     match SetIndex::open(file).and_then(SetIndex::verify) {
         Ok(index) => Ok(index.banks().map(|bank| path.with_file_name(bank.file_name)).collect()),
         Err(error) if matches!(error.kind(), ErrorKind::NotASet | ErrorKind::TooShort) => Ok(Vec::new()),
@@ -223,13 +223,13 @@ fn banks_of_set(path: &Path, file: &[u8]) -> Result<Vec<PathBuf>, OpenError> {
     }
 }
 
-#[allow(unsafe_code)] // the contract of `Dialogue::open_mapped`, through which alone a file is mapped
+#[allow(unsafe_code)] // covered by the contract of `Dialogue::open_mapped`, the only way to map a file
 fn map(file: &File) -> std::io::Result<FileBytes> {
-    // SAFETY: the caller of `open_mapped` has promised it for the files and their successors.
+    // SAFETY: the caller of `open_mapped` has guaranteed it for the files and their replacements.
     unsafe { FileBytes::map_from(file) }
 }
 
-/// The check of strings.
+/// The UTF-8 check of strings.
 fn utf8(bytes: &[u8]) -> Option<&str> {
     #[cfg(feature = "simdutf8")]
     return simdutf8::basic::from_utf8(bytes).ok();

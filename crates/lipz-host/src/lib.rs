@@ -1,8 +1,8 @@
 //! Dialogue banks as files, for programs with an operating system.
 //!
-//! `lipz-bank` answers from any bytes and knows no files. This crate supplies the bytes: a [`Dialogue`] is any number of files
-//! together with their contents. You can keep it, send it to other threads, and refresh it when `lipz watch` or an update has
-//! replaced files.
+//! `lipz-bank` reads bytes and does not access files. This crate supplies the bytes: a [`Dialogue`] is any number of
+//! files with their contents. You can keep it, send it to other threads, and refresh it after `lipz watch` or an update
+//! has replaced files.
 //!
 //! ```no_run
 //! use lipz_bank::{ClipId, Cursor, Locale, Micros};
@@ -35,14 +35,14 @@
 //!     fn refresh(&mut self) {
 //!         match self.dialogue.refresh() {
 //!             Ok(changes) if changes.is_empty() => {}
-//!             Ok(_) => self.german = self.dialogue.locale("de-de"), // the cursor continues with the new version of its clip
+//!             Ok(_) => self.german = self.dialogue.locale("de-de"), // the cursor continues in the new version
 //!             Err(why) => eprintln!("the old dialogue stays in use: {why}"),
 //!         }
 //!     }
 //! }
 //!
 //! # fn main() -> Result<(), OpenError> {
-//! // Only this list changes when a patch and the texts of a language come in files of their own.
+//! // Only this list changes when a patch and a text bank are added.
 //! let dialogue = Dialogue::open(["dialogue.lipzbank", "patch.lipzbank", "dialogue.de-de.lipztexts"])?;
 //! let german = dialogue.locale("de-de");
 //! let mut game = Game { dialogue, german, playing: None };
@@ -55,21 +55,21 @@
 //!
 //! # Memory or map
 //!
-//! [`Dialogue::open`] reads the files into memory. What happens to the files afterwards does not matter: what was verified
-//! stays verified.
+//! [`Dialogue::open`] reads the files into memory. Later changes to the files do not matter: verified contents stay
+//! verified.
 //!
-//! [`Dialogue::open_mapped`] maps the files. That shares memory between programs, and reads only the pages that are touched,
-//! but the bytes are still those of the files. So it is `unsafe`: the caller guarantees that no process changes or truncates
-//! the files while they are mapped. Replacing them is fine on Unix: `lipz pack` and `lipz watch` write a new file and rename
-//! it over the old one, and a map of the old file stays whole until it is dropped. *Windows* refuses to replace a file that is
-//! mapped.
+//! [`Dialogue::open_mapped`] maps the files. Programs then share memory, and only the pages that are accessed are read,
+//! but the bytes are still those of the files. It is therefore `unsafe`: the caller guarantees that no process changes
+//! or truncates the files while they are mapped. On Unix, replacing them is safe: `lipz pack` and `lipz watch` write a
+//! new file and rename it over the old one, and a map of the old file stays intact until it is dropped. *Windows* does
+//! not allow replacing a mapped file.
 //!
 //! [dialogue-files.md](https://github.com/lipz/lipz/blob/main/docs/guides/dialogue-files.md) is the manual, and
-//! [design.md](https://github.com/lipz/lipz/blob/main/docs/inside/design.md) gives the reasons for this API.
+//! [design.md](https://github.com/lipz/lipz/blob/main/docs/inside/design.md) explains this API.
 //!
 //! # Features
 //!
-//! `simdutf8` verifies in half of the time.
+//! `simdutf8` halves the time of verification.
 
 #![deny(unsafe_op_in_unsafe_fn)]
 

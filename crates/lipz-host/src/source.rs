@@ -1,13 +1,13 @@
-//! Where a program gets the files of a dialogue from.
+//! The sources of a dialogue's files.
 
 use crate::FileBytes;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A file of a dialogue: the path of one, or bytes with a name, such as an engine's archive has them.
+/// A file of a dialogue: a path, or bytes with a name, such as a file in an engine's archive.
 ///
-/// Paths become sources by themselves. Bytes are those of one version: [`Dialogue::refresh`](crate::Dialogue::refresh) leaves
-/// them alone.
+/// Paths convert to sources automatically. Bytes belong to one version: [`Dialogue::refresh`](crate::Dialogue::refresh)
+/// does not change them.
 ///
 /// ```
 /// use lipz_host::Source;
@@ -21,18 +21,18 @@ pub struct Source {
 }
 
 impl Source {
-    /// Bytes with the name of the file that they are of. The index of a set finds its banks by their names: give these as
-    /// sources of their own, anywhere in the list.
+    /// Returns a source of bytes with the name of their file. The index of a set finds its banks by their names: pass
+    /// them as separate sources, anywhere in the list.
     pub fn bytes(name: impl Into<PathBuf>, bytes: impl Into<FileBytes>) -> Source {
         Source { path: name.into(), bytes: Some(Arc::new(bytes.into())) }
     }
 
-    /// The path or the name.
+    /// Returns the path or the name.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The bytes, unless the source is a path.
+    /// Returns the bytes, unless the source is a path.
     pub(crate) fn contents(&self) -> Option<&Arc<FileBytes>> {
         self.bytes.as_ref()
     }

@@ -1,15 +1,14 @@
-//! What a file looks like from outside: another look means that it may be another file. And which bank it is, by the
-//! checksum in its header.
+//! Detects changed files by their metadata, and banks by the checksum in their header.
 
 use std::fs::Metadata;
 use std::io::{self, Read};
 use std::time::{Duration, SystemTime};
 
-/// For how long a file must have been left alone so that its next change shows: the clocks of some file
-/// systems tick every two seconds, and a younger file may change once more within the same tick.
+/// The time without changes after which the next change is sure to be visible. The clocks of some file systems tick
+/// every two seconds, and a younger file may change again within the same tick.
 const SETTLED_AFTER: Duration = Duration::from_secs(2);
 
-/// What the system tells about a file without reading it.
+/// The metadata of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Stamp {
     length_bytes: u64,
@@ -17,12 +16,12 @@ pub(crate) struct Stamp {
     identity: Identity,
 }
 
-/// Device, inode, and time of change: a file that is renamed over another has another inode, and nobody
-/// can set the time of change.
+/// Device, inode, and time of change. A file that is renamed over another has a different inode, and programs cannot
+/// set the time of change.
 #[cfg(unix)]
 type Identity = (u64, u64, i64, i64);
 
-/// The time of creation; Windows tells no more.
+/// The time of creation, because Windows provides nothing else.
 #[cfg(not(unix))]
 type Identity = Option<SystemTime>;
 
@@ -31,7 +30,7 @@ impl Stamp {
         Stamp { length_bytes: metadata.len(), modified: metadata.modified().ok(), identity: identity(metadata) }
     }
 
-    /// Whether a change from now on gives the file another stamp.
+    /// Whether any change from now on will change the stamp.
     pub(crate) fn is_settled(&self) -> bool {
         let age = self.modified.and_then(|modified| SystemTime::now().duration_since(modified).ok());
         age.map_or(false, |age| age > SETTLED_AFTER)
@@ -49,7 +48,7 @@ fn identity(metadata: &Metadata) -> Identity {
     metadata.created().ok()
 }
 
-/// The checksum in the header of a bank, which is read from its start; `None` if it is too short to have one.
+/// Returns the checksum in the header of a bank, which is read from its start; `None` if the file is too short.
 pub(crate) fn checksum(bank: impl Read) -> io::Result<Option<u64>> {
     const END: u64 = 16;
     let mut start = Vec::new();

@@ -1,4 +1,4 @@
-//! Files that are replaced while programs read them: no program ever reads half of a version.
+//! Files are replaced while programs read them: no program ever reads half of a version.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_bank::{ClipId, Cursor, ErrorKind, Fps, Micros};
@@ -12,13 +12,13 @@ use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 use tempfile::TempDir;
 
-/// How long a step may take on a machine that is busy with other things.
+/// The time allowed for a step on a busy machine.
 const DEADLINE: Duration = Duration::from_secs(60);
 
 /// A way to open a dialogue.
 type Open = fn(&Path) -> Result<Dialogue, OpenError>;
 
-/// In memory and mapped. On Windows no file is replaced while it is mapped.
+/// In memory and mapped. On Windows, a mapped file cannot be replaced.
 const WAYS: &[Open] = if cfg!(windows) { &[in_memory] } else { &[in_memory, mapped] };
 
 fn in_memory(path: &Path) -> Result<Dialogue, OpenError> {
@@ -31,7 +31,7 @@ fn mapped(path: &Path) -> Result<Dialogue, OpenError> {
     unsafe { Dialogue::open_mapped([path]) }
 }
 
-/// A bank with the same number everywhere: in texts, events, and the length of its clips.
+/// Returns a bank with the same number in texts, events, and the length of its clips.
 fn version(number: usize) -> Vec<u8> {
     let file = format!(
         r#"{{ "visemes": "{}", "text_en-us": "{number}", "text_de-de": "{number}", "events": "feels v{number}" }}"#,
@@ -41,7 +41,7 @@ fn version(number: usize) -> Vec<u8> {
     Compiler::default().compile(&inputs).bank.unwrap()
 }
 
-/// The number of a version.
+/// Returns the number of a version.
 fn number(dialogue: &Dialogue) -> usize {
     let mut numbers: Vec<usize> = Vec::new();
     for clip in dialogue.clips() {
@@ -56,7 +56,7 @@ fn number(dialogue: &Dialogue) -> usize {
     numbers[0]
 }
 
-/// The ways in which a copy goes wrong.
+/// Damages a copy in one of several ways.
 fn damaged(bank: &[u8], way: usize) -> Vec<u8> {
     let mut bytes = bank.to_vec();
     match way % 5 {
@@ -76,7 +76,7 @@ fn replace(path: &Path, bytes: &[u8]) {
     fs::rename(&temporary, path).unwrap();
 }
 
-/// A folder with version 1.
+/// Creates a folder with version 1.
 fn scene() -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("dialogue.lipzbank");
@@ -84,7 +84,7 @@ fn scene() -> (TempDir, PathBuf) {
     (folder, path)
 }
 
-/// Whether a refresh has taken in something new.
+/// Whether a refresh has opened something new.
 fn is_new(dialogue: &mut Dialogue) -> bool {
     !dialogue.refresh().unwrap().is_empty()
 }
@@ -113,7 +113,7 @@ fn readers_see_whole_versions_while_a_writer_replaces_them() {
         let (_folder, path) = scene();
         let mut dialogue = open(&path).unwrap();
         let first = dialogue.clone();
-        // What readers take a clone of.
+        // The readers clone this dialogue.
         let current = Mutex::new(dialogue.clone());
         let is_over = AtomicBool::new(false);
         let [swapped, refused, read] = [(); 3].map(|()| AtomicUsize::new(0));
@@ -123,7 +123,7 @@ fn readers_see_whole_versions_while_a_writer_replaces_them() {
                     while !is_over.load(Relaxed) {
                         let version = current.lock().unwrap().clone();
                         let seen = number(&version);
-                        // Once more, while it is being replaced.
+                        // Again, while it is being replaced.
                         assert_eq!(number(&version), seen);
                         read.fetch_add(1, Relaxed);
                     }
@@ -145,13 +145,13 @@ fn readers_see_whole_versions_while_a_writer_replaces_them() {
                     }
                 }
             });
-            // Also when a step takes too long.
+            // Also stops the threads if a step takes too long.
             let _stop = Stop(&is_over);
             for round in 0..400 {
                 let bank = &banks[round % banks.len()];
                 let before = refused.load(Relaxed);
                 replace(&path, &damaged(bank, round));
-                // The other side keeps up now and then only.
+                // The other side only keeps up occasionally.
                 if round % 20 == 0 {
                     until("a refusal", || refused.load(Relaxed) > before);
                 }
@@ -161,7 +161,7 @@ fn readers_see_whole_versions_while_a_writer_replaces_them() {
                 }
             }
         });
-        // The last version of the writer is that of round 399.
+        // Round 399 writes the last version.
         let _ = dialogue.refresh().unwrap();
         assert_eq!(number(&dialogue), 8, "way {way}");
         assert_eq!(number(&first), 1, "a clone stays at its version");
@@ -180,7 +180,7 @@ fn the_same_file_is_not_taken_in_again() {
     assert!(dialogue.files().eq([path.as_path()]));
 }
 
-/// The clocks of some file systems tick once in two seconds: a new version within that time can look like the one before.
+/// The clocks of some file systems tick every two seconds: a new version within that time can look like the one before.
 #[test]
 fn a_version_that_looks_like_the_one_before_is_taken_in() {
     let (_folder, path) = scene();
@@ -205,7 +205,7 @@ fn a_damaged_file_is_refused_until_it_changes() {
     let mut dialogue = Dialogue::open([&path]).unwrap();
     replace(&path, &damaged(&version(2), 1));
     let refusal = |dialogue: &mut Dialogue| dialogue.refresh().unwrap_err().bank_error().unwrap().kind();
-    // Just written: there may be more to come.
+    // The file was just written, so it may change again.
     assert_eq!([refusal(&mut dialogue), refusal(&mut dialogue)], [ErrorKind::Checksum; 2]);
     let an_hour_ago = SystemTime::now() - Duration::from_secs(3600);
     File::options().write(true).open(&path).unwrap().set_modified(an_hour_ago).unwrap();
@@ -232,7 +232,7 @@ fn a_missing_file_keeps_the_old_version() {
     assert_eq!(number(&dialogue), 1);
 }
 
-/// What is held in memory was verified for good.
+/// Contents in memory stay verified.
 #[test]
 fn memory_does_not_change_with_the_file() {
     let (_folder, path) = scene();
@@ -272,13 +272,13 @@ fn all_ways_to_open_answer_alike() {
     let given = Dialogue::open([Source::bytes("dialogue.lipzbank", version(1))]).unwrap();
     let mut all = [given, mapped, Dialogue::open_unverified([&path]).unwrap(), Dialogue::open([&path]).unwrap()];
     assert!(all.iter().all(|dialogue| number(dialogue) == 1));
-    // Bytes stay what they are.
+    // Bytes do not change.
     replace(&path, &version(2));
     assert_eq!(all.each_mut().map(is_new), [false, true, true, true]);
     assert_eq!(all.each_ref().map(number), [1, 2, 2, 2]);
 }
 
-/// A playing cursor continues in the new version; a handle of the old one leads to nothing there, and to no panic.
+/// A playing cursor continues in the new version. A handle of the old version leads to nothing, and never to a panic.
 #[test]
 fn a_cursor_outlives_its_version_and_a_locale_does_not() {
     let (_folder, path) = scene();

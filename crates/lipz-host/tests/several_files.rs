@@ -1,9 +1,9 @@
-//! Dialogues of several files: patches, text banks, sets, and a patch over a set.
+//! Dialogues of several files: patches, text banks, sets, and a patch on top of a set.
 #![allow(clippy::unwrap_used, clippy::incompatible_msrv)]
 
 use lipz_bank::{ClipId, ErrorKind};
 use lipz_compiler::shard::{Link, Shard, shard_of};
-use lipz_compiler::{Compiler, Input, Over, SplitBank, Stack};
+use lipz_compiler::{Compiler, Input, SplitBank, Stack, StackBelow};
 use lipz_host::{Dialogue, Source};
 use std::fs;
 use std::num::NonZero;
@@ -16,7 +16,7 @@ fn replace(path: &Path, bytes: &[u8]) {
     fs::rename(&new, path).unwrap();
 }
 
-/// A base with this text, and a patch that replaces it.
+/// Returns a base with this text, and a patch that replaces it.
 fn stack(text: &str, patched: &str) -> [Vec<u8>; 2] {
     let input = |text: &str| Input::from_bytes("line", format!(r#"{{ "text_en-us": "{text}" }}"#).as_bytes());
     let base = Compiler::default().compile(&[input(text)]).into_bank().unwrap();
@@ -24,9 +24,9 @@ fn stack(text: &str, patched: &str) -> [Vec<u8>; 2] {
     [base, patch]
 }
 
-/// The patch that makes this of the clip of a base.
+/// Returns the patch that replaces the clip of a base with this input.
 fn patch(base: &[u8], input: &Input) -> Vec<u8> {
-    let over = Over::new(Stack::open([("base", base)]).unwrap());
+    let over = StackBelow::new(Stack::open([("base", base)]).unwrap());
     Compiler::default().compile_over(std::slice::from_ref(input), &over).into_bank().unwrap()
 }
 
@@ -46,7 +46,7 @@ fn a_stack_follows_its_files_once_they_fit() {
     let kept = dialogue.clone();
     assert!(dialogue.refresh().unwrap().is_empty());
     assert_eq!(text(&kept, "line", "en-us"), "Nay.");
-    // Only the base is new: the patch does not fit it.
+    // Only the base is new, so the patch does not match it.
     replace(&paths[0], &new[0]);
     let error = dialogue.refresh().unwrap_err();
     assert_eq!((error.path(), text(&dialogue, "line", "en-us").as_str()), (paths[1].as_path(), "Nay."));
@@ -83,7 +83,7 @@ fn files_that_do_not_fit_are_refused() {
     assert!(Dialogue::open([folder.path().join("nowhere")]).unwrap_err().io_error().is_some());
 }
 
-/// A game adds the texts of a language while it runs, and lets go of them.
+/// A game adds and removes the texts of a language at run time.
 #[test]
 fn files_are_added_and_removed() {
     let [base, patch] = stack("Aye.", "Nay.");
@@ -117,7 +117,7 @@ fn a_base_that_stays_is_not_verified_again() {
     assert_eq!(base_of(&dialogue), base_of(&before), "the same opened file");
 }
 
-/// As `rsync --times` does it: the index looks old, and its banks are on their way.
+/// Like `rsync --times`: the index has an old time, and its banks arrive later.
 #[test]
 fn the_banks_of_a_new_set_may_come_after_its_index() {
     let [old, new] = [(); 2].map(|()| tempfile::tempdir().unwrap());
@@ -143,7 +143,7 @@ fn the_banks_of_a_new_set_may_come_after_its_index() {
     assert_eq!(texts(&dialogue), KEYS.map(|_| "Nay."));
 }
 
-/// A language that came after the bank: its text bank is made from the next version, and fits the clips of this one.
+/// A language is added after the bank. Its text bank is made from the next version, and matches the clips of this one.
 #[test]
 fn text_banks_are_followed() {
     let folder = tempfile::tempdir().unwrap();
@@ -167,7 +167,7 @@ fn text_banks_are_followed() {
     write_german("Jawohl.");
     assert!(dialogue.refresh().unwrap().files().eq([german.as_path()]));
     assert_eq!(text(&dialogue, "line", "de-de"), "Jawohl.");
-    // A patch of the mouth alone has no texts: they are still those of the base.
+    // A patch of the visemes alone has no texts, so the base's remain.
     let input = Input::from_bytes("line", r#"{ "visemes": "AM", "text_en-us": "Aye." }"#.as_bytes());
     fs::write(&mouth, patch(&fs::read(&base).unwrap(), &input)).unwrap();
     for sources in [[&base, &mouth, &german], [&base, &german, &mouth]] {
@@ -178,7 +178,7 @@ fn text_banks_are_followed() {
         );
         assert_eq!(stack.clip_by_key("line").unwrap().frames(), b"AM");
     }
-    // Those of other clips are refused, and the old ones stay.
+    // Texts for other clips are rejected, and the old ones remain.
     fs::copy("../../fixtures/banks/v1/split.de-de.lipztexts", &german).unwrap();
     assert_eq!(dialogue.refresh().unwrap_err().path(), german);
     assert_eq!(text(&dialogue, "line", "de-de"), "Jawohl.");
@@ -186,7 +186,7 @@ fn text_banks_are_followed() {
 
 const KEYS: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
 
-/// Links a set of this many banks, all of whose clips have the text.
+/// Links a set with this number of banks, in which all clips have this text.
 fn link(folder: &Path, shards: u16, text: &str) -> PathBuf {
     let (compiler, count) = (Compiler::default(), NonZero::new(shards).unwrap());
     let object = |shard: u16| {
@@ -214,7 +214,7 @@ fn a_set_is_read_or_mapped_and_outlives_its_successor() {
     let folder = tempfile::tempdir().unwrap();
     let path = link(folder.path(), 3, "Aye.");
     let mut read = Dialogue::open([&path]).unwrap();
-    // SAFETY: no process writes to the banks: those of a new set have other names.
+    // SAFETY: no process writes to the banks, because those of a new set have other names.
     let mapped = unsafe { Dialogue::open_mapped([&path]) }.unwrap();
     assert_eq!((read.files().count(), read.clip_count()), (4, KEYS.len()));
     let old = read.clone();

@@ -1,15 +1,15 @@
-//! Texts in the encodings of their time: what tools on other systems wrote before all agreed on UTF-8.
+//! Texts in legacy encodings, which tools wrote before UTF-8 was common.
 
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use lipz_diagnostics::{Code, Diagnostic};
 use std::borrow::Cow;
 
-/// The bytes of a text as UTF-8, from which the spans of its diagnostics count.
+/// Converts the bytes of a text to UTF-8. Spans of its diagnostics refer to the result.
 ///
-/// UTF-8 stays as it is, and UTF-16 is recognised. Any other text is in `encoding`; without one, and if `guess` says
-/// that its tool wrote in the encoding of the system, it is read as Windows-1252, which a diagnostic tells. Otherwise it
-/// stays as it is, for a reader who refuses it. A text that is UTF-8 is never read in another `encoding`: a diagnostic
-/// tells that it is not.
+/// UTF-8 stays unchanged, and UTF-16 is detected. Any other text is read in `encoding`. Without one, it is read as
+/// Windows-1252 with a diagnostic if `guess` states that its tool uses the encoding of the system; otherwise it stays
+/// unchanged, and the reader rejects it. UTF-8 is never read in a different `encoding`; a diagnostic reports the
+/// mismatch.
 ///
 /// ```
 /// use lipz_interop::{Encoding, to_utf8};
@@ -33,7 +33,7 @@ pub fn to_utf8<'b>(
             diagnostics.extend(is_other.map(|named| {
                 Diagnostic::new(Code::ForeignOddity, format!("the file is UTF-8, not {}", named.name()))
                     .note("it is read as UTF-8")
-                    .help("leave the encoding out for files that are UTF-8")
+                    .help("remove the encoding for UTF-8 files")
             }));
             return Cow::Borrowed(bytes);
         }
@@ -41,9 +41,9 @@ pub fn to_utf8<'b>(
             Some(named) => named,
             None if guess && encoding.is_none() => {
                 diagnostics.push(
-                    Diagnostic::new(Code::ForeignOddity, "the file is not UTF-8, and is read as Windows-1252")
-                        .note("also known as Latin-1; older tools write in the encoding of their system")
-                        .help("name its encoding if letters are wrong, such as windows-1251 or shift_jis"),
+                    Diagnostic::new(Code::ForeignOddity, "the file is not UTF-8 and is read as Windows-1252")
+                        .note("Windows-1252 includes Latin-1; older tools write in the encoding of their system")
+                        .help("name the encoding, such as windows-1251 or shift_jis, if letters are wrong"),
                 );
                 WINDOWS_1252
             }
@@ -55,14 +55,14 @@ pub fn to_utf8<'b>(
         let message = format!("some characters of the file are not {}", read.name());
         diagnostics.push(
             Diagnostic::new(Code::ForeignOddity, message)
-                .note("U+FFFD stands for them")
-                .help("is it the encoding of the file, and is the file whole?"),
+                .note("they are replaced by U+FFFD")
+                .help("check the encoding of the file, and whether the file is complete"),
         );
     }
     Cow::Owned(text.into_owned().into_bytes())
 }
 
-/// UTF-16, by its byte order mark, or by the zero byte beside its first character.
+/// Detects UTF-16 by its byte order mark, or by the zero byte next to its first character.
 fn wide(bytes: &[u8]) -> Option<&'static Encoding> {
     match bytes {
         [0xFF, 0xFE, 0, 0, ..] | [_, 0, 0, 0, ..] | [0, 0, ..] => None, // UTF-32, or no text

@@ -1,8 +1,8 @@
-//! From a Lipz document to a track in the symbols of another tool, and to its file.
+//! Conversion of a Lipz document to a track in the symbols of another tool, and to its file.
 
 use crate::import::{REST, element};
 use crate::textgrid::Tier;
-use crate::{Format, Map, Shape, Text, Time, Timed, Track, map};
+use crate::{Format, Map, Shape, Text, Time, TimedText, Track, map};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::rate::Rate;
@@ -10,7 +10,7 @@ use lipz_file::text::{DELIMITER, is_white_space};
 use lipz_file::{Document, Element, Value};
 use lipz_types::VisemeType;
 
-/// What a project and a person decide about an export.
+/// The options of an export.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct ExportOptions<'a> {
@@ -20,12 +20,11 @@ pub struct ExportOptions<'a> {
     pub default_rate: Option<Rate>,
     /// The viseme type of files without `viseme_type`.
     pub default_viseme_type: Option<VisemeType>,
-    /// The name of the file to be written, without folders and extension, for formats that have it in the file,
-    /// too.
+    /// The name of the exported file, without folders and extension, for formats that store it.
     pub name: Option<&'a str>,
     /// The number of the first frame in Moho files, 0 or 1.
     pub dat_base: u64,
-    /// Tiers that a TextGrid gets besides those of the clip: when words and phones are said.
+    /// Additional tiers of a TextGrid, with the times of words and phones.
     pub tiers: &'a [Tier],
 }
 
@@ -37,7 +36,7 @@ impl Default for ExportOptions<'_> {
 
 /// Setters; each takes a value or an `Option`.
 impl<'a> ExportOptions<'a> {
-    /// The usual decisions.
+    /// Returns the default options.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -67,13 +66,13 @@ impl<'a> ExportOptions<'a> {
         ExportOptions { dat_base, ..self }
     }
 
-    /// Sets the name of the file to be written, without folders and extension.
+    /// Sets the name of the exported file, without folders and extension.
     #[must_use]
     pub fn name(self, name: impl Into<Option<&'a str>>) -> Self {
         ExportOptions { name: name.into(), ..self }
     }
 
-    /// Sets the tiers that a TextGrid gets besides those of the clip.
+    /// Sets the additional tiers of a TextGrid.
     #[must_use]
     pub fn tiers(self, tiers: &'a [Tier]) -> Self {
         ExportOptions { tiers, ..self }
@@ -83,20 +82,20 @@ impl<'a> ExportOptions<'a> {
 /// The result of an export.
 #[derive(Debug, Default)]
 #[non_exhaustive]
-pub struct Exported {
+pub struct ExportResult {
     /// The file; `None` if a diagnostic is an error.
     pub bytes: Option<Vec<u8>>,
     /// The table that was used: `rhubarb 1`.
     pub map: String,
-    /// What of the clip has no place in the format, such as `texts`.
+    /// The parts of the clip that the format cannot store, such as `texts`.
     pub left_out: Vec<&'static str>,
-    /// What is wrong or lost.
+    /// The problems and losses.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// Writes a Lipz document in a format of another tool.
-pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<'_>) -> Exported {
-    let mut exported = Exported::default();
+pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<'_>) -> ExportResult {
+    let mut exported = ExportResult::default();
     let diagnostics = &mut exported.diagnostics;
     let Some(write) = format.write else { return exported };
     let Some((track, map)) = track(format, document, options, diagnostics) else { return exported };
@@ -106,7 +105,7 @@ pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<
     exported
 }
 
-/// The document as a track in the symbols of the format, and the table that they are from.
+/// Returns the document as a track in the symbols of the format, and the mapping table used.
 fn track<'m>(
     format: &Format,
     document: &Document<'_>,
@@ -114,7 +113,7 @@ fn track<'m>(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<(Track, &'m Map)> {
     let Some(visemes) = document.string("visemes") else {
-        diagnostics.push(refusal("the clip has no mouth shapes").help("only clips with \"visemes\" can be exported"));
+        diagnostics.push(refusal("the clip has no mouth shapes").help("export clips with \"visemes\""));
         return None;
     };
     let codes: Vec<u8> = visemes
@@ -133,11 +132,11 @@ fn track<'m>(
     let fits = |map: &&Map| Some(map.viseme_type) == viseme_type && map.viseme_type.contains_all(&codes);
     let Some(map) = options.map.filter(fits).or_else(|| of_format().find(fits).filter(|_| options.map.is_none()))
     else {
-        let name = viseme_type.map_or("of no known viseme type", VisemeType::name);
+        let name = viseme_type.map_or("of an unknown viseme type", VisemeType::name);
         let message = format!("`{}` has no mapping table for the codes of the clip, which are {name}", format.name);
         diagnostics.push(refusal(message).help(match viseme_type {
             Some(VisemeType::Rms) => {
-                "loudness (rms) is not a mouth shape; export clips of the types blair and toonboom"
+                "export clips of the types blair and toonboom; loudness (rms) is not a mouth shape"
             }
             _ => "convert the clip to blair or toonboom first",
         }));
@@ -174,7 +173,7 @@ fn track<'m>(
     Some((Track { map: map::find(&map.name).map(|map| map.name.as_str()), ..track }, map))
 }
 
-/// The texts and the events of a document.
+/// Returns the texts and the events of a document.
 fn divided(document: &Document<'_>) -> (Vec<Text>, Vec<Element<'static>>) {
     let (mut texts, mut elements) = (Vec::new(), Vec::new());
     for Element { name, value } in &document.elements {
@@ -188,23 +187,23 @@ fn divided(document: &Document<'_>) -> (Vec<Text>, Vec<Element<'static>>) {
     (texts, elements)
 }
 
-/// Where the segments start. What is said in them has no place in formats of shapes.
-fn segments(visemes: &str, rate: Rate) -> Vec<Timed> {
+/// Returns the starts of the segments. Formats of mouth shapes cannot store their texts.
+fn segments(visemes: &str, rate: Rate) -> Vec<TimedText> {
     let mut frame = 0;
     let of_segment = |codes: &str| {
         let start = Time::of_frame(frame, rate);
         frame += codes.chars().filter(|&c| !is_white_space(c)).count() as u64;
-        Timed { start, text: String::new() }
+        TimedText { start, text: String::new() }
     };
     visemes.split(DELIMITER).map(of_segment).collect()
 }
 
-/// The diagnostic for a clip that cannot be exported.
+/// Returns the diagnostic for a clip that cannot be exported.
 pub(crate) fn refusal(message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Code::NotExportable, message)
 }
 
-/// The frame rate of a document, if it has one.
+/// Returns the frame rate of a document, if it has one.
 pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
     match &document.get("fps")?.value {
         Value::Number(number) => lipz_file::rate::parse(&number.text),
@@ -212,7 +211,7 @@ pub(crate) fn rate(document: &Document<'_>) -> Option<Rate> {
     }
 }
 
-/// The type of the codes: as the file names it, the project's default, or the first one that has them all.
+/// Returns the type of the codes: from the file, the project's default, or the first type that contains them all.
 fn viseme_type(document: &Document<'_>, codes: &[u8], options: &ExportOptions<'_>) -> Option<VisemeType> {
     match document.string("viseme_type") {
         Some(name) => name.parse::<VisemeType>().ok(),
@@ -222,7 +221,7 @@ fn viseme_type(document: &Document<'_>, codes: &[u8], options: &ExportOptions<'_
     }
 }
 
-/// Where equal codes start, with the code.
+/// Returns the first frame and the code of each run of equal codes.
 pub(crate) fn runs(codes: &[u8]) -> impl Iterator<Item = (u64, u8)> {
     let mut frame = 0;
     codes.chunk_by(|a, b| a == b).map(move |run| {
@@ -232,23 +231,23 @@ pub(crate) fn runs(codes: &[u8]) -> impl Iterator<Item = (u64, u8)> {
     })
 }
 
-/// Reports codes that come back as others, because they share a symbol.
+/// Reports codes that change in a round trip, because they share a symbol.
 fn report_merged(codes: &[u8], map: &Map, diagnostics: &mut Vec<Diagnostic>) {
     for code in map.viseme_type.codes().bytes() {
         let frames = codes.iter().filter(|&&other| other == code).count();
         let Some(symbol) = map.symbol(code).filter(|_| frames > 0) else { continue };
         if let Some(back) = map.code(symbol).filter(|&back| back != code) {
             let (code, back) = (char::from(code), char::from(back));
-            let message = format!("{frames} frames of `{code}` are written as `{symbol}`, which is read as `{back}`");
+            let message = format!("{frames} frames of `{code}` are written as `{symbol}`, which means `{back}`");
             diagnostics.push(
                 Diagnostic::new(Code::ExportLoss, message)
-                    .note(format!("the mapping table `{}` has no other symbol for `{code}`", map.name)),
+                    .note(format!("the mapping table `{}` has no separate symbol for `{code}`", map.name)),
             );
         }
     }
 }
 
-/// What of the document no format of mouth shapes has a place for.
+/// Returns the parts of the document that a format of mouth shapes cannot store.
 fn left_out(document: &Document<'_>, keeps_texts: bool) -> Vec<&'static str> {
     let has = |is: &dyn Fn(&str) -> bool| document.elements.iter().any(|element| is(&element.name.text));
     let is_text = |name: &str| text_name(name).is_some();

@@ -1,35 +1,34 @@
-//! From shapes with exact times to one code per frame, so that what reads on a mouth stays.
+//! Conversion of shapes with exact times to one code per frame, so that visible details survive.
 //!
-//! A frame shows one shape. Shapes shorter than a frame can find none; which of them give way is decided
-//! here. Closed lips (M, B, P) and the lip under the teeth (F, V) are what viewers miss first ("Talking
-//! Heads": consonants hold, and steal from the sound before them), so they get a frame of their time as long
-//! as no other such shape needs it.
+//! A frame shows one shape, so shapes shorter than a frame may be lost. Viewers notice most when closed lips (M, B, P)
+//! and the lip under the teeth (F, V) are missing ("Talking Heads": consonants hold, and steal from the sound before
+//! them). Therefore these get a frame within their time, unless another such shape needs it.
 
 use crate::Time;
 use lipz_file::rate::Rate;
 use lipz_types::VisemeType;
 
-/// A shape on its way to frames: its code and its times.
+/// A shape to be converted, with its code and times.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Run {
+pub(crate) struct ShapeRun {
     pub(crate) code: u8,
     pub(crate) start: Time,
     pub(crate) end: Time,
 }
 
-/// Why a shape has no frame.
+/// The reason why a shape has no frame.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum LossReason {
     /// It is shorter than a frame, and its neighbours cover more of the frames that it touches.
     TooShort,
-    /// Its only frame was given to closed lips, or to F and V.
+    /// Its only frame was given to closed lips, or to F or V.
     GaveWay,
-    /// It would have been held for less than the minimum.
+    /// It would have less than the minimum number of frames.
     BelowMinimum,
 }
 
 impl LossReason {
-    /// The reason in a few words.
+    /// Returns a short description of the reason.
     pub const fn describe(self) -> &'static str {
         match self {
             LossReason::TooShort => "shorter than a frame",
@@ -42,13 +41,13 @@ impl LossReason {
 /// Frames with the shapes that they show.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Frames {
-    /// How many frames each run shows, in the order of the runs.
+    /// The number of frames of each run, in the order of the runs.
     pub(crate) lengths: Vec<usize>,
-    /// The runs that have no frame, and why.
+    /// The runs without frames, and the reasons.
     pub(crate) lost: Vec<(usize, LossReason)>,
 }
 
-/// Whether a code is one of the shapes that must not vanish: closed lips, F and V.
+/// Whether a code is one of the shapes that must be visible: closed lips, F and V.
 pub(crate) fn must_show(viseme_type: VisemeType, code: u8) -> bool {
     match viseme_type {
         VisemeType::Blair => matches!(code, b'M' | b'F'),
@@ -57,9 +56,9 @@ pub(crate) fn must_show(viseme_type: VisemeType, code: u8) -> bool {
     }
 }
 
-/// Gives `runs`, which follow each other without gaps, their frames. Each run that shows is held for
-/// `min_hold` frames, if it can be.
-pub(crate) fn resample(runs: &[Run], viseme_type: VisemeType, rate: Rate, min_hold: usize) -> Frames {
+/// Assigns frames to `runs`, which follow each other without gaps. Each visible run gets at least `min_hold` frames, if
+/// possible.
+pub(crate) fn resample(runs: &[ShapeRun], viseme_type: VisemeType, rate: Rate, min_hold: usize) -> Frames {
     let mut owners = nearest_boundaries(runs, rate);
     let mut why = vec![LossReason::TooShort; runs.len()];
     let had_frames = counts(&owners, runs.len());
@@ -81,8 +80,8 @@ pub(crate) fn resample(runs: &[Run], viseme_type: VisemeType, rate: Rate, min_ho
     Frames { lengths, lost }
 }
 
-/// The run that each frame shows if every run starts at the frame boundary nearest to its time.
-fn nearest_boundaries(runs: &[Run], rate: Rate) -> Vec<usize> {
+/// Returns the run of each frame if every run starts at the nearest frame boundary.
+fn nearest_boundaries(runs: &[ShapeRun], rate: Rate) -> Vec<usize> {
     let mut owners = Vec::new();
     for (index, run) in runs.iter().enumerate() {
         let end = usize::try_from(run.end.nearest_frame(rate)).unwrap_or(usize::MAX);
@@ -101,11 +100,10 @@ fn counts(owners: &[usize], runs: usize) -> Vec<usize> {
     counts
 }
 
-/// A frame for each run that must show and for which one exists: one that its time touches, and that no
-/// earlier one of them needs.
-fn reserved(runs: &[Run], viseme_type: VisemeType, rate: Rate, frames: usize) -> Vec<(usize, usize)> {
+/// Returns a frame for each run that must be visible, if there is one within its time that no earlier such run needs.
+fn reserved(runs: &[ShapeRun], viseme_type: VisemeType, rate: Rate, frames: usize) -> Vec<(usize, usize)> {
     let frame = |count: u64| usize::try_from(count).unwrap_or(usize::MAX);
-    // What each could have, first and last frame. Both ascend from run to run.
+    // The first and the last possible frame of each. Both ascend from run to run.
     let mut kept: Vec<(usize, usize, usize)> = Vec::new();
     let mut next_free = 0;
     for (index, run) in runs.iter().enumerate().filter(|(_, run)| must_show(viseme_type, run.code)) {
@@ -116,7 +114,7 @@ fn reserved(runs: &[Run], viseme_type: VisemeType, rate: Rate, frames: usize) ->
             next_free = first + 1;
         }
     }
-    // From the end, how late each can be without being in the way of those after it.
+    // From the end, the latest frame of each that does not obstruct those after it.
     let mut before = usize::MAX;
     for (_, _, last) in kept.iter_mut().rev() {
         *last = (*last).min(before.saturating_sub(1));
@@ -133,9 +131,9 @@ fn reserved(runs: &[Run], viseme_type: VisemeType, rate: Rate, frames: usize) ->
         .collect()
 }
 
-/// Brings every run that shows to `minimum` frames. What it lacks comes from the run before, then from the
-/// run after, of what those have beyond the minimum. A run that lacks frames all the same gives way, unless it
-/// must show: then its neighbours do.
+/// Extends every visible run to `minimum` frames. The missing frames come first from the previous run, then from the
+/// next, as far as these have more than the minimum. A run that still has too few frames is removed, unless it must be
+/// visible: then its neighbours are.
 fn hold(lengths: &mut [usize], why: &mut [LossReason], minimum: usize, must_show: impl Fn(usize) -> bool) {
     if minimum < 2 {
         return;
@@ -152,7 +150,7 @@ fn hold(lengths: &mut [usize], why: &mut [LossReason], minimum: usize, must_show
         move_frames(lengths, rest.first().copied(), run, spare_after, minimum);
         let has = length(lengths, Some(&run));
         if has == 0 || has >= minimum {
-            // Without frames, an earlier run that must show has taken them.
+            // A run without frames lost them to an earlier run that must be visible.
             done.extend((has > 0).then_some(run));
             continue;
         }
@@ -164,7 +162,7 @@ fn hold(lengths: &mut [usize], why: &mut [LossReason], minimum: usize, must_show
                 if length(lengths, Some(&run)) >= minimum {
                     break;
                 }
-                // All of it: what it kept would be less than the minimum.
+                // Take all frames, because the rest would be less than the minimum.
                 take_from(lengths, why, other, run, usize::MAX);
                 done.pop();
             }
@@ -178,7 +176,7 @@ fn hold(lengths: &mut [usize], why: &mut [LossReason], minimum: usize, must_show
     }
 }
 
-/// Moves frames from a run to a neighbour that has fewer than `wanted`, at most `spare`.
+/// Moves at most `spare` frames from a run to a neighbour with fewer than `wanted`.
 fn move_frames(lengths: &mut [usize], from: Option<usize>, to: usize, spare: usize, wanted: usize) {
     let Some(from) = from else { return };
     let lacks = wanted.saturating_sub(lengths.get(to).copied().unwrap_or(wanted));
@@ -191,7 +189,7 @@ fn move_frames(lengths: &mut [usize], from: Option<usize>, to: usize, spare: usi
     }
 }
 
-/// Moves what `to` lacks from a run that may vanish by it.
+/// Moves the frames that `to` lacks from a run that may disappear.
 fn take_from(lengths: &mut [usize], why: &mut [LossReason], from: usize, to: usize, minimum: usize) {
     let all = lengths.get(from).copied().unwrap_or(0);
     move_frames(lengths, Some(from), to, all, minimum);
@@ -214,13 +212,13 @@ mod tests {
 
     const FILM: Rate = Rate { numerator: 24, denominator: 1, is_exact: true };
 
-    /// Runs of codes with their lengths in milliseconds.
-    fn runs(shapes: &[(u8, u64)]) -> Vec<Run> {
+    /// Returns runs of codes with these lengths in milliseconds.
+    fn runs(shapes: &[(u8, u64)]) -> Vec<ShapeRun> {
         let mut end = 0;
         let run = |&(code, ms): &(u8, u64)| {
             let start = end;
             end += ms;
-            Run { code, start: Time::new(start, 1000), end: Time::new(end, 1000) }
+            ShapeRun { code, start: Time::new(start, 1000), end: Time::new(end, 1000) }
         };
         shapes.iter().map(run).collect()
     }
@@ -228,7 +226,7 @@ mod tests {
     fn codes(shapes: &[(u8, u64)], min_hold: usize) -> String {
         let runs = runs(shapes);
         let frames = resample(&runs, VisemeType::Blair, FILM, min_hold);
-        let of_run = |(run, length): (&Run, &usize)| char::from(run.code).to_string().repeat(*length);
+        let of_run = |(run, length): (&ShapeRun, &usize)| char::from(run.code).to_string().repeat(*length);
         runs.iter().zip(&frames.lengths).map(of_run).collect()
     }
 
@@ -264,8 +262,9 @@ mod tests {
         assert_eq!(codes(&[(b'A', 84), (b'M', 42), (b'E', 84)], 2), "AAMMM", "closed lips do not");
     }
 
-    /// The most runs that must show of which each can have a frame of its own that it touches.
-    fn most_shown(runs: &[Run], frames: usize) -> usize {
+    /// Returns the largest number of runs that can each have a frame of their own within their time, among those that
+    /// must be visible.
+    fn most_shown(runs: &[ShapeRun], frames: usize) -> usize {
         let mut free: Vec<usize> = (0..frames).collect();
         let mut shown = 0;
         for run in runs.iter().filter(|run| must_show(VisemeType::Blair, run.code)) {

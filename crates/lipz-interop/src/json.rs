@@ -1,6 +1,6 @@
-//! JSON that knows where each of its values stands, for formats made of it.
+//! JSON values with their positions, for formats based on JSON.
 //!
-//! serde_json checks the syntax and finds the ends of values; places come from where its slices point.
+//! serde_json checks the syntax and finds the ends of values. Positions come from the addresses of its slices.
 
 use crate::source::Line;
 use lipz_diagnostics::{Code, Diagnostic, Span};
@@ -8,13 +8,13 @@ use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;
 
-/// A value: its JSON text and its place.
+/// A value: its JSON text and position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node<'s> {
     pub(crate) line: Line<'s>,
 }
 
-/// The root of a JSON text; reports why it is none.
+/// Returns the root of a JSON text, or reports a syntax error.
 pub(crate) fn root<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Node<'s>> {
     match serde_json::from_str::<&RawValue>(text) {
         Ok(raw) => Some(Node::new(raw, text, 0)),
@@ -25,8 +25,8 @@ pub(crate) fn root<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Opti
     }
 }
 
-/// The values that follow each other in a text, whatever commas are between them; reports where it
-/// is not JSON, and gives those before.
+/// Returns the consecutive values in a text, with or without commas between them. At a syntax error, it reports the
+/// error and returns the values before.
 pub(crate) fn joined<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Node<'s>> {
     let mut nodes = Vec::new();
     let mut at = 0;
@@ -50,14 +50,14 @@ pub(crate) fn joined<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Ve
     }
 }
 
-/// The diagnostic for a text that is not JSON behind byte `at`.
+/// Returns the diagnostic for a syntax error after byte `at`.
 fn syntax(text: &str, at: usize, error: &serde_json::Error) -> Diagnostic {
     if error.is_eof() {
         return crate::source::cut_off(text, "its JSON is not complete");
     }
     let rest = text.get(at..).unwrap_or_default();
     let before: usize = rest.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
-    // serde_json counts the columns in bytes, from 1.
+    // serde_json counts columns in bytes, from 1.
     let place = text.floor_char_boundary(at + before + error.column().saturating_sub(1));
     let length = text.get(place..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
     let message = error.to_string();
@@ -79,7 +79,7 @@ impl<'s> Node<'s> {
         self.line.span()
     }
 
-    /// The members of an object, names decoded; none if it is not an object.
+    /// Returns the members of an object, with decoded names; nothing if the value is not an object.
     pub(crate) fn members(self) -> Vec<(String, Node<'s>)> {
         struct Members;
         impl<'de> Visitor<'de> for Members {
@@ -99,13 +99,13 @@ impl<'s> Node<'s> {
         members.unwrap_or_default().into_iter().map(|(name, raw)| (name, self.child(raw))).collect()
     }
 
-    /// The member that has one of these names, whatever the case of their letters.
+    /// Returns the member with one of these names, in either case.
     pub(crate) fn get(self, names: &[&str]) -> Option<Node<'s>> {
         let is_one = |name: &str| names.iter().any(|known| known.eq_ignore_ascii_case(name));
         self.members().into_iter().find(|(name, _)| is_one(name)).map(|(_, node)| node)
     }
 
-    /// The items of an array; `None` if it is none.
+    /// Returns the items of an array; `None` if the value is not an array.
     pub(crate) fn items(self) -> Option<Vec<Node<'s>>> {
         struct Items;
         impl<'de> Visitor<'de> for Items {
@@ -125,12 +125,12 @@ impl<'s> Node<'s> {
         Some(items.into_iter().map(|raw| self.child(raw)).collect())
     }
 
-    /// The text of a string; `None` if it is none.
+    /// Returns the text of a string; `None` if the value is not a string.
     pub(crate) fn string(self) -> Option<String> {
         serde_json::from_str(self.line.text).ok()
     }
 
-    /// The digits of a number, also of one between quotes; `None` if it is neither.
+    /// Returns the digits of a number, which may be in quotes; `None` for other values.
     pub(crate) fn number(self) -> Option<String> {
         match self.line.text.as_bytes().first()? {
             b'"' => self.string().map(|text| text.trim().to_owned()),
@@ -143,13 +143,13 @@ impl<'s> Node<'s> {
         self.line.text.starts_with('{')
     }
 
-    /// The diagnostic that it lacks a member, or has another one there.
+    /// Returns the diagnostic for a missing or wrong member.
     pub(crate) fn lacks(self, what: &str) -> Diagnostic {
         let start = self.line.at;
         Diagnostic::at(Code::ForeignSyntax, Span::new(start, start + 1), format!("{what} is missing here"))
     }
 
-    /// The diagnostic that it is not what the format has there.
+    /// Returns the diagnostic for a value that the format does not allow here.
     pub(crate) fn not(self, what: &str) -> Diagnostic {
         self.line.not(what)
     }

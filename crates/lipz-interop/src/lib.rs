@@ -1,8 +1,8 @@
-//! Lip-sync files of other tools, to and from Lipz files.
+//! Conversion of other tools' lip-sync files to and from Lipz files.
 //!
-//! Each format is one file in `formats/`: it reads bytes into [`Track`]s, shapes with exact times in the
-//! names of the tool, and writes them. What is common to all is done once: a [`Map`] turns names into Lipz
-//! codes, [`import`] lays them out in frames and joins the text, and [`export`] goes the other way.
+//! Each format is one file in `formats/`: it reads bytes into [`Track`]s, which are shapes with exact times in the
+//! names of the tool, and writes them. All formats share the rest: a [`Map`] converts names to Lipz codes, [`import`]
+//! assigns them to frames and adds the text, and [`export`] does the reverse.
 //!
 //! ```
 //! use lipz_interop::{ImportOptions, formats, import};
@@ -14,7 +14,7 @@
 //! # Ok::<(), &str>(())
 //! ```
 //!
-//! What is not here: banks and their layout, settings, files and printing (`lipz`).
+//! This crate does not contain banks, settings, files or printing. Those are parts of `lipz`.
 
 mod encoding;
 mod export;
@@ -37,16 +37,16 @@ mod xml;
 
 pub use encoding::to_utf8;
 pub use encoding_rs::Encoding;
-pub use export::{ExportOptions, Exported, export};
+pub use export::{ExportOptions, ExportResult, export};
 pub use formats::Format;
 pub use frames::LossReason;
-pub use import::{Clip, DEFAULT_RATE, ImportOptions, Imported, LostShape, import};
+pub use import::{DEFAULT_RATE, ImportOptions, ImportResult, ImportedClip, LostShape, import};
 pub use map::{Map, built_in as maps, file as map_file, find as find_map};
-pub use merge::{MergeOptions, Merged, Mouth, merge};
+pub use merge::{MergeOptions, MergedClip, Mouth, merge};
 pub use script::Script;
 pub use segments::Segments;
 pub use time::Time;
-pub use track::{Shape, Text, Timed, Track};
+pub use track::{Shape, Text, TimedText, Track};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

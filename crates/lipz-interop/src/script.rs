@@ -1,4 +1,4 @@
-//! Scripts: the texts of many recordings in one file, found by the names of the recordings.
+//! Scripts: the texts of many recordings in one file, identified by the names of the recordings.
 
 use crate::fallout::msg;
 use crate::to_utf8;
@@ -11,32 +11,32 @@ use std::path::Path;
 /// The columns of a CSV that are used.
 const FILE: &str = "file";
 const TEXT: &str = "text";
-/// What may stand between columns: commas, and what spreadsheets write where a comma is the decimal point.
+/// The characters that may separate columns. Where the comma is the decimal point, spreadsheets write semicolons.
 const DELIMITERS: [u8; 3] = [b',', b';', b'\t'];
 
-/// The texts of many recordings.
+/// A script: the texts of many recordings.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Script {
-    /// The file as messages call it.
+    /// The name of the file in messages.
     file: String,
-    /// By names of files without folders and extension, in lower case.
-    entries: BTreeMap<String, Vec<Entry>>,
+    /// By the names of files without folders and extension, in lower case.
+    entries: BTreeMap<String, Vec<ScriptEntry>>,
 }
 
 /// The text of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
-struct Entry {
-    /// The path as the script names it, without extension, in lower case and with `/`.
+struct ScriptEntry {
+    /// The path in the script, without extension, in lower case and with `/`.
     path: String,
     text: String,
 }
 
 impl Script {
-    /// Reads a script: a `.msg` file of Fallout, or, if its name ends otherwise, a CSV whose first line
-    /// names its columns, of which `file` and `text` are used. Columns are divided by commas, semicolons or tabs.
+    /// Reads a script: a `.msg` file of Fallout, or otherwise a CSV file whose first line names its columns. The
+    /// columns `file` and `text` are used. Commas, semicolons or tabs separate columns.
     ///
-    /// Files that are not UTF-8 are read in `encoding`, or as Windows-1252, in which the tools of the
-    /// time wrote ([`to_utf8`]). The source that is returned has the text to which the diagnostics refer.
+    /// Files that are not UTF-8 are read in `encoding`, or else as Windows-1252, the usual encoding of old tools
+    /// ([`to_utf8`]). The diagnostics refer to the text of the returned source.
     pub fn read(path: &str, bytes: &[u8], encoding: Option<&'static Encoding>) -> (Script, Source, Vec<Diagnostic>) {
         let mut diagnostics = Vec::new();
         let utf8 = to_utf8(bytes, encoding, true, &mut diagnostics);
@@ -48,12 +48,12 @@ impl Script {
         (script, Source::new(path, text), diagnostics)
     }
 
-    /// The file, as [`read`](Script::read) was told.
+    /// Returns the name of the file that was passed to [`read`](Script::read).
     pub fn path(&self) -> &str {
         &self.file
     }
 
-    /// How many recordings have a text.
+    /// Returns the number of recordings with a text.
     pub fn len(&self) -> usize {
         self.entries.values().map(Vec::len).sum()
     }
@@ -63,8 +63,8 @@ impl Script {
         self.entries.is_empty()
     }
 
-    /// The names of the recordings that have a text and are none of these files with their names, in lower case and in
-    /// order.
+    /// Returns the names of recordings that have a text but are missing from `recordings`, which are files with their
+    /// names. The result is sorted, in lower case.
     pub fn names_without<'r>(&self, recordings: impl IntoIterator<Item = (&'r Path, &'r str)>) -> Vec<&str> {
         let used = recordings.into_iter().filter_map(|(file, name)| self.entry_of_file(file, name));
         let used: HashSet<&str> = used.map(|entry| entry.path.as_str()).collect();
@@ -74,26 +74,26 @@ impl Script {
         names
     }
 
-    /// The text of the recording at `path`, without extension. The case of letters makes no difference.
+    /// Returns the text of the recording at `path`, without extension. Case is ignored.
     ///
-    /// Either of `path` and the path in the script may have more folders in front than the other: `mayor` and
-    /// `act1/mayor` in the script are both `rec/act1/mayor`, the one with more folders before the other. A path that
-    /// may be several of the script has a text only if theirs are the same.
+    /// Either of `path` and the path in the script may have more leading folders than the other: `mayor` and
+    /// `act1/mayor` in the script both match `rec/act1/mayor`, and the one with more folders has priority. A path with
+    /// several equal matches has a text only if their texts are the same.
     pub fn text_of(&self, path: &str) -> Option<&str> {
         self.entry(path).map(|entry| entry.text.as_str())
     }
 
-    /// The text of a recording by the path of its file, or else by the name under which it is known.
+    /// Returns the text of a recording by the path of its file, or else by its name.
     pub fn text_of_file(&self, file: &Path, name: &str) -> Option<&str> {
         self.entry_of_file(file, name).map(|entry| entry.text.as_str())
     }
 
-    fn entry_of_file(&self, file: &Path, name: &str) -> Option<&Entry> {
+    fn entry_of_file(&self, file: &Path, name: &str) -> Option<&ScriptEntry> {
         let by_path = || self.entry(file.with_extension("").to_str()?);
         by_path().or_else(|| self.entry(name))
     }
 
-    fn entry(&self, path: &str) -> Option<&Entry> {
+    fn entry(&self, path: &str) -> Option<&ScriptEntry> {
         let path = normal(path);
         let entries = self.entries.get(name(&path))?;
         let is_end =
@@ -107,13 +107,13 @@ impl Script {
         around.all(|other| other.text == first.text).then_some(first)
     }
 
-    /// Adds a text, unless the recording has another one: returns whether it was added.
+    /// Adds a text, unless the recording has a different one. Returns whether it was added.
     fn add(&mut self, path: String, text: String) -> bool {
         let entries = self.entries.entry(name(&path).to_owned()).or_default();
         match entries.iter().find(|entry| entry.path == path) {
             Some(first) => first.text == text,
             None => {
-                entries.push(Entry { path, text });
+                entries.push(ScriptEntry { path, text });
                 true
             }
         }
@@ -153,13 +153,13 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
         match (row.get(file).map(str::trim), row.get(line)) {
             (Some(name), Some(line)) if !name.is_empty() => {
                 if !script.add(without_extension(&normal(name)).to_owned(), line.to_owned()) {
-                    let message = format!("{} has another text in a row above", escape::quoted(name));
-                    found.push(Diagnostic::at(Code::ForeignOddity, span, message).note("the first one is used"));
+                    let message = format!("{} has a different text in a row above", escape::quoted(name));
+                    found.push(Diagnostic::at(Code::ForeignOddity, span, message).note("the first text is used"));
                 }
             }
             (_, line) => {
-                let what = if line.is_some() { "the row names no file" } else { "the row has no text" };
-                let help = "write both, or remove the row; a text with commas stands in quotes";
+                let what = if line.is_some() { "the row has no file name" } else { "the row has no text" };
+                let help = "write both, or remove the row; put a text with commas in quotes";
                 found.push(Diagnostic::at(Code::ForeignSyntax, span, what).help(help));
             }
         }
@@ -167,7 +167,7 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
     (script, found)
 }
 
-/// What divides the columns, and where the two are that are used.
+/// Returns the delimiter of the columns, and the indices of the two used columns.
 fn columns(text: &str) -> Option<(u8, [usize; 2])> {
     DELIMITERS.into_iter().find_map(|delimiter| {
         let head = head(text, delimiter)?;
@@ -181,7 +181,7 @@ fn head(text: &str, delimiter: u8) -> Option<csv::StringRecord> {
     rows.records().next()?.ok()
 }
 
-/// Reports a first line that does not name both columns.
+/// Returns the diagnostic for a first line that does not name both columns.
 fn without_columns(text: &str) -> Diagnostic {
     let end = text.lines().next().map_or(0, str::len);
     let named: Vec<String> =
@@ -191,19 +191,19 @@ fn without_columns(text: &str) -> Diagnostic {
         .filter(|name| !named.iter().any(|column| column.trim_matches('`').eq_ignore_ascii_case(name)))
         .collect();
     let message = match missing.as_slice() {
-        [name] => format!("the first line names no column `{name}`"),
+        [name] => format!("the first line has no column `{name}`"),
         _ => "the first line does not name the columns".to_owned(),
     };
     let diagnostic = Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), message);
-    diagnostic.help("a script starts with `file,text`; other columns are not used")
+    diagnostic.help("start the script with `file,text`; other columns are ignored")
 }
 
-/// A path as it is compared: in lower case, with `/`.
+/// Returns a path in the form for comparison: in lower case, with `/`.
 fn normal(path: &str) -> String {
     path.replace('\\', "/").to_lowercase()
 }
 
-/// The last part of a path.
+/// Returns the last part of a path.
 fn name(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
 }
@@ -285,9 +285,9 @@ mod tests {
             let span = found.primary.as_ref().unwrap().span;
             (found.message.as_str(), &source.text[span.start as usize..span.end as usize])
         });
-        let expected = [("the row names no file", ",Two."), ("the row has no text", "b")];
+        let expected = [("the row has no file name", ",Two."), ("the row has no text", "b")];
         assert_eq!(marked.collect::<Vec<_>>(), expected);
         let (_, _, found) = Script::read("a.csv", b"file,line\na,One.\n", None);
-        assert_eq!(found[0].message, "the first line names no column `text`");
+        assert_eq!(found[0].message, "the first line has no column `text`");
     }
 }

@@ -1,4 +1,4 @@
-//! Second Life: the lip sync settings in a viewer's `settings.xml`, which is LLSD, an XML of typed maps.
+//! Second Life: the lip-sync settings in a viewer's `settings.xml`, which is LLSD, an XML format of typed maps.
 
 use crate::{source, xml};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
@@ -6,23 +6,23 @@ use lipz_file::digits::Digits;
 use lipz_file::rate::{self, Rate};
 use roxmltree::{Document, Node};
 
-/// The lip sync settings that a user of a viewer changed; the others have the viewer's defaults.
+/// The lip-sync settings of a viewer that were changed by the user. `None` stands for the viewer's default.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct LipSync {
     /// The loop for the lips, `LipSyncOoh`.
     pub ooh: Option<Digits>,
     /// The loop for the jaw, `LipSyncAah`.
     pub aah: Option<Digits>,
-    /// What power does to the lips, `LipSyncOohPowerTransfer`.
+    /// The power transfer of the lips, `LipSyncOohPowerTransfer`.
     pub ooh_power_transfer: Option<Digits>,
-    /// What power does to the jaw, `LipSyncAahPowerTransfer`.
+    /// The power transfer of the jaw, `LipSyncAahPowerTransfer`.
     pub aah_power_transfer: Option<Digits>,
     /// Digits per second, 1 to 1000, `LipSyncOohAahRate`.
     pub rate: Option<Rate>,
 }
 
-/// The lip sync settings in the `settings.xml` of a viewer, which messages call `name`; `None` if it is not LLSD.
-/// Settings that are wrong are reported and left open.
+/// Reads the lip-sync settings in the `settings.xml` of a viewer; `None` if it is not LLSD. Invalid settings are
+/// reported and left at `None`. Messages refer to the file as `name`.
 ///
 /// ```
 /// let file = br#"<llsd><map>
@@ -58,7 +58,7 @@ pub fn lip_sync(bytes: &[u8], name: &str, diagnostics: &mut Vec<Diagnostic>) -> 
     if !settings.has_any() {
         let message = format!("{} has no lip sync settings", escape::quoted(name));
         let diagnostic = Diagnostic::new(Code::NoLipSyncSettings, message);
-        diagnostics.push(diagnostic.note("the profile is that of an untouched viewer").help(WHICH_FILE));
+        diagnostics.push(diagnostic.note("the profile has the viewer's defaults").help(WHICH_FILE));
     }
     if let Some(enabled) = settings.value("LipSyncEnabled") {
         enabled.check_enabled(diagnostics);
@@ -67,9 +67,9 @@ pub fn lip_sync(bytes: &[u8], name: &str, diagnostics: &mut Vec<Diagnostic>) -> 
     Some(lip_sync)
 }
 
-const WHICH_FILE: &str = "name the settings.xml in the folder user_settings of the viewer";
+const WHICH_FILE: &str = "name settings.xml in the folder user_settings of the viewer";
 
-/// The map of settings in an LLSD document.
+/// Returns the map of settings in an LLSD document.
 fn settings<'d>(document: &'d Document<'d>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<Map<'d>> {
     let root = document.root_element();
     let mut refuse = |node: Node<'_, '_>, what: &str| {
@@ -86,13 +86,13 @@ fn settings<'d>(document: &'d Document<'d>, name: &str, diagnostics: &mut Vec<Di
     match map {
         Some(map) if map.has_tag_name("map") => Some(Map(map)),
         _ => {
-            refuse(map.unwrap_or(root), "there is no <map> of settings in");
+            refuse(map.unwrap_or(root), "no <map> of settings in");
             None
         }
     }
 }
 
-/// An LLSD map: keys, each with the element behind it.
+/// An LLSD map: keys, each followed by its value.
 struct Map<'d>(Node<'d, 'd>);
 
 impl<'d> Map<'d> {
@@ -100,40 +100,40 @@ impl<'d> Map<'d> {
         self.0.children().find(|node| node.has_tag_name("key") && node.text().map(str::trim) == Some(name))
     }
 
-    /// Whether a setting of lip sync is there.
+    /// Whether there is a lip-sync setting.
     fn has_any(&self) -> bool {
         let is_key = |node: &Node<'_, '_>| node.has_tag_name("key");
         let mut keys = self.0.children().filter(is_key).filter_map(|key| key.text());
         keys.any(|key| key.trim().starts_with("LipSync"))
     }
 
-    /// The setting with this name. A setting is a map, too; what counts is its `Value`.
-    fn value(&self, name: &'static str) -> Option<Value<'d>> {
+    /// Returns the setting with this name. A setting is itself a map that contains a `Value`.
+    fn value(&self, name: &'static str) -> Option<LlsdSetting<'d>> {
         let key = self.key(name)?;
         let setting = key.next_sibling_element();
         let map = setting.filter(|node| node.has_tag_name("map")).map(Map);
         let node = map.and_then(|map| map.key("Value")).and_then(|key| key.next_sibling_element());
-        Some(Value { name, key, node })
+        Some(LlsdSetting { name, key, node })
     }
 }
 
 /// The value of a setting.
-struct Value<'d> {
+struct LlsdSetting<'d> {
     name: &'static str,
     key: Node<'d, 'd>,
     /// The typed value, if there is one.
     node: Option<Node<'d, 'd>>,
 }
 
-impl<'d> Value<'d> {
+impl<'d> LlsdSetting<'d> {
     fn digits(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Digits> {
-        let node = self.of_type(&["string"], "a text of digits", diagnostics)?;
+        let node = self.of_type(&["string"], "a string of digits", diagnostics)?;
         let text = node.text().unwrap_or("");
         let why = match Digits::parse(text) {
             Ok(digits) => return Some(digits),
             Err(why) => why,
         };
-        // Without entities and the like, the text stands in the file as it is.
+        // Without entities and the like, the text is unchanged in the file.
         let plain = node.first_child().filter(|child| child.range().len() == text.len());
         diagnostics.push(why.diagnostic(self.name, xml::whole(node), plain.map(|child| child.range().start)));
         None
@@ -146,7 +146,7 @@ impl<'d> Value<'d> {
         if rate.is_none() {
             let message = format!("`{}` is outside 1 to 1000", self.name);
             let diagnostic = Diagnostic::at(Code::BabbleRate, xml::whole(node), message);
-            diagnostics.push(diagnostic.help("write digits per second; the viewer's own rate is 24"));
+            diagnostics.push(diagnostic.help("write digits per second; the viewer uses 24"));
         }
         rate
     }
@@ -155,34 +155,35 @@ impl<'d> Value<'d> {
     fn check_enabled(&self, diagnostics: &mut Vec<Diagnostic>) {
         let Some(node) = self.of_type(&["integer", "boolean"], "0 or 1", diagnostics) else { return };
         if matches!(node.text().unwrap_or("0").trim(), "0" | "false" | "") {
-            let message = "lip sync is switched off in these settings";
+            let message = "lip sync is off in these settings";
             let diagnostic = Diagnostic::at(Code::LipSyncDisabled, xml::whole(node), message);
-            diagnostics.push(diagnostic.help("look at the profile before you use it: LipSyncEnabled is 0"));
+            diagnostics.push(diagnostic.help("check the profile before you use it, or set LipSyncEnabled to 1"));
         }
     }
 
-    /// The value, if it has one of these types.
+    /// Returns the value, if it has one of these types.
     fn of_type(&self, types: &[&str], expected: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<Node<'d, 'd>> {
         match self.node {
             Some(node) if types.iter().any(|name| node.has_tag_name(*name)) => return Some(node),
             Some(node) => {
                 let found = escape::text(node.tag_name().name()).into_owned();
-                let message = format!("`{}` is not {expected}, but of type {found}", self.name);
+                let message = format!("`{}` has the type {found}, but must be {expected}", self.name);
                 let diagnostic = Diagnostic::at(Code::ViewerSettingType, start_tag(node), message);
-                diagnostics.push(diagnostic.help(format!("the viewer writes <{}>", types.join("> or <"))));
+                diagnostics.push(diagnostic.help(format!("write <{}>, as the viewer does", types.join("> or <"))));
             }
             None => {
                 let message = format!("`{}` has no value", self.name);
                 let diagnostic = Diagnostic::at(Code::ViewerSettingType, xml::whole(self.key), message);
-                diagnostics
-                    .push(diagnostic.help("a setting is a <map> with the <key>Value</key>; remove it for the default"));
+                diagnostics.push(
+                    diagnostic.help("write a <map> with the <key>Value</key>, or remove the setting for its default"),
+                );
             }
         }
         None
     }
 }
 
-/// `<map` of an element that may be long.
+/// Returns the span of a start tag without attributes: `<map` of an element that may be long.
 fn start_tag(node: Node<'_, '_>) -> Span {
     let range = node.range();
     let element = node.document().input_text().get(range.clone()).unwrap_or_default();

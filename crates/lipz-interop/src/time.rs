@@ -1,17 +1,17 @@
-//! Exact times: whatever unit a format counts in, nothing is lost before frames are chosen.
+//! Exact times, which do not lose precision in any unit before frames are chosen.
 
 use lipz_file::rate::Rate;
 use std::cmp::Ordering;
 use std::fmt;
 
-/// Decimal places of seconds that are kept: nanoseconds. More are rounded.
+/// The number of decimal places of seconds that are kept: nanoseconds. More are rounded.
 const MAX_PLACES: u32 = 9;
-/// Units of a second for times that come as binary floating-point numbers.
+/// The units per second of times from binary floating-point numbers.
 const FLOAT_UNITS: u32 = 1 << 30;
 
 /// A time since the start of the recording: an exact number of seconds.
 ///
-/// Milliseconds, ticks of 100 ns, samples and frames of any rate are all fractions, and compared as such.
+/// Milliseconds, ticks of 100 ns, samples and frames of any rate are all fractions, and are compared exactly.
 ///
 /// ```
 /// use lipz_interop::Time;
@@ -22,7 +22,7 @@ const FLOAT_UNITS: u32 = 1 << 30;
 #[derive(Clone, Copy, Debug)]
 pub struct Time {
     units: u64,
-    /// Units in a second; not 0.
+    /// The units per second, not 0.
     per_second: u32,
 }
 
@@ -30,18 +30,18 @@ impl Time {
     /// The start of the recording.
     pub const ZERO: Time = Time { units: 0, per_second: 1 };
 
-    /// `units`, of which a second has `per_second` (0 counts as 1).
+    /// Returns the time of `units` at `per_second` units per second (0 counts as 1).
     pub const fn new(units: u64, per_second: u32) -> Time {
         Time { units, per_second: if per_second == 0 { 1 } else { per_second } }
     }
 
-    /// The time at which a frame of a rate starts; the first is frame 0.
+    /// Returns the start of a frame at a rate. The first is frame 0.
     pub const fn of_frame(frame: u64, rate: Rate) -> Time {
         Time::new(frame.saturating_mul(rate.denominator as u64), rate.numerator)
     }
 
-    /// Seconds in decimal digits, as `1.25` or `1e-2`, to the nanosecond; `None` if they are no number, less
-    /// than 0, or more than 64 bits hold.
+    /// Parses seconds in decimal digits, such as `1.25` or `1e-2`, to the nanosecond. Returns `None` if they are not a
+    /// number, negative, or exceed 64 bits.
     pub fn parse(seconds: &str) -> Option<Time> {
         let (mantissa, exponent) = seconds.split_once(['e', 'E']).unwrap_or((seconds, "0"));
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -69,50 +69,50 @@ impl Time {
         Some(Time::new(u64::try_from(value).ok()?, 10_u32.pow(places)))
     }
 
-    /// Seconds as a binary floating-point number; `None` if it is not a number, less than 0 or too large.
+    /// Converts seconds as a binary floating-point number; `None` if it is not a number, negative or too large.
     pub fn from_f32(seconds: f32) -> Option<Time> {
         let units = f64::from(seconds) * f64::from(FLOAT_UNITS);
         let is_time = units.is_finite() && units > -0.5 && units < 2_f64.powi(63);
-        // In range, and a fraction of a unit is far less than any frame.
+        // In range, and the rounding error is far less than any frame.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         is_time.then(|| Time::new(units.round() as u64, FLOAT_UNITS))
     }
 
-    /// Seconds as the nearest floating-point number.
+    /// Returns the seconds as the nearest floating-point number.
     #[allow(clippy::cast_precision_loss, reason = "the nearest one is meant")]
     pub fn as_f64(self) -> f64 {
         self.units as f64 / f64::from(self.per_second)
     }
 
-    /// The time halfway between this one and another, to a part in 2³⁰ of a second.
+    /// Returns the time halfway between two times, with a precision of 2⁻³⁰ seconds.
     pub fn midpoint(self, other: Time) -> Time {
         Time::new(u64::midpoint(self.in_units(FLOAT_UNITS), other.in_units(FLOAT_UNITS)), FLOAT_UNITS)
     }
 
-    /// The time in units of which a second has `per_second`, rounded to the nearest one.
+    /// Returns the time in units of `per_second` per second, rounded to the nearest.
     pub fn in_units(self, per_second: u32) -> u64 {
         nearest(u128::from(self.units) * u128::from(per_second), u128::from(self.per_second))
     }
 
-    /// The boundary between frames that is nearest to the time: the number of frames before it.
+    /// Returns the frame boundary nearest to the time: the number of frames before it.
     pub fn nearest_frame(self, rate: Rate) -> u64 {
         let (frames, scale) = self.frames(rate);
         nearest(frames, scale)
     }
 
-    /// The frame that shows at the time.
+    /// Returns the frame at this time.
     pub fn frame(self, rate: Rate) -> u64 {
         let (frames, scale) = self.frames(rate);
         fit(frames / scale)
     }
 
-    /// The number of frames that have started before the time.
+    /// Returns the number of frames that have started before the time.
     pub fn frames_begun(self, rate: Rate) -> u64 {
         let (frames, scale) = self.frames(rate);
         fit(frames.div_ceil(scale))
     }
 
-    /// Frames as a ratio.
+    /// Returns the time in frames, as a ratio.
     fn frames(self, rate: Rate) -> (u128, u128) {
         let frames = u128::from(self.units) * u128::from(rate.numerator);
         (frames, u128::from(self.per_second) * u128::from(rate.denominator.max(1)))
@@ -154,7 +154,7 @@ impl Ord for Time {
     }
 }
 
-/// Seconds to the millisecond, as messages show them: `1.250 s`.
+/// Prints seconds to the millisecond, as in messages: `1.250 s`.
 impl fmt::Display for Time {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ms = self.in_units(1000);

@@ -1,4 +1,4 @@
-//! What other tools say about a recording, before it becomes a Lipz file: shapes with their times.
+//! The data that other tools store about a recording, before it becomes a Lipz file: shapes with times.
 
 use crate::Time;
 use crate::textgrid::Tier;
@@ -6,62 +6,62 @@ use lipz_diagnostics::Span;
 use lipz_file::Element;
 use lipz_file::rate::Rate;
 
-/// The mouth shapes of one speaker in one recording, as a file of another tool has them.
+/// The mouth shapes of one speaker in one recording, as stored in a file of another tool.
 ///
-/// Times are exact, shapes have the names that the tool gives them. Which Lipz code a name stands for is the
-/// business of a [`Map`](crate::Map); to which frames it comes, that of [`import`](crate::import()).
+/// Times are exact, and shapes have the names that the tool uses. A [`Map`](crate::Map) converts the names to Lipz
+/// codes, and [`import`](crate::import()) assigns them to frames.
 #[derive(Clone, PartialEq, Debug, Default)]
 #[non_exhaustive]
 pub struct Track {
-    /// What the file calls the speaker, if it can have several.
+    /// The speaker's name in the file, if it can contain several.
     pub name: Option<String>,
-    /// The [mapping table](crate::Map) of its symbols, if the file names it and not the format.
+    /// The [mapping table](crate::Map) of its symbols, if the file rather than the format names it.
     pub map: Option<&'static str>,
     /// The shapes. Each lasts until the next one starts.
     pub shapes: Vec<Shape>,
-    /// When the last shape ends; without it, the last shape is held for a frame.
+    /// The end of the last shape. Without it, the last shape is held for a frame.
     pub end: Option<Time>,
-    /// The frame rate that the file was made for.
+    /// The frame rate for which the file was made.
     pub rate: Option<Rate>,
-    /// The number of the first frame, in formats where it is a convention.
+    /// The number of the first frame, in formats where it depends on a convention.
     pub first_frame: u64,
-    /// What the tool calls the resting mouth, for formats that end with it.
+    /// The tool's name for rest, for formats that end with it.
     pub rest: Option<String>,
-    /// Stretches of text that belong together, as the file divides it.
-    pub phrases: Vec<Timed>,
+    /// The phrases: stretches of text that belong together, as divided in the file.
+    pub phrases: Vec<TimedText>,
     /// The spoken words.
-    pub words: Vec<Timed>,
-    /// What is said, in the locale if the file names it. `|` in it divides segments.
+    pub words: Vec<TimedText>,
+    /// The spoken texts, with the locale if the file names it. `|` divides segments.
     pub texts: Vec<Text>,
-    /// Elements of Lipz files that are taken as they are, such as events.
+    /// Elements of Lipz files that are copied unchanged, such as events.
     pub elements: Vec<Element<'static>>,
-    /// Tiers that a TextGrid gets besides those of the clip.
+    /// Additional tiers of a TextGrid.
     pub tiers: Vec<Tier>,
-    /// How the file was read where there was a choice, a sentence each.
+    /// Notes on how ambiguous parts of the file were read, one sentence each.
     pub remarks: Vec<String>,
 }
 
-/// A mouth shape or sound from a time on.
+/// A mouth shape or a phone, with its start.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Shape {
-    /// When it starts.
+    /// The start.
     pub start: Time,
-    /// What the format calls it.
+    /// Its symbol in the format.
     pub symbol: String,
-    /// Where the file says so; `None` in a binary file.
+    /// Its position in the file; `None` in a binary file.
     pub span: Option<Span>,
 }
 
-/// A stretch of text from a time on.
+/// A stretch of text, with its start.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Timed {
-    /// When it starts.
+pub struct TimedText {
+    /// The start.
     pub start: Time,
-    /// What is said.
+    /// The spoken words.
     pub text: String,
 }
 
-/// What is said in a recording.
+/// The spoken text of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Text {
     /// The tag of the locale, `en-us`; `None` if the file does not name it.
@@ -71,12 +71,12 @@ pub struct Text {
 }
 
 impl Shape {
-    /// A shape of a text file.
+    /// Returns a shape from a text file.
     pub fn at(span: Span, start: Time, symbol: impl Into<String>) -> Shape {
         Shape { start, symbol: symbol.into(), span: Some(span) }
     }
 
-    /// A shape of a binary file.
+    /// Returns a shape from a binary file.
     pub fn new(start: Time, symbol: impl Into<String>) -> Shape {
         Shape { start, symbol: symbol.into(), span: None }
     }

@@ -1,18 +1,18 @@
-//! What readers of XML share: where elements and mistakes stand in the text.
+//! The common parts of XML readers: the positions of elements and errors in the text.
 
 use lipz_diagnostics::{LineColumn, Span, escape};
 use roxmltree::{Error, Node};
 
-/// An element with all that is in it.
+/// Returns the span of an element with its content.
 pub(crate) fn whole(node: Node<'_, '_>) -> Span {
     let range = node.range();
     Span::new(range.start, range.end)
 }
 
-/// What is wrong with the syntax, and the character at which it is.
+/// Returns the syntax error, and the position of the character that causes it.
 pub(crate) fn mistake(text: &str, error: &Error) -> (String, Span) {
     let place = error.pos();
-    // The message ends with the place, which the caret shows.
+    // The message ends with the position, which the caret already shows.
     let message = error.to_string();
     let what = message.split(" at ").next().unwrap_or(&message);
     let span = Span::of_character(text, LineColumn { line: place.row, column: place.col });

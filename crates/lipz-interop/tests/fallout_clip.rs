@@ -1,11 +1,11 @@
-//! LIP files as clips: what is imported of them, what is lost, and what comes back.
+//! LIP files as clips: import, losses, and round trips.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::rate::parse as rate;
 use lipz_interop::fallout::lip::{Lip, Marker};
 use lipz_interop::{
-    ExportOptions, Format, ImportOptions, Imported, Map, Time, Track, export, find_map, formats, import,
+    ExportOptions, Format, ImportOptions, ImportResult, Map, Time, Track, export, find_map, formats, import,
 };
 use proptest::prelude::*;
 use std::fs;
@@ -23,7 +23,7 @@ fn fixture(name: &str) -> Vec<u8> {
     fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop/fallout").join(name)).unwrap()
 }
 
-fn visemes(imported: &Imported) -> &str {
+fn visemes(imported: &ImportResult) -> &str {
     imported.clips.first().unwrap().document.string("visemes").unwrap()
 }
 
@@ -45,7 +45,7 @@ fn the_table_has_all_phonemes() {
     let symbols: Vec<String> = map().symbols().map(|(symbol, _)| symbol.to_owned()).collect();
     let all: Vec<String> = (0..=0x29).map(|code| format!("0x{code:02X}")).collect();
     assert_eq!(symbols, all);
-    // Each of the nine mouths comes back; U shows as W.
+    // Each of the nine mouth shapes survives a round trip; U becomes W.
     for code in "-ASEFLMOW".bytes() {
         assert_eq!(map().symbol(code).and_then(|symbol| map().code(symbol)), Some(code));
     }
@@ -110,12 +110,12 @@ fn a_file_cut_anywhere_gives_no_clip() {
     }
 }
 
-/// The LIP file of a clip.
+/// Returns the LIP file of a clip.
 fn exported(visemes: &str, fps: &str) -> Vec<u8> {
     let file = format!("{{ \"viseme_type\": \"blair\", \"visemes\": \"{visemes}\", \"fps\": {fps} }}");
     let document = lipz_file::parse(file.as_bytes()).document.unwrap();
     let exported = export(format(), &document, &ExportOptions::new().name("mayor"));
-    // Few shapes make few markers, which is told.
+    // Few shapes produce few markers, which is reported.
     assert!(exported.diagnostics.iter().all(|diagnostic| diagnostic.code == Code::LipFewMarkers));
     exported.bytes.unwrap()
 }

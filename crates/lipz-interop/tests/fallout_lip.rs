@@ -1,4 +1,4 @@
-//! LIP files: whatever is read is written as it was, and nothing in a file makes reading panic.
+//! LIP files: writing reproduces the bytes that were read, and no content of a file makes reading panic.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_diagnostics::{Code, Diagnostic};
@@ -152,9 +152,9 @@ fn a_file_full_of_oddities_lists_some_and_counts_the_rest() {
     assert!(found.iter().any(|diagnostic| diagnostic.notes.contains(&"4899 more like this are not listed".into())));
 }
 
-/// The fixtures: as most files of the game, with a little-endian length; without anything unusual; with a name of
-/// 8 bytes that is another file's, flags, a phoneme beyond the last, a marker that runs backwards and a byte at the
-/// end; cut off; of version 1. `LIPZ_BLESS=1 cargo test -p lipz-interop --test fallout_lip` writes them.
+/// The fixtures: like most files of the game, with a little-endian length; without irregularities; with an 8-byte name
+/// that belongs to a different file, flags, a phoneme beyond the last, a marker that runs backwards and a byte at the
+/// end; truncated; of version 1. `LIPZ_BLESS=1 cargo test -p lipz-interop --test fallout_lip` writes them.
 fn made() -> Vec<(&'static str, Vec<u8>)> {
     let plain = hello();
     let mut as_most = plain.clone();
@@ -167,7 +167,7 @@ fn made() -> Vec<(&'static str, Vec<u8>)> {
     odd.trailing = b"\x1A".to_vec();
     let mut cut_off = plain.write();
     cut_off.truncate(90);
-    // The game's structure in memory: words, of which some are pointers, then names.
+    // The game's structure in memory: words, some of them pointers, then names.
     let mut version_1 = vec![0; 360];
     version_1[3] = 1;
     version_1[0x06] = 0x58;

@@ -1,5 +1,5 @@
-//! What becomes of the fixtures: `NAME.expected` beside each holds its clips and diagnostics. `LIPZ_BLESS=1`
-//! writes these files anew.
+//! Import of the fixtures: `NAME.expected` next to each contains its clips and diagnostics. `LIPZ_BLESS=1` rewrites
+//! these files.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -70,7 +70,7 @@ fn text_and_shapes_have_the_same_segments() {
     }
 }
 
-/// Shapes that could not be read are not said to be missing as well.
+/// Shapes that could not be read are not also reported as missing.
 #[test]
 fn a_file_of_another_format_is_only_told_so() {
     for (name, bytes) in [("rhubarb-tsv", "{ \"mouthCues\": [] }"), ("moho", "// Pamela"), ("polly", "0.00\tX\n")] {

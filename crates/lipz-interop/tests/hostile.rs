@@ -1,4 +1,4 @@
-//! No file makes an importer panic, whatever happened to it; and what it gives holds together.
+//! No changed or damaged file makes an importer panic, and the results are consistent.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 mod support;
@@ -8,22 +8,22 @@ use lipz_file::text::segment_count;
 use lipz_interop::{Format, ImportOptions, MergeOptions, Segments, import};
 use support::every_fixture;
 
-/// Changed files of each fixture.
+/// The number of changed files per fixture.
 const MUTATIONS: u64 = 1500;
 
-/// A changed length can make a Fallout file last for hours, which takes long to lay out. One in so many may; in the
-/// others a second has so many units that they are short.
+/// A changed length can make a Fallout file hours long, which takes long to convert. One in this many may be long; the
+/// others have so many units per second that they are short.
 const ONE_IN: u64 = 9;
 const SHORT_UNITS_PER_SECOND: u32 = 1_000_000;
 
-/// Clips of so many frames are merged, too: longer ones are no different, but take their time.
+/// The most frames of clips that are also merged. Longer ones behave the same, but take more time.
 const MERGED_FRAMES: usize = 10_000;
 
 fn options(segments: Segments) -> ImportOptions<'static> {
     ImportOptions::new().segments(segments).locale("en-us").min_hold(2)
 }
 
-/// Imports the bytes and checks what comes of them.
+/// Imports the bytes and checks the result.
 fn check(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) {
     let line = br#"{ "visemes": "--MA|EO", "text_en-us": "One two.|Three.", "events": "a|b", "note": 1 }"#;
     let line = lipz_file::parse(line).document.unwrap();

@@ -1,8 +1,8 @@
-//! A new mouth for a clip that exists: what stays, and where its segments go.
+//! A new lip-sync track for an existing clip: preserved elements, and the positions of segments.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_file::{Document, rate};
-use lipz_interop::{ImportOptions, MergeOptions, Merged, Mouth, Time, Timed, formats, import, merge};
+use lipz_interop::{ImportOptions, MergeOptions, MergedClip, Mouth, Time, TimedText, formats, import, merge};
 use lipz_types::VisemeType;
 use proptest::prelude::*;
 
@@ -14,9 +14,9 @@ fn mouth(fps: &str, codes: &str) -> Mouth {
     Mouth::new(codes, rate::parse(fps).unwrap(), VisemeType::Blair)
 }
 
-/// The visemes of a clip with a new mouth, and how many diagnostics there are.
+/// Returns the visemes of a clip with a new lip-sync track, and the number of diagnostics.
 fn visemes(file: &str, mouth: &Mouth) -> (String, usize) {
-    let Merged { document, diagnostics, .. } = merge(&document(file), mouth, &MergeOptions::new());
+    let MergedClip { document, diagnostics, .. } = merge(&document(file), mouth, &MergeOptions::new());
     (document.string("visemes").unwrap().to_owned(), diagnostics.len())
 }
 
@@ -56,36 +56,36 @@ fn a_clip_of_the_projects_rate_and_type_needs_none_of_its_own() {
 #[test]
 fn segments_go_where_something_tells() {
     let two = r#"{ "fps": 4, "visemes": "MAEO|MAEO", "text_en-us": "Hello there.|You?" }"#;
-    // Where there are no frames, nothing is guessed.
+    // Without frames, nothing is a guess.
     let empty = r#"{ "fps": 4, "visemes": "||", "text_en-us": "A.|B.|C." }"#;
     assert_eq!(visemes(empty, &mouth("4", "")), ("||".into(), 0));
     assert_eq!(visemes(two, &mouth("4", "")), ("|".into(), 0));
-    // The same recording, analysed again: the places that somebody chose stay.
+    // The same recording, analysed again: positions that were chosen by hand stay.
     assert_eq!(visemes(two, &mouth("4", "MAEOMAEO")), ("MAEO|MAEO".into(), 0));
     assert_eq!(visemes(two, &mouth("4", "MMEOMMEE")), ("MMEO|MMEE".into(), 0));
     assert_eq!(visemes(two, &mouth("8", "MMAAEEOOMMAAEEOO")), ("MMAAEEOO|MMAAEEOO".into(), 0));
-    // A longer one: at the pause that is nearest in its speech.
+    // A longer recording: the segment starts at the nearest pause in its speech.
     assert_eq!(visemes(two, &mouth("4", "-MAAEO--MAEEO-")), ("-MAAEO--|MAEEO-".into(), 0));
-    // Another tempo, but as many pauses as segments that began after one.
+    // A different tempo, but as many pauses as segments that began after one.
     let after_pause = r#"{ "fps": 4, "visemes": "MAE---|MAEOMAEO", "text_en-us": "Hello there.|You?" }"#;
     assert_eq!(visemes(after_pause, &mouth("4", "MAEOEOMAEEE--MAO-")), ("MAEOEOMAEEE--|MAO-".into(), 0));
     assert_eq!(visemes(after_pause, &mouth("4", "MAEOEOMAEOEOMAEO--MA--MAO-")).1, 1, "two pauses for one");
-    // No pause is near: told.
+    // There is no pause nearby, which is reported.
     assert_eq!(visemes(two, &mouth("4", "MAAEOMAEEOOOOO")), ("MAAEOMA|EEOOOOO".into(), 1));
-    // The file of the tool knows better.
+    // The tool's file has better information.
     let words = |text: &str| text.split(' ').zip(0..).map(|(word, at)| timed(word, at)).collect::<Vec<_>>();
     let spoken = mouth("4", "MAAEOMAEEOOOOO").words(words("hello there YOU"));
     assert_eq!(visemes(two, &spoken), ("MAAEOMAE|EOOOOO".into(), 0));
     let more = mouth("4", "MAAEOMAEEOOOOO").words(words("uh Hello, you there you"));
-    assert_eq!(visemes(two, &more), ("MAAEOMAEEOOOOO|".into(), 0), "a word more, and one misheard");
+    assert_eq!(visemes(two, &more), ("MAAEOMAEEOOOOO|".into(), 0), "an extra word, and a misrecognised one");
     let phrases = mouth("4", "MAAEOMAEEOOOOO").phrases(vec![timed("", 0), timed("", 1)]);
     assert_eq!(visemes(two, &phrases), ("MAAE|OMAEEOOOOO".into(), 0));
     let known = phrases.segment_starts(vec![Time::new(1, 2)]);
     assert_eq!(visemes(two, &known), ("MA|AEOMAEEOOOOO".into(), 0));
 }
 
-fn timed(text: &str, second: u64) -> Timed {
-    Timed { start: Time::new(second, 1), text: text.to_owned() }
+fn timed(text: &str, second: u64) -> TimedText {
+    TimedText { start: Time::new(second, 1), text: text.to_owned() }
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn elements_that_did_not_agree_are_named() {
     let merged = merge(&document(file), &mouth("4", "MAEO"), &MergeOptions::new());
     let messages: Vec<&str> = merged.diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
     assert_eq!(messages.len(), 3, "{messages:?}");
-    assert_eq!(messages[0], "`text_de-de` has 1 segment, but the new mouth has 2");
+    assert_eq!(messages[0], "`text_de-de` has 1 segment, but the new visemes have 2");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Round trips as docs/guides/other-tools.md states them.
+//! The round trips documented in docs/guides/other-tools.md.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -16,7 +16,7 @@ fn clip(viseme_type: VisemeType, fps: &str, visemes: &str) -> String {
     format!("{{\"fps\": {fps}, \"viseme_type\": \"{viseme_type}\", \"visemes\": \"{visemes}\"}}")
 }
 
-/// What the codes are after writing and reading.
+/// Returns the codes after writing and reading.
 fn there_and_back(format: &Format, map: &Map, fps: &str, visemes: &str) -> String {
     let text = clip(map.viseme_type, fps, visemes);
     let document: Document<'_> = lipz_file::parse(text.as_bytes()).document.unwrap();
@@ -28,7 +28,7 @@ fn there_and_back(format: &Format, map: &Map, fps: &str, visemes: &str) -> Strin
     imported.clips.first().unwrap().document.string("visemes").unwrap().to_owned()
 }
 
-/// The codes with those that share a symbol replaced by the one that it is read as.
+/// Replaces codes that share a symbol with the code for which the symbol stands.
 fn as_read(map: &Map, visemes: &str) -> String {
     let read = |code: u8| map.symbol(code).and_then(|symbol| map.code(symbol)).unwrap();
     visemes.bytes().map(|code| char::from(read(code))).collect()
@@ -38,7 +38,7 @@ proptest! {
     #[test]
     fn codes_come_back_from_every_format_that_is_written(visemes in "[-AMOSWEFLU]{1,60}", fps in prop::sample::select(&RATES)) {
         for format in formats::ALL.iter().filter(|format| format.write.is_some()) {
-            // Pamela has 24 frames a second.
+            // Pamela has 24 frames per second.
             let fps = if format.name == "pamela" { "24" } else { fps };
             let map = find_map(format.maps.first().unwrap()).unwrap();
             prop_assert_eq!(there_and_back(format, map, fps, &visemes), as_read(map, &visemes), "{}", format.name);
@@ -52,7 +52,7 @@ proptest! {
     }
 }
 
-/// Writes what was read at Rhubarb's own rate, or the rate of the fixture.
+/// Reads a file and writes it again, at Rhubarb's own rate or the rate of the fixture.
 fn file_again(format: &str, fps: &str) -> (Vec<u8>, Vec<u8>) {
     let format = formats::find(format).unwrap();
     let bytes = std::fs::read(fixtures(format).first().unwrap()).unwrap();
@@ -68,7 +68,7 @@ fn files_come_back_byte_by_byte() {
         let (written, read) = file_again(format, fps);
         assert_eq!(String::from_utf8_lossy(&written), String::from_utf8_lossy(&read), "{format}");
     }
-    // The sound file is not part of a clip.
+    // The audio file is not part of a clip.
     let (written, read) = file_again("rhubarb-json", "100");
     let read = String::from_utf8(read).unwrap().replace("C:\\\\voices\\\\mayor.wav", "");
     assert_eq!(String::from_utf8(written).unwrap(), read);

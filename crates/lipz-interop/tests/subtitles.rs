@@ -1,4 +1,4 @@
-//! Subtitles: what is written is read by others, and comes back.
+//! Subtitles: other programs can read the written files, and round trips preserve them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_file::Document;
@@ -16,14 +16,14 @@ fn cues_of(document: &Document<'_>) -> Vec<Cue> {
     cues(document, "en-us", &SubtitleOptions::default(), &mut Vec::new()).unwrap()
 }
 
-/// Rates that clips have.
+/// Returns the usual frame rates of clips.
 fn rates() -> impl Strategy<Value = Rate> {
     prop::sample::select(vec!["1", "12.5", "23.976", "24", "25", "29.97", "30", "60", "1000"])
         .prop_map(|rate| parse(rate).unwrap())
 }
 
-/// Segments, each with so many frames and a text; no two without a text follow each other, as nothing tells
-/// them apart in subtitles.
+/// Returns segments, each with a number of frames and a text. No two segments without a text are adjacent, because
+/// subtitles cannot distinguish them.
 fn segments() -> impl Strategy<Value = Vec<(usize, String)>> {
     let text = "[A-Za-zäé灯台ع<>&!-][A-Za-zäé灯台ع<>&! -]{0,12}[A-Za-zäé灯台ع<>&!]";
     let text = prop_oneof![3 => text, 1 => Just(String::new())];
@@ -41,7 +41,7 @@ fn clip_of(segments: &[(usize, String)], rate: Rate) -> Document<'static> {
     document(&format!("{{\"visemes\": \"{visemes}\", \"text_en-us\": {text}, \"fps\": {fps}}}"))
 }
 
-/// As other programs read it: times in milliseconds and lines.
+/// The result of another program: times in milliseconds and lines.
 type Read = Vec<(u64, u64, String)>;
 
 fn ms(hours: u8, minutes: u8, seconds: u8, milliseconds: u16) -> u64 {
@@ -65,7 +65,7 @@ fn read_vtt(file: &str) -> Read {
 }
 
 proptest! {
-    /// Clip to subtitles to clip: segments stay where they are, to the frame, and say the same.
+    /// A round trip from clip to subtitles preserves the frames and texts of segments.
     #[test]
     fn clips_return(segments in segments(), rate in rates()) {
         let before = clip_of(&segments, rate);
@@ -75,7 +75,7 @@ proptest! {
             let file = format.write(&cues, &mut diagnostics);
             prop_assume!(diagnostics.is_empty()); // an arrow, which SubRip cannot hold
             let read = format.read(file.as_bytes(), &mut diagnostics);
-            // Rests behind the last text are in no subtitle: the clip that they are joined to has them.
+            // Rest after the last text is in no subtitle. The clip to which they are joined contains it.
             let frames: usize = segments.iter().map(|(frames, _)| frames).sum();
             let undivided = document(&format!("{{\"visemes\": \"{}\"}}", "-".repeat(frames)));
             let after = join(undivided, &read, "en-us", rate, &mut diagnostics);
@@ -85,7 +85,7 @@ proptest! {
         }
     }
 
-    /// Programs that know nothing of lipz read the same times and texts.
+    /// Programs other than lipz read the same times and texts.
     #[test]
     fn others_read_what_is_written(segments in segments(), rate in rates()) {
         let cues = cues_of(&clip_of(&segments, rate));
@@ -100,7 +100,7 @@ proptest! {
         prop_assert_eq!(read_vtt(&vtt), written(&escaped));
     }
 
-    /// Nothing in a file stops the reader, and every diagnostic is about a place in it.
+    /// No content of a file stops the reader, and every diagnostic has a position in the file.
     #[test]
     fn any_file_is_read(bytes in prop::collection::vec(any::<u8>(), 0..200), cut in 0_usize..100, change in any::<u8>()) {
         let vtt = b"WEBVTT\n\n00:01.500 --> 00:02.000 line:0\n<v Mara>Good &amp; <i>late</i>\n\n1\n00:02,0 --> 3";
@@ -112,7 +112,7 @@ proptest! {
             for format in SubtitleFormat::ALL {
                 let mut diagnostics = Vec::new();
                 format.read(&file, &mut diagnostics);
-                // The place of a byte that is not UTF-8 is in the text that shows it.
+                // The position of a byte that is not UTF-8 refers to the text in which it is replaced.
                 diagnostics.retain(|diagnostic| diagnostic.code != lipz_diagnostics::Code::NotUtf8);
                 let places = diagnostics.iter().flat_map(|diagnostic| diagnostic.primary.iter().chain(&diagnostic.labels));
                 prop_assert!(places.clone().all(|label| label.span.end as usize <= file.len()), "{:?}", diagnostics);
@@ -166,7 +166,7 @@ fn clips_of_subtitles_alone_rest() {
     assert_eq!((nothing.string("visemes"), nothing.string("text_en-us")), (Some(""), Some("")));
 }
 
-/// Were all segments looked at for each cue, this would take hours.
+/// Comparing all segments with each cue would take hours.
 #[test]
 fn many_cues_find_their_segments() {
     let count = 200_000;

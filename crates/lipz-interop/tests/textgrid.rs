@@ -1,4 +1,4 @@
-//! TextGrids: what comes back from Praat, and where words put the segments of a clip.
+//! TextGrids: round trips through Praat, and segments placed by the times of words.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_file::Document;
@@ -40,7 +40,7 @@ fn segments_without_frames_are_told() {
     let clip = document(r#"{ "visemes": "MA||EO", "text_en-us": "a|b|c", "viseme_type": "blair", "fps": 4 }"#);
     let exported = export(textgrid(), &clip, &ExportOptions::new());
     let messages: Vec<&str> = exported.diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
-    assert_eq!(messages, ["1 segment has no frames, and no place in a TextGrid"]);
+    assert_eq!(messages, ["1 segment has no frames and cannot be stored in a TextGrid"]);
 }
 
 proptest! {
@@ -92,7 +92,7 @@ fn files_of_every_praat() {
     assert_eq!(diagnostics, []);
     let names: Vec<_> = read(file.as_bytes()).into_iter().map(|clip| (clip.name, clip.remarks)).collect();
     let remark = |text: &str| vec![text.to_owned()];
-    let noise = "words that the aligner does not know (`spn`) are shown as one shape";
+    let noise = "words unknown to the aligner (`spn`) are shown as one shape";
     assert_eq!(
         names,
         [(Some("Mara".into()), remark("the tier `noise` is left out")), (Some("Tom".into()), remark(noise))]

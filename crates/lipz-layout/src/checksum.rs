@@ -1,28 +1,30 @@
-//! The checksum of format 1: XXH64 with seed 0, of the bytes and what fills their last stripe.
+//! The checksum of format 1: XXH64 with seed 0, of the bytes and the padding of their last stripe.
 //!
 //! It is the hash of <https://github.com/Cyan4973/xxHash/blob/dev/doc/xxhash_spec.md>, for which most languages have a
-//! library. Whole stripes keep the code small: that of a rest would be longer than all of this.
+//! library. Only whole stripes are hashed, because the code for a remainder would be longer than all of this.
 //!
-//! Each step can be undone if the word that it takes in is known. So a change of one word of eight bytes never
+//! Each step can be inverted if its input word is known. A change of one word of eight bytes is therefore always
+//! detected, and one in 2⁶⁴ of all other changes is missed. A word is multiplied before it is added, so that changes
+//! that cancel out look like noise. Sums of words would miss +1, −2, +1.
 //! goes unnoticed, and of other changes one in 2⁶⁴. A word is multiplied before it is added: changes that cancel out
 //! look like noise, where sums of words let +1, −2, +1 pass.
 
-/// Bytes that the lanes take at a time.
+/// The bytes that the lanes hash at a time.
 const STRIPE: usize = 32;
-/// The bits of a length that are less than a stripe.
+/// Masks the part of a length that is less than a stripe.
 const REST: u64 = 31;
 
 const PRIME_1: u64 = 0x9E37_79B1_85EB_CA87;
 const PRIME_2: u64 = 0xC2B2_AE3D_27D4_EB4F;
 const PRIME_3: u64 = 0x1656_67B1_9E37_79F9;
 const PRIME_4: u64 = 0x85EB_CA77_C2B2_AE63;
-/// Stands behind the bytes, and zeros behind it: so no two inputs are filled to the same one.
+/// Follows the bytes, and is followed by zeros, so that different inputs never have the same padded form.
 const END: u8 = 1;
 
-/// What the lanes start with.
+/// The initial values of the lanes.
 const START: [u64; 4] = [PRIME_1.wrapping_add(PRIME_2), PRIME_2, 0, PRIME_1.wrapping_neg()];
 
-/// Folds `bytes` into the checksum of format 1.
+/// Returns the checksum of `bytes` in format 1.
 pub fn checksum(bytes: &[u8]) -> u64 {
     let rest = bytes.chunks_exact(STRIPE).remainder();
     let mut last = [0; STRIPE];
@@ -35,7 +37,7 @@ pub fn checksum(bytes: &[u8]) -> u64 {
     }
     let mut lanes = START;
     let mut left = bytes;
-    // Two stripes per round where code is cheap: the lanes stay in their registers.
+    // Two stripes per round where code is cheap, because the lanes stay in their registers.
     if cfg!(target_pointer_width = "64") {
         let pairs = bytes.chunks_exact(STRIPE * 2);
         left = pairs.remainder();
@@ -50,11 +52,11 @@ pub fn checksum(bytes: &[u8]) -> u64 {
     mix(lanes, bytes.len() as u64)
 }
 
-/// The checksum of bytes that come piece by piece.
+/// A checksum of bytes that arrive in pieces.
 #[derive(Clone, Debug)]
 pub struct RunningChecksum {
     lanes: [u64; 4],
-    /// What does not fill a stripe yet.
+    /// The bytes that do not fill a stripe yet.
     last: [u8; STRIPE],
     length_bytes: u64,
 }
@@ -66,7 +68,7 @@ impl Default for RunningChecksum {
 }
 
 impl RunningChecksum {
-    /// Takes in what comes next.
+    /// Adds the next bytes.
     pub fn add(&mut self, bytes: &[u8]) {
         let filled = (self.length_bytes & REST) as usize;
         self.length_bytes = self.length_bytes.wrapping_add(bytes.len() as u64);
@@ -87,7 +89,7 @@ impl RunningChecksum {
         self.last.iter_mut().zip(remainder).for_each(|(place, byte)| *place = *byte);
     }
 
-    /// The checksum of all of them.
+    /// Returns the checksum of all bytes.
     pub fn finish(mut self) -> u64 {
         let behind = self.last.iter_mut().skip((self.length_bytes & REST) as usize);
         behind.zip(core::iter::once(END).chain(core::iter::repeat(0))).for_each(|(place, byte)| *place = byte);
@@ -96,7 +98,7 @@ impl RunningChecksum {
     }
 }
 
-/// Makes one number of the lanes, which have taken in so many bytes and what fills their last stripe.
+/// Combines the lanes to one number. `length_bytes` is the length without padding.
 #[inline(always)]
 fn mix(lanes: [u64; 4], length_bytes: u64) -> u64 {
     let [a, b, c, d] = lanes;
@@ -111,7 +113,7 @@ fn mix(lanes: [u64; 4], length_bytes: u64) -> u64 {
     hash ^ (hash >> 32)
 }
 
-/// Takes in a stripe.
+/// Adds a stripe.
 #[cfg_attr(target_pointer_width = "64", inline(always))]
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 fn add(lanes: &mut [u64; 4], stripe: &[u8]) {
@@ -120,14 +122,14 @@ fn add(lanes: &mut [u64; 4], stripe: &[u8]) {
     }
 }
 
-/// What a lane becomes with a word.
+/// Returns a lane after adding a word.
 #[cfg_attr(target_pointer_width = "64", inline(always))]
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // long code where 64-bit products are not instructions
 fn round(lane: u64, word: u64) -> u64 {
     lane.wrapping_add(word.wrapping_mul(PRIME_2)).rotate_left(31).wrapping_mul(PRIME_1)
 }
 
-/// The little-endian number in eight bytes.
+/// Returns the little-endian number in eight bytes.
 #[inline(always)]
 fn number(bytes: &[u8]) -> u64 {
     let mut word = [0; 8];

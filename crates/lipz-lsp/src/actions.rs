@@ -1,7 +1,7 @@
 //! Quick actions: the fix of a diagnostic, and all fixes of a file.
 
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::{convert, place};
 use lipz_compiler::Compiler;
 use lipz_diagnostics::{Diagnostic, Span};
@@ -11,13 +11,13 @@ use lsp_types::{
 };
 use std::ops::Range;
 
-/// Fixes all that is certain, for "fix all" and when saving.
+/// The action that applies all certain fixes, for "fix all" and on save.
 pub(crate) const FIX_ALL: &str = "source.fixAll.lipz";
 
-/// The actions for a range of the text, of the kinds that the editor asks for.
+/// Returns the actions for a range of the text, of the kinds that the editor requests.
 pub(crate) fn actions(
     document: &Document,
-    known: &Known,
+    known: &KnownProject,
     range: Range<usize>,
     wanted: Option<&[CodeActionKind]>,
 ) -> Vec<CodeActionOrCommand> {
@@ -41,7 +41,7 @@ pub(crate) fn actions(
     actions.into_iter().map(CodeActionOrCommand::CodeAction).collect()
 }
 
-/// Whether a diagnostic is in the range, or the range in it; one about the whole file is everywhere.
+/// Whether a diagnostic overlaps the range. A diagnostic about the whole file always does.
 fn touches(diagnostic: &Diagnostic, shift: usize, range: &Range<usize>) -> bool {
     let Some(label) = &diagnostic.primary else { return true };
     label.span.start as usize + shift <= range.end && range.start <= label.span.end as usize + shift
@@ -61,20 +61,20 @@ fn quick_fix(document: &Document, index: usize, diagnostic: &Diagnostic) -> Opti
     })
 }
 
-fn fix_all(document: &Document, known: &Known) -> Option<CodeAction> {
+fn fix_all(document: &Document, known: &KnownProject) -> Option<CodeAction> {
     let settings = &known.project.settings;
     let name = document.path.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
     let options = settings.options.for_file(&name).into_owned().voices(settings.voices());
     let fixed = Compiler::new(options).fix(document.text.as_bytes())?;
     Some(CodeAction {
-        title: "fix all that is certain".to_owned(),
+        title: "apply all fixes".to_owned(),
         kind: Some(CodeActionKind::new(FIX_ALL)),
         edit: Some(edit(document, replacement(document, &fixed.text))),
         ..CodeAction::default()
     })
 }
 
-/// An edit of one file, as it is now.
+/// Returns an edit of the current version of one file.
 fn edit(document: &Document, edit: TextEdit) -> WorkspaceEdit {
     let text_document =
         OptionalVersionedTextDocumentIdentifier { uri: document.uri.clone(), version: Some(document.version) };
@@ -82,7 +82,7 @@ fn edit(document: &Document, edit: TextEdit) -> WorkspaceEdit {
     WorkspaceEdit { document_changes: Some(DocumentChanges::Edits(edits)), ..WorkspaceEdit::default() }
 }
 
-/// The change that makes `after` of the text: only what differs, so that cursors and folds stay.
+/// Returns the edit that turns the text into `after`. It only covers the differences, so that cursors and folds stay.
 pub(crate) fn replacement(document: &Document, after: &str) -> TextEdit {
     let before = document.text.as_str();
     let same = |(a, b): &(char, char)| a == b;
@@ -90,13 +90,13 @@ pub(crate) fn replacement(document: &Document, after: &str) -> TextEdit {
     let (rest_before, rest_after) = (&before[start..], &after[start..]);
     let end: usize =
         rest_before.chars().rev().zip(rest_after.chars().rev()).take_while(same).map(|(c, _)| c.len_utf8()).sum();
-    // No position leads between the two characters of a line break.
+    // A position cannot be between the two characters of a line break.
     let (start, end) = (outside(before, start).0, before.len() - outside(before, before.len() - end).1);
     let range = place::range(&document.rope, Span::new(start, before.len() - end));
     TextEdit { range, new_text: after[start..after.len() - end].to_owned() }
 }
 
-/// The byte itself, or the two around the line break in whose middle it is.
+/// Returns the byte itself, or the two bytes around the CRLF in which it is.
 fn outside(text: &str, at: usize) -> (usize, usize) {
     let is_inside = text[..at].ends_with('\r') && text[at..].starts_with('\n');
     if is_inside { (at - 1, at + 1) } else { (at, at) }
@@ -112,11 +112,11 @@ mod tests {
 
     fn document(text: &str) -> Document {
         let mut document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text.into());
-        document.shown = check::check(&Known::default(), None, text);
+        document.shown = check::check(&KnownProject::default(), None, text);
         document
     }
 
-    /// The text after the one edit of an action.
+    /// Returns the text after the single edit of an action.
     fn applied(document: &Document, action: &CodeActionOrCommand) -> String {
         let CodeActionOrCommand::CodeAction(action) = action else { panic!() };
         let Some(DocumentChanges::Edits(edits)) = &action.edit.as_ref().unwrap().document_changes else { panic!() };
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn a_fix_where_it_is_needed_and_all_of_them_at_once() {
         let document = document("{\"fps\": \"24\", \"visemes\": \"MA EO\",}");
-        let of = |range, wanted: Option<&[CodeActionKind]>| actions(&document, &Known::default(), range, wanted);
+        let of = |range, wanted: Option<&[CodeActionKind]>| actions(&document, &KnownProject::default(), range, wanted);
         let at_comma = of(33..33, Some(&[CodeActionKind::QUICKFIX]));
         assert_eq!(at_comma.len(), 1);
         assert_eq!(applied(&document, &at_comma[0]), "{\"fps\": \"24\", \"visemes\": \"MA EO\"}");

@@ -1,34 +1,34 @@
-//! What is being written at a place of a Lipz file, which need not be JSON yet.
+//! The context of a position in a Lipz file, which may be incomplete JSON.
 
-/// What is being written.
+/// The context of a position.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Context<'t> {
-    /// Nothing yet, where the name of an element could stand.
+    /// Between elements, where a name may start.
     Between,
-    /// A name; it starts at this byte, behind its quote.
+    /// A name, which starts at this byte, after its quote.
     Name(usize),
-    /// The string value of the element with this name; it starts at this byte, behind its quote.
+    /// The string value of the element with this name. It starts at this byte, after its quote.
     Text(&'t str, usize),
-    /// Nothing yet, where the value of the element with this name could stand.
+    /// Before the value of the element with this name.
     Value(&'t str),
-    /// Nothing yet, where the name of a curve could stand.
+    /// Between curves, where a name may start.
     BetweenCurves,
-    /// The name of a curve; it starts at this byte, behind its quote.
+    /// The name of a curve, which starts at this byte, after its quote.
     CurveName(usize),
     /// Anything else.
     Other,
 }
 
-/// What is written so far, without its strings.
+/// The state of the parser, apart from the string that it may be in.
 #[derive(Default)]
 struct State<'t> {
-    /// Braces and brackets that are open.
+    /// The number of open braces and brackets.
     depth: usize,
-    /// The name of the element.
+    /// The name of the current element.
     name: Option<&'t str>,
     is_behind_colon: bool,
     has_value: bool,
-    /// The last string in the element `curves`, and whether a colon is behind it.
+    /// The last string in the element `curves`, and whether a colon follows it.
     curve: Option<&'t str>,
     is_behind_curve: bool,
     /// The names of all elements so far.
@@ -37,7 +37,7 @@ struct State<'t> {
     curves: Vec<&'t str>,
 }
 
-/// What is being written at byte `at`: all that stands before it decides.
+/// Returns the context at byte `at`. Only the text before it matters.
 pub(crate) fn context(text: &str, at: usize) -> Context<'_> {
     match read(text.get(..at).unwrap_or(text)) {
         (state, Some(start)) => state.in_string(start),
@@ -45,17 +45,17 @@ pub(crate) fn context(text: &str, at: usize) -> Context<'_> {
     }
 }
 
-/// The names of the elements, as they are spelled, also of files that are not JSON.
+/// Returns the names of the elements as spelled, even if the file is not valid JSON.
 pub(crate) fn names(text: &str) -> Vec<&str> {
     read(text).0.names
 }
 
-/// The names of the curves.
+/// Returns the names of the curves.
 pub(crate) fn curve_names(text: &str) -> Vec<&str> {
     read(text).0.curves
 }
 
-/// What is written, and where the string starts that is open at the end.
+/// Returns the state at the end of the text, and the start of the string that is open there.
 fn read(text: &str) -> (State<'_>, Option<usize>) {
     let bytes = text.as_bytes();
     let mut state = State::default();
@@ -79,7 +79,8 @@ fn read(text: &str) -> (State<'_>, Option<usize>) {
     (state, None)
 }
 
-/// Where the string that starts at `from` ends: its quote, or the line, which nobody closes; `None` if it is open.
+/// Returns the end of the string that starts at `from`: its quote, or the end of the line if the quote is missing;
+/// `None` if the text ends before.
 fn end_of_string(bytes: &[u8], from: usize) -> Option<usize> {
     let mut at = from;
     loop {
@@ -98,7 +99,7 @@ impl<'t> State<'t> {
                 self.depth += 1;
                 (self.curve, self.is_behind_curve) = (None, false);
             }
-            // In a list at the root, nothing is an element.
+            // A list at the root does not contain elements.
             b'[' => self.depth += if self.depth == 0 { 2 } else { 1 },
             b'}' | b']' => {
                 self.depth = self.depth.saturating_sub(1);
@@ -114,14 +115,14 @@ impl<'t> State<'t> {
             }
             b',' if self.is_in_curves() => (self.curve, self.is_behind_curve) = (None, false),
             b',' if self.depth == 1 => (self.name, self.is_behind_colon, self.has_value) = (None, false, false),
-            // Who has forgotten the comma begins a name on the next line all the same.
+            // If the comma is missing, a name may still start on the next line.
             b'\n' if self.depth == 1 && self.has_value => (self.name, self.is_behind_colon) = (None, false),
             b' ' | b'\t' | b'\r' | b'\n' => {}
             _ => self.has_value |= self.is_behind_colon,
         }
     }
 
-    /// Whether it is in the braces of `curves`, and in no others there.
+    /// Whether the position is directly in the braces of `curves`.
     fn is_in_curves(&self) -> bool {
         self.depth == 2 && self.is_behind_colon && self.name == Some("curves")
     }
@@ -154,7 +155,7 @@ impl<'t> State<'t> {
 mod tests {
     use super::*;
 
-    /// What is being written at `§`.
+    /// Returns the context at `§`.
     fn at(text: &str) -> (Context<'static>, String) {
         let place = text.find('§').unwrap();
         let text: &'static str = text.replace('§', "").leak();

@@ -1,4 +1,4 @@
-//! Diagnostics as editors show them.
+//! Conversion of diagnostics to the form of the protocol.
 
 use crate::document::Document;
 use crate::{place, uri};
@@ -11,16 +11,16 @@ use ropey::Rope;
 use std::path::Path;
 use std::str::FromStr;
 
-/// The page of all rules.
+/// The page that describes all rules.
 const PAGE: &str = concat!(env!("CARGO_PKG_REPOSITORY"), "/blob/main/docs/reference/diagnostics.md");
 
-/// What is wrong with an open file.
+/// Returns the diagnostics of an open file.
 pub(crate) fn of_document(document: &Document) -> Vec<Shown> {
     let shift = document.mark_bytes();
     document.shown.iter().map(|diagnostic| shown(diagnostic, &document.rope, shift, &document.uri)).collect()
 }
 
-/// What is wrong with a file that is not open, and its address; `None` for what is in no file.
+/// Returns the diagnostics of a closed file, and its URI; `None` for a report without a file.
 pub(crate) fn of_report(report: &Report) -> Option<(Uri, Vec<Shown>)> {
     let uri = uri::of_path(Path::new(&report.source.path))?;
     let rope = Rope::from_str(&report.source.text);
@@ -28,7 +28,7 @@ pub(crate) fn of_report(report: &Report) -> Option<(Uri, Vec<Shown>)> {
     Some((uri, shown))
 }
 
-/// A span of the text behind its byte order mark, as a range of the whole.
+/// Converts a span of the text after its byte order mark to a range of the whole text.
 pub(crate) fn range(rope: &Rope, span: Span, shift: usize) -> Range {
     place::range(rope, Span::new(span.start as usize + shift, span.end as usize + shift))
 }
@@ -55,7 +55,7 @@ fn shown(diagnostic: &Diagnostic, rope: &Rope, shift: usize, uri: &Uri) -> Shown
     }
 }
 
-/// Message, remark, notes and help, a line each.
+/// Returns the message, remark, notes and help, on one line each.
 fn message(diagnostic: &Diagnostic) -> String {
     let mut text = diagnostic.message.clone();
     let label = diagnostic.primary.iter().map(|label| label.text.as_str()).filter(|text| !text.is_empty());

@@ -1,4 +1,4 @@
-//! A file that is open in the editor: its text as it is now, and what is wrong with it.
+//! A file that is open in the editor: its current text and its diagnostics.
 
 use crate::{place, uri};
 use lipz_diagnostics::{Diagnostic, Span};
@@ -10,21 +10,21 @@ use std::path::PathBuf;
 /// An open file.
 #[derive(Debug)]
 pub(crate) struct Document {
-    /// What the editor calls it.
+    /// The URI in the editor.
     pub(crate) uri: Uri,
     /// Its path, if it is a file.
     pub(crate) path: Option<PathBuf>,
-    /// The editor's number of this text.
+    /// The editor's version number of this text.
     pub(crate) version: i32,
-    /// The text, for places.
+    /// The text as a rope, for conversion of positions.
     pub(crate) rope: Rope,
-    /// The text, for everything else.
+    /// The text as a string, for all other uses.
     pub(crate) text: String,
-    /// What only the check of the whole project finds, where it is now.
+    /// The diagnostics that only the check of the whole project finds, moved to their current positions.
     pub(crate) from_project: Vec<Diagnostic>,
-    /// What is wrong with the text.
+    /// The displayed diagnostics.
     pub(crate) shown: Vec<Diagnostic>,
-    /// Whether the text has changed since `shown` was found.
+    /// Whether the text has changed since `shown` was computed.
     pub(crate) is_stale: bool,
 }
 
@@ -42,7 +42,7 @@ impl Document {
         }
     }
 
-    /// Changes the text as the editor did.
+    /// Applies the editor's changes to the text.
     pub(crate) fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
         for change in changes {
             let bytes = match change.range {
@@ -60,13 +60,13 @@ impl Document {
         self.is_stale = true;
     }
 
-    /// The text as the parser wants it: places count from behind a byte order mark.
+    /// Returns the length of the byte order mark in bytes. The parser's positions count from its end.
     pub(crate) fn mark_bytes(&self) -> usize {
         self.text.len() - lipz_file::without_byte_order_mark(self.text.as_bytes()).len()
     }
 }
 
-/// Moves a diagnostic along with the text behind a change. Its fix was for the text before.
+/// Moves a diagnostic with the text after a change, and drops its fix, which applies to the old text only.
 fn follow(diagnostic: &mut Diagnostic, changed: &Range<usize>, length: usize) {
     let moved = |at: u32| {
         let at = at as usize;

@@ -1,18 +1,18 @@
-//! A language server for Lipz files: diagnostics while they are written, fixes, completion, hover, rename.
+//! A language server for Lipz files: diagnostics while typing, fixes, completion, hover, rename.
 //!
-//! [`serve`] speaks the Language Server Protocol 3.17 with an editor, over any two streams. What is wrong with the text of
-//! an open file is looked for after each change, by the checks of `lipz-compiler`; what needs the whole project
-//! is found by a function of the caller, as soon as the editor pauses: `lipz lsp` gives it what `lipz check` does.
+//! [`serve`] implements the Language Server Protocol 3.17 over any two streams. After each change, it checks the text
+//! of the open file with the rules of `lipz-compiler`. Problems that require the whole project are found by a function
+//! of the caller when you pause typing: `lipz lsp` passes the function of `lipz check`.
 //!
 //! ```no_run
-//! use lipz_lsp::{Checked, serve};
+//! use lipz_lsp::{CheckedProject, serve};
 //! use std::io::{BufReader, stdin, stdout};
 //! // A server that looks at single files only.
-//! serve(BufReader::new(stdin()), stdout(), |_project, _unsaved| Checked::default())?;
+//! serve(BufReader::new(stdin()), stdout(), |_project, _unsaved| CheckedProject::default())?;
 //! # Ok::<(), std::io::Error>(())
 //! ```
 //!
-//! What is not here: rules, and printing (`lipz`).
+//! This crate does not contain rules or printing. Those are parts of `lipz`.
 
 mod actions;
 mod check;
@@ -32,7 +32,7 @@ mod transport;
 mod uri;
 mod words;
 
-pub use project::{Checked, Project};
+pub use project::{CheckedProject, Project};
 pub use server::serve;
 
 /// The example of the README, run as a test.

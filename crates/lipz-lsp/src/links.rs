@@ -1,14 +1,15 @@
 //! Links from a file to its recording.
 
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::{convert, uri};
 use lipz_diagnostics::Span;
 use lsp_types::DocumentLink;
 use std::path::Path;
 
-/// The recording of the clip, on the name of its mouth shapes, and those of its dubs on the names of their texts.
-pub(crate) fn links(document: &Document, known: &Known) -> Vec<DocumentLink> {
+/// Returns links to the recording of the clip from the name of its visemes, and to those of its dubs from the names of
+/// their texts.
+pub(crate) fn links(document: &Document, known: &KnownProject) -> Vec<DocumentLink> {
     let parsed = lipz_file::parse(document.text.as_bytes());
     let read = parsed.document.or(parsed.fragment.map(|fragment| fragment.document)).unwrap_or_default();
     let key = known.key(document.path.as_deref());

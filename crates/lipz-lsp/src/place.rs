@@ -1,10 +1,10 @@
-//! Places in texts: bytes of UTF-8 here, lines and UTF-16 code units in the protocol.
+//! Conversion of positions: bytes of UTF-8 here, lines and UTF-16 code units in the protocol.
 
 use lipz_diagnostics::Span;
 use lsp_types::{Position, Range};
 use ropey::Rope;
 
-/// The position of a byte; those past the end are the end.
+/// Returns the position of a byte. Bytes past the end are clamped.
 pub(crate) fn position(rope: &Rope, byte: usize) -> Position {
     let character = rope.byte_to_char(byte.min(rope.len_bytes()));
     let line = rope.char_to_line(character);
@@ -12,21 +12,21 @@ pub(crate) fn position(rope: &Rope, byte: usize) -> Position {
     Position::new(number(line), number(units))
 }
 
-/// Positions of bytes that ascend, each found from the one before: a string of a megabyte has thousands.
-pub(crate) struct Walk<'t> {
+/// Converts ascending bytes to positions, each from the one before, because a string of a megabyte has thousands.
+pub(crate) struct PositionWalk<'t> {
     rope: &'t Rope,
     text: &'t str,
     byte: usize,
     position: Position,
 }
 
-impl<'t> Walk<'t> {
-    /// Starts at a byte of a text, which is also the rope's.
-    pub(crate) fn new(rope: &'t Rope, text: &'t str, byte: usize) -> Walk<'t> {
-        Walk { rope, text, byte, position: position(rope, byte) }
+impl<'t> PositionWalk<'t> {
+    /// Starts at a byte of a text, which is the same text as the rope.
+    pub(crate) fn new(rope: &'t Rope, text: &'t str, byte: usize) -> PositionWalk<'t> {
+        PositionWalk { rope, text, byte, position: position(rope, byte) }
     }
 
-    /// The position of a byte.
+    /// Returns the position of a byte.
     pub(crate) fn position(&mut self, byte: usize) -> Position {
         let is_line_break = |c: char| matches!(c, '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{85}' | '\u{2028}' | '\u{2029}');
         self.position = match self.text.get(self.byte..byte) {
@@ -41,8 +41,8 @@ impl<'t> Walk<'t> {
     }
 }
 
-/// The byte at a position. As the protocol has it, positions behind a line are its end; those behind the text are that of
-/// the text.
+/// Returns the byte at a position. As the protocol requires, positions after the end of a line or of the text are
+/// clamped.
 pub(crate) fn byte(rope: &Rope, position: Position) -> usize {
     let line = position.line as usize;
     if line >= rope.len_lines() {
@@ -57,7 +57,7 @@ pub(crate) fn byte(rope: &Rope, position: Position) -> usize {
     rope.char_to_byte(rope.utf16_cu_to_char(units))
 }
 
-/// The first character of the line break at the end of a line, or the end of the text.
+/// Returns the first character of the line break at the end of a line, or the end of the text.
 fn line_end(rope: &Rope, line: usize) -> usize {
     let start = rope.line_to_char(line);
     let mut length = rope.line(line).len_chars();
@@ -67,12 +67,12 @@ fn line_end(rope: &Rope, line: usize) -> usize {
     start + length
 }
 
-/// The range of a span.
+/// Returns the range of a span.
 pub(crate) fn range(rope: &Rope, span: Span) -> Range {
     Range::new(position(rope, span.start as usize), position(rope, span.end as usize))
 }
 
-/// The bytes of a range; a range whose ends are the wrong way round is empty.
+/// Returns the bytes of a range. A reversed range is empty.
 pub(crate) fn bytes(rope: &Rope, range: Range) -> std::ops::Range<usize> {
     let start = byte(rope, range.start);
     start..byte(rope, range.end).max(start)
@@ -104,7 +104,7 @@ mod tests {
         let rope = Rope::from_str(text);
         let places: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
         for start in 0..places.len() {
-            let mut walk = Walk::new(&rope, text, places[start]);
+            let mut walk = PositionWalk::new(&rope, text, places[start]);
             for &place in &places[start..] {
                 assert_eq!(walk.position(place), position(&rope, place), "{place}");
             }

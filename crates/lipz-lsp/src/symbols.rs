@@ -1,7 +1,7 @@
 //! The outline of a file: its elements, and the segments of its texts.
 
 use crate::document::Document;
-use crate::place::Walk;
+use crate::place::PositionWalk;
 use crate::timing::Timing;
 use crate::{convert, project};
 use lipz_diagnostics::Span;
@@ -9,14 +9,14 @@ use lipz_file::locale::text_name;
 use lipz_file::{Element, Value, text};
 use lsp_types::{DocumentSymbol, Range, SymbolKind};
 
-/// The longest value that an outline shows.
+/// The greatest length of a value in an outline, in characters.
 const SHOWN_CHARACTERS: usize = 60;
 
-/// The most entries of a text: editors ask for an outline while somebody types, and a megabyte has 24,000 segments.
+/// The most entries of a text. Editors request outlines while you type, and a megabyte has 24,000 segments.
 const MOST_ENTRIES: usize = 500;
 
-/// The elements of a file, in its order.
-pub(crate) fn symbols(document: &Document, known: &project::Known) -> Vec<DocumentSymbol> {
+/// Returns the elements of a file, in order.
+pub(crate) fn symbols(document: &Document, known: &project::KnownProject) -> Vec<DocumentSymbol> {
     let parsed = lipz_file::parse(document.text.as_bytes());
     let read = parsed.document.or(parsed.fragment.map(|fragment| fragment.document)).unwrap_or_default();
     let timing = Timing::of(&read, known.project.settings.options.get_default_fps());
@@ -38,7 +38,7 @@ fn symbol(document: &Document, element: &Element<'_>, timing: Option<&Timing>) -
     made(if name.is_empty() { "\"\"" } else { name }, detail, kind, ranges, children)
 }
 
-/// The segments of a text with more than one; of one with very many, groups of as many segments each.
+/// Returns the segments of a text with more than one. A text with very many is divided into groups of equal size.
 fn segments(document: &Document, element: &Element<'_>, timing: Option<&Timing>) -> Vec<DocumentSymbol> {
     let Value::String(string) = &element.value else { return Vec::new() };
     let count = text::segment_count(&string.text);
@@ -49,7 +49,7 @@ fn segments(document: &Document, element: &Element<'_>, timing: Option<&Timing>)
     let ranges: Vec<_> = text::segments(&string.text).collect();
     let groups: Vec<_> = ranges.chunks(count.div_ceil(MOST_ENTRIES)).collect();
     let wholes = groups.iter().map(|group| group[0].start..group[group.len() - 1].end);
-    let mut walk = Walk::new(&document.rope, &document.text, string.span().start as usize + shift);
+    let mut walk = PositionWalk::new(&document.rope, &document.text, string.span().start as usize + shift);
     let mut first = 0;
     let one = |(group, span): (&&[std::ops::Range<usize>], Span)| {
         let said = shortened(text::trim(string.text.get(group[0].clone()).unwrap_or_default()));
@@ -98,15 +98,15 @@ fn shortened(text: &str) -> String {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::project::Known;
+    use crate::project::KnownProject;
     use lsp_types::Uri;
     use std::str::FromStr;
 
-    /// The segments that an outline lists of a text.
+    /// Returns the entries of an outline for a text.
     fn listed(text: &str, visemes: &str) -> Vec<DocumentSymbol> {
         let text = format!("{{ \"fps\": 10, \"visemes\": \"{visemes}\", \"text_en-us\": \"{text}\" }}");
         let document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text);
-        symbols(&document, &Known::default()).pop().and_then(|symbol| symbol.children).unwrap()
+        symbols(&document, &KnownProject::default()).pop().and_then(|symbol| symbol.children).unwrap()
     }
 
     #[test]
@@ -117,7 +117,7 @@ mod tests {
         let shown = |index: usize| (children[index].name.as_str(), children[index].detail.as_deref().unwrap());
         assert_eq!(shown(1), ("segments 4–6: aü", "frames 6–12, 0.600 s–1.200 s"));
         assert_eq!(shown(children.len() - 1), ("segments 1000–1001: aü", "frames 1998–2002, 199.800 s–200.200 s"));
-        // The mouth has fewer segments than the text: the last group has the time of those that it has.
+        // The visemes have fewer segments than the text. The last group has the time of those that exist.
         let shorter = listed(&vec!["aü"; count].join("|"), &vec!["AA"; count - 1].join("|"));
         assert_eq!(shorter[shorter.len() - 1].detail.as_deref(), Some("frames 1998–2000, 199.800 s–200.000 s"));
         for (one, next) in children.iter().zip(&children[1..]) {
@@ -142,7 +142,7 @@ mod tests {
     fn elements_and_segments_are_listed_also_of_broken_files() {
         let text = "{ \"visemes\": \"MA|EO\",, \"text_en-us\": \"Ma|yor\", \"fps\": 10, \"x\": [] ".to_owned();
         let document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text);
-        let symbols = symbols(&document, &Known::default());
+        let symbols = symbols(&document, &KnownProject::default());
         let names: Vec<&str> = symbols.iter().map(|symbol| symbol.name.as_str()).collect();
         assert_eq!(names, ["visemes", "text_en-us", "fps", "x"]);
         let children = symbols[1].children.as_ref().unwrap();

@@ -1,4 +1,4 @@
-//! When the segments of a Lipz file start, and what stands at a place of it.
+//! The times of a Lipz file's segments, and the element at a position.
 
 use lipz_file::text::{DELIMITER, is_white_space, segments};
 use lipz_file::{Document, Element, JsonString, Value, rate};
@@ -8,13 +8,13 @@ use std::ops::Range;
 /// The frames of a clip, and their rate.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Timing {
-    /// First frames of the segments, and behind them the number of all frames.
+    /// The first frames of the segments, followed by the number of all frames.
     starts: Vec<u32>,
     fps: Option<Fps>,
 }
 
 impl Timing {
-    /// That of a Lipz file with visemes.
+    /// Returns the timing of a Lipz file with visemes.
     pub(crate) fn of(document: &Document<'_>, default_fps: Option<Fps>) -> Option<Timing> {
         let visemes = document.string("visemes")?;
         let mut starts = vec![0];
@@ -31,7 +31,7 @@ impl Timing {
         Some(Timing { starts, fps })
     }
 
-    /// The frames of segments that follow each other, as far as the mouth has them; `None` if it has none of them.
+    /// Returns the frames of consecutive segments, as far as the visemes contain them; `None` if they contain none.
     fn segments(&self, segments: Range<usize>) -> Option<Range<u32>> {
         let of_mouth = segments.start..segments.end.min(self.segment_count());
         if of_mouth.is_empty() {
@@ -40,17 +40,17 @@ impl Timing {
         Some(*self.starts.get(of_mouth.start)?..*self.starts.get(of_mouth.end)?)
     }
 
-    /// The number of segments.
+    /// Returns the number of segments.
     pub(crate) fn segment_count(&self) -> usize {
         self.starts.len().saturating_sub(1)
     }
 
-    /// When a frame starts, for people; nothing without a frame rate.
+    /// Returns the formatted start of a frame; `None` without a frame rate.
     pub(crate) fn time(&self, frame: u32) -> Option<String> {
         Some(format!("{:.3} s", self.fps?.start_of_frame_us(frame) as f64 / 1e6))
     }
 
-    /// The time of segments, for people: `frames 24–48, 1.000 s–2.000 s`.
+    /// Returns the formatted time of segments: `frames 24–48, 1.000 s–2.000 s`.
     pub(crate) fn shown(&self, segments: Range<usize>) -> Option<String> {
         let frames = self.segments(segments)?;
         let shown = format!("frames {}–{}", frames.start, frames.end);
@@ -61,19 +61,19 @@ impl Timing {
     }
 }
 
-/// The number of frames that codes are.
+/// Returns the number of frames in codes.
 pub(crate) fn frames(codes: &str) -> u32 {
     let count = codes.chars().filter(|code| *code != DELIMITER && !is_white_space(*code)).count();
     u32::try_from(count).unwrap_or(u32::MAX)
 }
 
-/// The segment of an element in which a byte of its text is.
+/// Returns the segment that contains a byte of an element's text.
 pub(crate) fn segment_at(text: &str, at: usize) -> (usize, Range<usize>) {
     let found = segments(text).enumerate().find(|(_, range)| at <= range.end);
     found.unwrap_or((0, 0..text.len()))
 }
 
-/// The element at a byte of the file, by its name or its value.
+/// Returns the element at a byte of the file, either in its name or in its value.
 pub(crate) fn element_at<'d, 's>(document: &'d Document<'s>, byte: usize) -> Option<&'d Element<'s>> {
     let is_in = |element: &&Element<'_>| {
         let (name, value) = (element.name.span(), element.value.span());
@@ -82,7 +82,7 @@ pub(crate) fn element_at<'d, 's>(document: &'d Document<'s>, byte: usize) -> Opt
     document.elements.iter().find(is_in)
 }
 
-/// The byte of the decoded text whose character stands at `byte` of the file.
+/// Returns the byte of the decoded text for `byte` of the file.
 pub(crate) fn decoded(string: &JsonString<'_>, byte: usize) -> Option<usize> {
     string.span().range().contains(&byte).then_some(())?;
     let offset = byte.checked_sub(string.span().start as usize + 1)?;
@@ -91,7 +91,7 @@ pub(crate) fn decoded(string: &JsonString<'_>, byte: usize) -> Option<usize> {
     if string.span().range().len() == text.len() + 2 {
         return (offset <= text.len()).then_some(offset);
     }
-    // Escapes are longer than what they mean: the last character that starts at or before the place.
+    // Escapes are longer than their characters, so search for the last character that starts at or before the position.
     let (mut low, mut high) = (0, text.len());
     while low < high {
         let middle = (low + high).div_ceil(2);

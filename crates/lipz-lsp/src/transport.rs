@@ -1,30 +1,30 @@
 //! Messages of the protocol as bytes: `Content-Length: N`, an empty line, N bytes of JSON.
 //!
-//! lsp-server ends the connection at the first message that is no JSON, and allocates whatever length a header
-//! claims. Here each message has an answer, and memory grows with the bytes that arrive.
+//! lsp-server ends the connection at the first message that is not JSON, and allocates any length that a header
+//! declares. This module answers every message, and memory only grows with the bytes that arrive.
 
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use serde_json::{Value, json};
 use std::io::{self, BufRead, Read, Write};
 
-/// The longest message that is read: the longest Lipz file, each of whose bytes JSON may spell with two.
+/// The longest message: the longest Lipz file, with two bytes in JSON for each of its bytes.
 const MOST_BYTES: u64 = 2 * lipz_file::MAX_FILE_BYTES as u64;
 
-/// The longest line of a header.
+/// The longest line of a header, in bytes.
 const MOST_HEADER_BYTES: u64 = 1 << 12;
 
-/// What an editor has sent.
+/// A message received from an editor.
 #[derive(Debug)]
-pub(crate) enum Received {
+pub(crate) enum IncomingMessage {
     /// A message.
     Message(Message),
-    /// Something else: how it is answered.
-    Refused(Refused),
+    /// Invalid data, with its answer.
+    Refused(RefusedMessage),
 }
 
-/// The answer to what is no message.
+/// The answer to invalid data.
 #[derive(Debug)]
-pub(crate) struct Refused {
+pub(crate) struct RefusedMessage {
     id: Value,
     code: ErrorCode,
     message: String,
@@ -33,8 +33,8 @@ pub(crate) struct Refused {
 /// Reads the next message; `None` at the end of the stream.
 ///
 /// # Errors
-/// If the stream cannot be read, or it is not known where the next message starts.
-pub(crate) fn read(input: &mut impl BufRead) -> io::Result<Option<Received>> {
+/// If the stream cannot be read, or the start of the next message cannot be determined.
+pub(crate) fn read(input: &mut impl BufRead) -> io::Result<Option<IncomingMessage>> {
     let Some(length) = read_header(input)? else { return Ok(None) };
     let mut bytes = Vec::new();
     input.take(length).read_to_end(&mut bytes)?;
@@ -47,7 +47,7 @@ pub(crate) fn read(input: &mut impl BufRead) -> io::Result<Option<Received>> {
     }))
 }
 
-/// The length that a header tells; `None` if there is no header any more.
+/// Returns the length in a header; `None` at the end of the stream.
 fn read_header(input: &mut impl BufRead) -> io::Result<Option<u64>> {
     let mut length = None;
     loop {
@@ -59,12 +59,12 @@ fn read_header(input: &mut impl BufRead) -> io::Result<Option<u64>> {
             return Ok(None);
         }
         if line.is_empty() {
-            return length.map(Some).ok_or_else(|| lost("a message has no Content-Length"));
+            return length.map(Some).ok_or_else(|| lost("the message has no Content-Length"));
         }
-        let (name, value) = line.split_once(':').ok_or_else(|| lost("a line of a header has no colon"))?;
+        let (name, value) = line.split_once(':').ok_or_else(|| lost("a line of the header has no colon"))?;
         if name.eq_ignore_ascii_case("Content-Length") {
             let number = value.trim().parse().ok().filter(|length| *length <= MOST_BYTES);
-            length = Some(number.ok_or_else(|| lost("a Content-Length is no number, or too large"))?);
+            length = Some(number.ok_or_else(|| lost("the Content-Length is not a number, or is too large"))?);
         }
     }
 }
@@ -73,8 +73,8 @@ fn lost(why: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, why)
 }
 
-/// The message that a JSON value is.
-fn message(value: Value) -> Received {
+/// Converts a JSON value to a message.
+fn message(value: Value) -> IncomingMessage {
     let id = value.get("id").cloned().unwrap_or_default();
     let has_method = value.get("method").is_some();
     let message = match (has_method, id.is_null()) {
@@ -83,21 +83,21 @@ fn message(value: Value) -> Received {
         (false, _) => serde_json::from_value::<Response>(value).map(Message::Response),
     };
     match message {
-        Ok(message) => Received::Message(message),
+        Ok(message) => IncomingMessage::Message(message),
         Err(error) => refused(id, ErrorCode::InvalidRequest, format!("not a message of the protocol: {error}")),
     }
 }
 
-fn refused(id: Value, code: ErrorCode, message: String) -> Received {
-    Received::Refused(Refused { id, code, message })
+fn refused(id: Value, code: ErrorCode, message: String) -> IncomingMessage {
+    IncomingMessage::Refused(RefusedMessage { id, code, message })
 }
 
-/// Answers what is no message. Its id may be of any type, which lsp-server's messages do not have.
+/// Answers invalid data. Its ID may have any type, which lsp-server's messages do not support.
 ///
 /// # Errors
-/// If the editor does not listen any more.
-pub(crate) fn refuse(output: &mut impl Write, refused: &Refused) -> io::Result<()> {
-    let Refused { id, code, message } = refused;
+/// If the editor has closed the stream.
+pub(crate) fn refuse(output: &mut impl Write, refused: &RefusedMessage) -> io::Result<()> {
+    let RefusedMessage { id, code, message } = refused;
     let answer = json!({ "jsonrpc": "2.0", "id": id, "error": { "code": *code as i32, "message": message } });
     let text = answer.to_string();
     write!(output, "Content-Length: {}\r\n\r\n{text}", text.len())?;
@@ -113,7 +113,7 @@ mod tests {
         format!("Content-Length: {}\r\n\r\n{body}", body.len())
     }
 
-    fn one(text: &str) -> io::Result<Option<Received>> {
+    fn one(text: &str) -> io::Result<Option<IncomingMessage>> {
         read(&mut text.as_bytes())
     }
 
@@ -124,15 +124,18 @@ mod tests {
         for body in bodies {
             let stream = framed(body) + &framed(r#"{"jsonrpc":"2.0","method":"exit"}"#);
             let mut stream = stream.as_bytes();
-            assert!(matches!(read(&mut stream), Ok(Some(Received::Refused(_)))), "{body:.20}");
-            assert!(matches!(read(&mut stream), Ok(Some(Received::Message(Message::Notification(_))))), "{body:.20}");
+            assert!(matches!(read(&mut stream), Ok(Some(IncomingMessage::Refused(_)))), "{body:.20}");
+            assert!(
+                matches!(read(&mut stream), Ok(Some(IncomingMessage::Message(Message::Notification(_))))),
+                "{body:.20}"
+            );
             assert!(read(&mut stream).unwrap().is_none());
         }
     }
 
     #[test]
     fn an_id_of_another_type_is_answered_as_it_was_sent() {
-        let Ok(Some(Received::Refused(refused))) = one(&framed(r#"{"id":1.5,"method":"x"}"#)) else { panic!() };
+        let Ok(Some(IncomingMessage::Refused(refused))) = one(&framed(r#"{"id":1.5,"method":"x"}"#)) else { panic!() };
         let mut answer = Vec::new();
         refuse(&mut answer, &refused).unwrap();
         let answer = String::from_utf8(answer).unwrap();

@@ -1,23 +1,23 @@
-//! Addresses of files in the protocol, and their paths.
+//! URIs of files in the protocol, and their paths.
 
 use lsp_types::Uri;
 use std::path::{Component, Path, PathBuf};
 use std::str::FromStr;
 use url::Url;
 
-/// The path of a file, without `.` and `..`; `None` for what is in no file.
+/// Returns the path of a file, without `.` and `..`; `None` for other URIs.
 pub(crate) fn path(uri: &str) -> Option<PathBuf> {
     let url = Url::parse(uri).ok().filter(|url| url.scheme() == "file")?;
     url.to_file_path().ok()
 }
 
-/// The address of the file at an absolute path.
+/// Returns the URI of the file at an absolute path.
 pub(crate) fn of_path(path: &Path) -> Option<Uri> {
     let url = Url::from_file_path(from_root(path)?).ok()?;
     Uri::from_str(url.as_str()).ok()
 }
 
-/// An absolute path without `.` and `..`, which mean nothing to an editor.
+/// Returns an absolute path without `.` and `..`, which editors do not resolve.
 fn from_root(path: &Path) -> Option<PathBuf> {
     let mut whole = PathBuf::new();
     for part in path.components() {

@@ -8,16 +8,16 @@ use lipz_types::Command;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// What a word of an event is.
+/// The role of a word in an event.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Role {
-    /// Who does something.
+    /// The character that acts.
     Character,
-    /// A character or a prop that somebody looks or points at.
+    /// A character or a prop that is looked or pointed at.
     Target,
-    /// What somebody feels.
+    /// The emotion of a character.
     Emotion,
-    /// What somebody does.
+    /// The action of a character.
     Action,
 }
 
@@ -32,7 +32,7 @@ pub(crate) struct Words {
 }
 
 impl Words {
-    /// The words of a Lipz file.
+    /// Returns the words of a Lipz file.
     pub(crate) fn of(document: &Document<'_>) -> Words {
         let mut words = Words::default();
         if let Some(events) = events(document) {
@@ -52,7 +52,7 @@ impl Words {
         words
     }
 
-    /// Adds those of another file.
+    /// Adds the words of another file.
     pub(crate) fn add(&mut self, other: Words) {
         self.characters.extend(other.characters);
         self.targets.extend(other.targets);
@@ -61,7 +61,7 @@ impl Words {
         self.locales.extend(other.locales);
     }
 
-    /// Those that the project allows, where it has a list; otherwise those that it uses.
+    /// Returns the words that the project's list allows, or, without a list, the words that it uses.
     pub(crate) fn allowed(&self, role: Role, names: &KnownNames) -> BTreeSet<String> {
         let listed = |list: Option<&BTreeSet<String>>, used: &BTreeSet<String>| list.unwrap_or(used).clone();
         let characters = || listed(names.get_characters(), &self.characters);
@@ -87,7 +87,7 @@ impl Words {
     }
 }
 
-/// The events of a Lipz file.
+/// Returns the events of a Lipz file.
 pub(crate) fn events<'d, 's>(document: &'d Document<'s>) -> Option<&'d JsonString<'s>> {
     match &document.get("events")?.value {
         Value::String(string) => Some(string),
@@ -95,12 +95,12 @@ pub(crate) fn events<'d, 's>(document: &'d Document<'s>) -> Option<&'d JsonStrin
     }
 }
 
-/// Calls `found` with each word of typed events, and where it is in them.
+/// Calls `found` with each word of typed events, and its range.
 pub(crate) fn each(events: &str, mut found: impl FnMut(Role, Range<usize>)) {
     for segment in text::segments(events) {
         let text = events.get(segment.clone()).unwrap_or_default();
         if event::parse(text).is_none() {
-            continue; // another syntax
+            continue; // a different syntax
         }
         for part in parts(text) {
             let mut word =
@@ -112,7 +112,7 @@ pub(crate) fn each(events: &str, mut found: impl FnMut(Role, Range<usize>)) {
                 event.character.iter().for_each(|character| word(Role::Character, character.range()));
                 let role = match event.command {
                     Command::Does(_) => Role::Action,
-                    // How strong a gesture is.
+                    // The strength of a gesture.
                     Command::Nods(_) | Command::Shakes(_) | Command::Breathes(_) => continue,
                     _ => Role::Target,
                 };

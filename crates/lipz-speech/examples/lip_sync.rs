@@ -1,5 +1,5 @@
-//! The mouth of one line: `cargo run --release -p lipz-speech --example lip_sync -- mara-hello.wav en-us "Good evening, Mara."`. Prints
-//! the frames, then each word with its time in milliseconds and how sure it is.
+//! Makes the lip-sync track of one line: `cargo run --release -p lipz-speech --example lip_sync -- mara-hello.wav en-us
+//! "Good evening, Mara."`. Prints the frames, and then each word with its time in milliseconds and its confidence.
 
 use lipz_speech::{Language, LipSync};
 

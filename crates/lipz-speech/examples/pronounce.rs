@@ -1,5 +1,5 @@
-//! How lipz says words: `echo "Guten Tag" | cargo run -p lipz-speech --example pronounce -- de`. With `--all` after the
-//! locale, a line for each pronunciation.
+//! Prints the pronunciations of words: `echo "Guten Tag" | cargo run -p lipz-speech --example pronounce -- de`. With
+//! `--all` after the locale, it prints a line for each pronunciation.
 
 use lipz_speech::{Language, Pronouncer};
 use std::io::{Read, Write};

@@ -1,7 +1,8 @@
-//! Makes a mouth for each sound of a folder: `cargo run --release -p lipz-speech --example sync_folder -- FOLDER OUT
-//! [LOCALE [MODEL…]]`. With `-` as LOCALE, without scripts. The script of `name.wav` is `name.txt`; its language is that of `name.json` (its element `lang`) or LOCALE. For
-//! each, `OUT/name.json` has the frames, and the phones and words with their times in seconds: what scorers read.
-//! A MODEL is a file that `lipz sync --train` made, or one that `lipz recogniser` made.
+//! Makes a lip-sync track for each recording in a folder: `cargo run --release -p lipz-speech --example sync_folder --
+//! FOLDER OUT [LOCALE [MODEL…]]`. With `-` as LOCALE, it does not use scripts. The script of `name.wav` is `name.txt`.
+//! Its language is the element `lang` of `name.json`, or LOCALE. `OUT/name.json` gets the frames, and the phones and
+//! words with their times in seconds, for scoring tools. A MODEL is a file made by `lipz sync --train` or `lipz import
+//! recogniser`.
 
 use lipz_speech::{Language, LipSync, Model, Recogniser, RecogniserError, TrainedModel};
 use serde_json::{Value, json};
@@ -39,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What mouths are made with.
+/// The settings for all recordings.
 struct With<'w> {
     locale: &'w str,
     model: &'w Model,
@@ -53,7 +54,7 @@ fn sync(path: &Path, with: &With<'_>) -> Result<Value, Box<dyn Error>> {
     let without_script = with.locale == "-";
     let locale = facts["lang"].as_str().unwrap_or(with.locale);
     let started = Instant::now();
-    // Without a script, the language makes no difference.
+    // Without a script, the language has no effect.
     let language = if without_script { Some(Language::ENGLISH) } else { Language::from_locale(locale) };
     let mut lip_sync = LipSync::new(language.ok_or("no such language")?).model(with.model);
     if let Some(recogniser) = with.recogniser {

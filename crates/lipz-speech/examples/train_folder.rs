@@ -1,5 +1,5 @@
-//! Learns a model of the voice of a folder: `cargo run --release -p lipz-speech --example train_folder -- FOLDER LOCALE MODEL`. The
-//! script of `name.wav` is `name.txt`. `sync_folder` makes mouths with MODEL; a project uses `lipz sync --train`.
+//! Trains a model on the voice in a folder: `cargo run --release -p lipz-speech --example train_folder -- FOLDER LOCALE
+//! MODEL`. The script of `name.wav` is `name.txt`. `sync_folder` reads MODEL; projects use `lipz sync --train`.
 
 use lipz_speech::{Language, Model, Observations, Pronouncer, Sound, TrainedModel, Training};
 use std::error::Error;

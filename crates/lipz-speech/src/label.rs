@@ -1,10 +1,12 @@
-//! Labels of phones in files of phoneticians.
+//! Phone labels in annotation files.
 
 use crate::Phone;
 use crate::pronounce::ipa_phones;
 
-/// The phones that a label means: one of the CMU Pronouncing Dictionary, with or without stress, if `is_arpabet`, otherwise the
-/// nearest of those in IPA; `spn`, a word that an aligner did not know, is a vowel. Nothing, if it is no phone.
+/// Returns the phones that a label stands for, or `None` if it is not a phone.
+///
+/// If `is_arpabet`, the label is a phone of the CMU Pronouncing Dictionary, with or without stress. Otherwise it is in
+/// IPA, and the nearest phones are returned. `spn`, with which aligners mark unknown words, becomes a vowel.
 ///
 /// ```
 /// use lipz_speech::{Phone, phones_of_label};

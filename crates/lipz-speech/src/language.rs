@@ -1,8 +1,8 @@
-//! Languages, and what their pronunciations rely on.
+//! Languages, and the sources of their pronunciations.
 
 use std::fmt;
 
-/// A language: how its words are pronounced and its numbers are read.
+/// A language, which decides how words are pronounced and numbers are read.
 ///
 /// ```
 /// use lipz_speech::{Language, Reliance};
@@ -11,24 +11,24 @@ use std::fmt;
 /// assert_eq!(language.reliance(), Reliance::Rules);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Language(&'static Entry);
+pub struct Language(&'static LanguageEntry);
 
 #[derive(PartialEq, Eq, Hash, Debug)]
-struct Entry {
+struct LanguageEntry {
     code: &'static str,
     name: &'static str,
     reliance: Reliance,
 }
 
-/// What the pronunciations of a language rely on, after a project's own lexicon.
+/// The source of a language's pronunciations, apart from a project's own lexicon.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub enum Reliance {
-    /// A dictionary, and rules for words that it does not have.
+    /// A dictionary, and letter-to-sound rules for words that it does not contain.
     Dictionary,
     /// Letter-to-sound rules of the language.
     Rules,
-    /// Kana, which say how they sound. Chinese characters need a reading: `{say: …}` or the lexicon.
+    /// Kana, which are phonetic. Chinese characters need a reading: `{say: …}` or the lexicon.
     Kana,
     /// Hangul, which is read by rules.
     Hangul,
@@ -46,15 +46,15 @@ impl fmt::Display for Reliance {
             Reliance::Kana => "kana; Chinese characters need a reading",
             Reliance::Hangul => "rules for hangul",
             Reliance::Pinyin => "readings in pinyin",
-            Reliance::Letters => "letters as most languages read them",
+            Reliance::Letters => "letters with their most common sounds",
         })
     }
 }
 
 macro_rules! languages {
     ($($code:literal $name:literal $reliance:ident,)*) => {
-        /// By their codes.
-        static ENTRIES: &[Entry] = &[$(Entry { code: $code, name: $name, reliance: Reliance::$reliance }),*];
+        /// The entries, sorted by code.
+        static ENTRIES: &[LanguageEntry] = &[$(LanguageEntry { code: $code, name: $name, reliance: Reliance::$reliance }),*];
     };
 }
 
@@ -139,17 +139,19 @@ languages! {
     "zh" "Mandarin Chinese" Pinyin,
 }
 
-/// Every language that is not in the list.
-static OTHER: Entry = Entry { code: "und", name: "other languages", reliance: Reliance::Letters };
+/// The entry for every language that is not in the list.
+static OTHER: LanguageEntry = LanguageEntry { code: "und", name: "other languages", reliance: Reliance::Letters };
 
 impl Language {
     /// English.
     pub const ENGLISH: Language = Language(&ENTRIES[0]);
-    /// A language of which nothing is known.
+    /// Any language that is not in the list.
     pub const OTHER: Language = Language(&OTHER);
 
-    /// The language of a locale, `xx-yy` as in Lipz files or BCP 47 (`es-419`, `zh-Hant-TW`, `pt_BR`). A language that is
-    /// not in the list is [`Language::OTHER`]; none if this cannot be a locale.
+    /// Returns the language of a locale, which may be `xx-yy` as in Lipz files, or BCP 47 (`es-419`, `zh-Hant-TW`,
+    /// `pt_BR`).
+    ///
+    /// A language that is not in the list becomes [`Language::OTHER`]. Returns `None` if this cannot be a locale.
     pub fn from_locale(locale: &str) -> Option<Language> {
         let code = locale.split(['-', '_']).next().unwrap_or_default().to_ascii_lowercase();
         if !(2..=3).contains(&code.len()) || !code.bytes().all(|byte| byte.is_ascii_lowercase()) {
@@ -160,28 +162,28 @@ impl Language {
         Some(entry.map_or(Language::OTHER, Language))
     }
 
-    /// All languages that are more than [`Language::OTHER`]: English, then in the order of their codes.
+    /// Returns all languages except [`Language::OTHER`]: English, then the rest by code.
     pub fn all() -> impl Iterator<Item = Language> {
         ENTRIES.iter().map(Language)
     }
 
-    /// Its code in ISO 639: two letters where there are two; `und` for all others.
+    /// Returns the ISO 639 code, with two letters if there is such a code; `und` for [`OTHER`](Language::OTHER).
     pub fn code(self) -> &'static str {
         self.0.code
     }
 
-    /// Its English name.
+    /// Returns the English name.
     pub fn name(self) -> &'static str {
         self.0.name
     }
 
-    /// What its pronunciations rely on.
+    /// Returns the source of the language's pronunciations.
     pub fn reliance(self) -> Reliance {
         self.0.reliance
     }
 }
 
-/// Codes of languages that are read as another one.
+/// Alternative codes, with the code of the language that is used.
 const ALIASES: [(&str, &str); 8] = [
     ("eng", "en"),
     ("sco", "en"),
@@ -193,7 +195,7 @@ const ALIASES: [(&str, &str); 8] = [
     ("tl", "fil"),
 ];
 
-/// Its code.
+/// Prints the code.
 impl fmt::Debug for Language {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Language({})", self.0.code)

@@ -1,4 +1,4 @@
-//! Recordings and their scripts become mouth shapes.
+//! Lip sync: makes visemes from recordings and their transcripts.
 //!
 //! [`LipSync`] does it in one call:
 //!
@@ -11,14 +11,14 @@
 //!
 //! # Step by step
 //!
-//! [`Sound::read`] decodes a recording. A [`Pronouncer`] makes a [`Script`] of a text: its words with all their pronunciations,
-//! which consist of [`Phone`]s. An [`Aligner`] finds when each word and phone of the script is said in the sound. [`render`]
-//! makes a mouth of this [`Alignment`], a viseme for every frame; [`rms`] makes one of the loudness alone. Arguments come in
-//! this order: sound, script or alignment, frames per second, viseme type, rules.
+//! [`Sound::read`] decodes a recording. A [`Pronouncer`] turns a text into a [`Script`]: its words with all their
+//! pronunciations, which consist of [`Phone`]s. An [`Aligner`] finds the time of each word and phone of the script in
+//! the audio. [`render`] turns this [`Alignment`] into a viseme for every frame, and [`rms`] derives the visemes from
+//! the loudness alone. Arguments come in this order: audio, script or alignment, frames per second, viseme type, rules.
 //!
-//! Results are the same on every machine, to the last bit.
+//! Results are identical on every machine, to the last bit.
 //!
-//! What is not here: Lipz files and banks, settings, printing (`lipz`).
+//! This crate does not read Lipz files, banks or settings, and prints nothing. Those are parts of `lipz`.
 
 #![forbid(unsafe_code)]
 
@@ -44,7 +44,7 @@ pub use language::{Language, Reliance};
 pub use lip_sync::{LipSync, SyncedLine};
 pub use lipz_types::{Fps, VisemeType};
 pub use model::Model;
-pub use neural::{Heard, Recogniser, RecogniserError};
+pub use neural::{RecognisedWords, Recogniser, RecogniserError};
 pub use phone::{ParsePhoneError, Phone};
 pub use problem::{Problem, ProblemKind};
 pub use pronounce::{Lexicon, Pronouncer, Reading};

@@ -1,15 +1,15 @@
-//! From a recording and its text to mouth frames, in one call.
+//! Lip sync of a recording and its text in one call.
 
 use crate::{
-    AlignOptions, AlignedWord, Aligner, Alignment, Heard, Language, Lexicon, Model, Mouth, Problem, Pronouncer,
-    Recogniser, RenderRules, RmsRules, Script, Sound, SoundError, Word, render, rms,
+    AlignOptions, AlignedWord, Aligner, Alignment, Language, Lexicon, Model, Mouth, Problem, Pronouncer,
+    RecognisedWords, Recogniser, RenderRules, RmsRules, Script, Sound, SoundError, Word, render, rms,
 };
 use lipz_types::{Fps, VisemeType};
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-/// Makes mouth frames from recordings and their texts.
+/// Makes visemes from recordings and their texts.
 ///
 /// ```no_run
 /// use lipz_speech::{Fps, Language, LipSync, VisemeType};
@@ -22,8 +22,8 @@ use std::path::Path;
 /// # Ok::<(), lipz_speech::SoundError>(())
 /// ```
 ///
-/// Without further calls, the mouth has [`VisemeType::Blair`] and 24 frames per second, and the rules and the model are those
-/// of the command `lipz sync`. To change a step in between, call [`Pronouncer`], [`Aligner`] and [`render`] yourself: the
+/// By default, the lip-sync track uses [`VisemeType::Blair`] at 24 frames per second, with the rules and the model of
+/// the command `lipz sync`. To change a step in between, call [`Pronouncer`], [`Aligner`] and [`render`] yourself. The
 /// fields of [`SyncedLine`] are their results.
 #[derive(Clone, Debug)]
 pub struct LipSync<'m> {
@@ -35,29 +35,29 @@ pub struct LipSync<'m> {
     rules: RenderRules,
 }
 
-/// A recorded line with its mouth.
+/// A recorded line with its lip-sync track.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct SyncedLine {
-    /// The mouth: a viseme for every frame.
+    /// The lip-sync track, with a viseme for every frame.
     pub mouth: Mouth,
-    /// When each phone and word of the script is said, and where the recording and the text differ.
+    /// The times of all phones and words of the script, and the differences between recording and text.
     pub alignment: Alignment,
-    /// The words of the text with their pronunciations; without a text, what a recogniser hears, in the IPA.
+    /// The words of the text with their pronunciations. Without a text, the phones that a recogniser found, in the IPA.
     pub script: Script,
     /// Parts of the text that could not be used, such as an unknown phone in `{say: …}`. Ranges are bytes of the text.
     pub problems: Vec<Problem>,
 }
 
 impl SyncedLine {
-    /// The words of the line, each with its time.
+    /// Returns the words of the line, each with its time.
     pub fn words(&self) -> impl Iterator<Item = (&Word, &AlignedWord)> {
         self.script.words.iter().zip(&self.alignment.words)
     }
 }
 
 impl LipSync<'static> {
-    /// Lip sync of texts in this language.
+    /// Returns a lip sync for texts in this language.
     #[must_use]
     pub fn new(language: Language) -> LipSync<'static> {
         LipSync {
@@ -78,44 +78,44 @@ impl<'m> LipSync<'m> {
         LipSync { fps, ..self }
     }
 
-    /// Sets the viseme type. [`VisemeType::Rms`] follows the loudness, as [`rms`] does, and not the words.
+    /// Sets the viseme type. [`VisemeType::Rms`] follows the loudness, like [`rms`], instead of the words.
     #[must_use]
     pub fn viseme_type(self, viseme_type: VisemeType) -> LipSync<'m> {
         LipSync { viseme_type, ..self }
     }
 
-    /// Sets how phones become frames.
+    /// Sets the rules that turn phones into frames.
     #[must_use]
     pub fn rules(self, rules: RenderRules) -> LipSync<'m> {
         LipSync { rules, ..self }
     }
 
-    /// Adds pronunciations of a project's own words.
+    /// Adds a project's own pronunciations.
     #[must_use]
     pub fn lexicon(self, lexicon: Lexicon) -> LipSync<'m> {
         LipSync { pronouncer: self.pronouncer.with_lexicon(lexicon), ..self }
     }
 
-    /// Aligns with this model in place of the English one that is built in, such as a [`TrainedModel`](crate::TrainedModel).
+    /// Aligns with this model, such as a [`TrainedModel`](crate::TrainedModel), instead of the built-in English one.
     #[must_use]
     pub fn model(self, model: &'m Model) -> LipSync<'m> {
         LipSync { model, ..self }
     }
 
-    /// Lets [`file`](LipSync::file) find phones with this recogniser where there is no text, and compare the recording with the
-    /// text where there is one.
+    /// Lets [`file`](LipSync::file) use this recogniser: to find phones if there is no text, otherwise to compare the
+    /// recording with the text.
     #[must_use]
     pub fn recogniser(self, recogniser: &'m Recogniser) -> LipSync<'m> {
         LipSync { recogniser: Some(recogniser), ..self }
     }
 
-    /// The mouth of a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file in which `text` is said.
+    /// Returns the visemes of a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file in which `text` is spoken.
     ///
-    /// The text is that of a Lipz file, with `|` between segments and `{meta}`. If it has no words, phones are found without it,
-    /// which is less exact.
+    /// The text has the form used in Lipz files, with `|` between segments and `{meta}`. If it has no words, phones are
+    /// found without it, which is less exact.
     ///
     /// # Errors
-    /// If the file cannot be read as a recording. That it does not belong to the text is no error: see
+    /// If the file cannot be read as a recording. A recording that does not match the text is not an error: see
     /// [`Alignment::mismatches`].
     pub fn file(&self, recording: impl AsRef<Path>, text: &str) -> Result<SyncedLine, SoundError> {
         let path = recording.as_ref();
@@ -126,7 +126,7 @@ impl<'m> LipSync<'m> {
         Ok(self.line(&sound, text, heard.as_ref()))
     }
 
-    /// The mouth of a sound in which `text` is said, as [`file`](LipSync::file) makes it without a recogniser.
+    /// Returns the visemes of audio in which `text` is spoken, like [`file`](LipSync::file) without a recogniser.
     ///
     /// ```
     /// use lipz_speech::{Language, LipSync, Sound};
@@ -139,10 +139,10 @@ impl<'m> LipSync<'m> {
         self.line(sound, text, None)
     }
 
-    fn line(&self, sound: &Sound, text: &str, heard: Option<&Heard>) -> SyncedLine {
+    fn line(&self, sound: &Sound, text: &str, heard: Option<&RecognisedWords>) -> SyncedLine {
         let reading = self.pronouncer.read(text);
         let has_text = !reading.script.words.is_empty();
-        let script = heard.filter(|_| !has_text).map_or(reading.script, Heard::script);
+        let script = heard.filter(|_| !has_text).map_or(reading.script, RecognisedWords::script);
         let aligner = Aligner::new(self.model, AlignOptions::default());
         let mut alignment = match script.words.is_empty() {
             true => aligner.listen(sound),

@@ -1,13 +1,13 @@
-//! Phones: the sounds that the acoustic model knows.
+//! Phones: the units of speech that the acoustic model distinguishes.
 
 use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
-/// A sound that the acoustic model knows: one of the 39 phones of the CMU Pronouncing Dictionary (ARPAbet
-/// without stress), silence, or noise.
+/// A unit of speech that the acoustic model distinguishes: one of the 39 phones of the CMU Pronouncing Dictionary
+/// (ARPAbet without stress), silence, or noise.
 ///
-/// Other languages are written with the nearest of them.
+/// Phones of other languages are mapped to the nearest of these.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[repr(u8)]
 pub enum Phone {
@@ -91,17 +91,17 @@ pub enum Phone {
     Zh,
     /// Silence, `SIL`.
     Sil,
-    /// A noise that nobody speaks, `+NSN+`.
+    /// A noise not made by the speaker, `+NSN+`.
     Noise,
-    /// A sound of the speaker that is no word, `+SPN+`: a breath, a cough, a laugh.
+    /// A sound of the speaker other than a word, `+SPN+`: a breath, a cough, a laugh.
     Spoken,
 }
 
 impl Phone {
-    /// How many phones there are.
+    /// The number of phones.
     pub const COUNT: usize = Phone::ALL.len();
 
-    /// All phones, in the order of their numbers: those of speech in the order of their names, then silence and noise.
+    /// All phones, in the order of their indices: those of speech sorted by name, then silence and noise.
     pub const ALL: [Phone; 42] = [
         Phone::Aa,
         Phone::Ae,
@@ -147,12 +147,12 @@ impl Phone {
         Phone::Spoken,
     ];
 
-    /// The number of the phone: its place in [`Phone::ALL`].
+    /// Returns the index of the phone in [`Phone::ALL`].
     pub const fn index(self) -> usize {
         self as usize
     }
 
-    /// Its ARPAbet name in capitals, without stress; `SIL`, `+NSN+` and `+SPN+` as in CMU Sphinx.
+    /// Returns the ARPAbet name in capitals, without stress; `SIL`, `+NSN+` and `+SPN+` as in CMU Sphinx.
     pub const fn name(self) -> &'static str {
         match self {
             Phone::Aa => "AA",
@@ -200,7 +200,7 @@ impl Phone {
         }
     }
 
-    /// Whether it is a vowel or a diphthong.
+    /// Whether the phone is a vowel or a diphthong.
     pub const fn is_vowel(self) -> bool {
         matches!(
             self,
@@ -222,20 +222,20 @@ impl Phone {
         )
     }
 
-    /// Whether it is part of a word: neither silence nor noise.
+    /// Whether the phone is part of a word, rather than silence or noise.
     pub const fn is_speech(self) -> bool {
         !matches!(self, Phone::Sil | Phone::Noise | Phone::Spoken)
     }
 }
 
-/// Its name: [`Phone::name`].
+/// Prints [`Phone::name`].
 impl fmt::Display for Phone {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
     }
 }
 
-/// Its name in letters of either case, with or without the digit of the stress: `AA`, `aa` or `AA1`.
+/// Parses a name in letters of either case, with or without the digit of the stress: `AA`, `aa` or `AA1`.
 impl FromStr for Phone {
     type Err = ParsePhoneError;
 
@@ -249,15 +249,13 @@ impl FromStr for Phone {
     }
 }
 
-/// The name is not that of a [`Phone`].
+/// The error for a name that is not the name of a [`Phone`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ParsePhoneError;
 
 impl fmt::Display for ParsePhoneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "no phone has this name; the phones are those of the CMU Pronouncing Dictionary, such as `AA` or `CH`",
-        )
+        f.write_str("unknown phone; expected one of the CMU Pronouncing Dictionary, such as `AA` or `CH`")
     }
 }
 

@@ -1,35 +1,34 @@
-//! What is said in a recording: words with their pronunciations.
+//! The transcript of a recording: words with their pronunciations.
 
 use crate::Phone;
 use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 
-/// What is said in a recording: words in order, with all their pronunciations.
+/// A transcript: the words of a recording in order, with all their pronunciations.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Script {
-    /// The words, in the order in which they are said.
+    /// The words, in spoken order.
     pub words: Vec<Word>,
-    /// For each `|` of the text, the index of the word that it precedes: ascending, may repeat, may equal
-    /// `words.len()`.
+    /// For each `|` of the text, the index of the word after it: ascending, may repeat, may equal `words.len()`.
     pub breaks: Vec<usize>,
 }
 
 /// A word of a [`Script`].
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Word {
-    /// The word as it is written.
+    /// The word as written.
     pub text: String,
-    /// The bytes of the text that it was made from.
+    /// The bytes of the text from which the word was made.
     pub range: Range<usize>,
-    /// All ways to say it, the most likely first. The aligner chooses the one that is heard. Without any, the
-    /// word is not heard and takes no time.
+    /// All ways to pronounce the word, the most likely first. The aligner chooses the one that fits the recording. A
+    /// word without pronunciations is not aligned and takes no time.
     pub pronunciations: Vec<Pronunciation>,
 }
 
 impl Script {
-    /// The words that no lexicon or dictionary has, each once, in the order of the text: what was chosen for them is for
-    /// somebody to check. As lines of a lexicon ([`Word`]'s `Display`) they are ready to be pasted there.
+    /// Returns the words that are in no lexicon or dictionary, each once, in the order of the text. A person should
+    /// check their pronunciations. As lines of a lexicon ([`Word`]'s `Display`), they are ready to be pasted there.
     pub fn guessed(&self) -> impl Iterator<Item = &Word> {
         let mut seen = HashSet::new();
         self.words
@@ -39,13 +38,13 @@ impl Script {
 }
 
 impl Word {
-    /// Where its first pronunciation comes from; none if it is not said.
+    /// Returns the origin of the first pronunciation, or `None` if the word is silent.
     pub fn origin(&self) -> Option<Origin> {
         self.pronunciations.first().map(|pronunciation| pronunciation.origin)
     }
 }
 
-/// The word with its first pronunciation, as a line of a lexicon: `Wesnoth  W EH S N AO TH`.
+/// Prints the word with its first pronunciation, as a line of a lexicon: `Wesnoth  W EH S N AO TH`.
 impl fmt::Display for Word {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ", self.text)?;
@@ -53,7 +52,7 @@ impl fmt::Display for Word {
     }
 }
 
-/// The names of its phones, with blanks between them: `W EH S`.
+/// Prints the names of the phones, separated by spaces: `W EH S`.
 impl fmt::Display for Pronunciation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, phone) in self.phones.iter().enumerate() {
@@ -63,16 +62,16 @@ impl fmt::Display for Pronunciation {
     }
 }
 
-/// One way to say a [`Word`].
+/// One way to pronounce a [`Word`].
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Pronunciation {
-    /// The phones in order; none of them is silence.
+    /// The phones in order, without silences.
     pub phones: Vec<Phone>,
-    /// Where it comes from.
+    /// The source of the pronunciation.
     pub origin: Origin,
 }
 
-/// Where a [`Pronunciation`] comes from, best first.
+/// The source of a [`Pronunciation`], best first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Origin {
     /// `{say: …}` in the text.
@@ -83,6 +82,6 @@ pub enum Origin {
     Dictionary,
     /// The letter-to-sound rules of the language.
     Rules,
-    /// The names of its letters, one by one.
+    /// The names of the letters, one by one.
     Letters,
 }

@@ -1,4 +1,4 @@
-//! Alignment of a human voice, from the sound file to the mouth.
+//! Alignment of a human voice, from the audio file to the lip-sync track.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 use lipz_speech::{
@@ -7,7 +7,7 @@ use lipz_speech::{
 use lipz_types::{Fps, VisemeType};
 
 const BOBBY: &[u8] = include_bytes!("../../../fixtures/speech/bobby.wav");
-/// When its words start and end, in milliseconds, as a phonetician heard them.
+/// The starts and ends of its words, in milliseconds, annotated by a phonetician.
 const WORDS_MS: [(u64, u64); 4] = [(65, 412), (412, 658), (658, 741), (741, 1_117)];
 
 fn align(sound: &Sound, text: &str) -> Alignment {
@@ -19,14 +19,14 @@ fn bobby() -> Sound {
     Sound::from_bytes(BOBBY, Some("wav")).unwrap()
 }
 
-/// The recording three times, with half a second of silence between.
+/// Returns the recording three times, with half a second of silence in between.
 fn three_bobbies() -> Sound {
     let samples = samples();
     let silence = vec![0.0; 24_000];
     Sound::from_samples(&[&samples[..], &silence, &samples, &silence, &samples].concat(), 48_000).unwrap()
 }
 
-/// The samples of the recording, which has 48,000 a second of 16 bits.
+/// Returns the samples of the recording, which has 16-bit samples at 48,000 per second.
 fn samples() -> Vec<f32> {
     let data = BOBBY.windows(4).position(|window| window == b"data").unwrap() + 8;
     BOBBY[data..].chunks_exact(2).map(|two| f32::from(i16::from_le_bytes([two[0], two[1]])) / 32_768.0).collect()
@@ -153,7 +153,7 @@ fn nothing_is_too_short_or_too_empty() {
     }
 }
 
-/// What must not change by accident, on any machine: the bytes of a mouth.
+/// The bytes of a lip-sync track must not change by accident on any machine.
 #[test]
 fn the_bytes_are_the_same_on_every_machine() {
     let alignment = align(&bobby(), "Bobby ripped the ledger.");

@@ -1,4 +1,4 @@
-//! Sound files that are cut, or damaged in the middle: they are told, and what follows the damage keeps its time.
+//! Truncated and damaged audio files: the damage is reported, and the audio after it keeps its time.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod random;
@@ -10,7 +10,8 @@ use random::Random;
 use std::ops::Range;
 use wav::{Samples, aiff, wav};
 
-/// Eight seconds, each of which begins with a beep of 0.3 seconds. One of them has no header with the number of frames.
+/// Files of eight seconds, each of which begins with a beep of 0.3 seconds. One of them lacks the header with the
+/// number of frames.
 fn files() -> [(&'static str, Vec<u8>); 5] {
     let mp3 = include_bytes!("../../../fixtures/speech/beeps.mp3");
     [
@@ -22,7 +23,7 @@ fn files() -> [(&'static str, Vec<u8>); 5] {
     ]
 }
 
-/// A frame of `beeps.mp3`.
+/// The size of a frame of `beeps.mp3`.
 const MP3_FRAME_BYTES: usize = 216;
 const LENGTH_MS: u64 = 8_000;
 
@@ -34,7 +35,7 @@ fn is_told(sound: &Sound) -> bool {
     sound.is_truncated() || sound.is_altered() || sound.damage().places > 0
 }
 
-/// When beeps begin, in hundredths of a second.
+/// Returns the starts of the beeps, in hundredths of a second.
 fn beeps(sound: &Sound) -> Vec<usize> {
     let mut rules = RmsRules::default();
     rules.lead_us = 0;
@@ -45,7 +46,8 @@ fn beeps(sound: &Sound) -> Vec<usize> {
     (0..frames.len()).filter(is_start).collect()
 }
 
-/// By how much the beeps are off those of the whole file, at worst, in hundredths of a second; those near the damage are left out.
+/// Returns the largest deviation of the beeps from those of the whole file, in hundredths of a second, except for those
+/// near the damage.
 fn worst(sound: &Sound, whole: &Sound, near: Range<usize>) -> usize {
     let whole = beeps(whole);
     let off = |beep: usize| whole.iter().map(|whole| whole.abs_diff(beep)).min().unwrap_or(usize::MAX);
@@ -69,7 +71,7 @@ fn whole_files_have_nothing_to_tell() {
 #[test]
 fn mp3_files_that_were_put_behind_each_other_are_heard_to_the_end() {
     let [_, _, (_, mp3), ..] = files();
-    // Each begins with a tag, here of four bytes.
+    // Each copy begins with a tag, here of four bytes.
     let tagged = [&b"ID3\x04\0\0\0\0\0\x04none"[..], &mp3].concat();
     let sound = Sound::from_bytes(&tagged.repeat(2), Some("mp3")).unwrap();
     assert!(length_ms(&sound).abs_diff(2 * LENGTH_MS) < 600, "{}", length_ms(&sound));
@@ -82,7 +84,7 @@ fn a_file_that_is_cut_says_so() {
         for percent in (30..100).step_by(3) {
             let length = bytes.len() * percent / 100;
             let sound = Sound::from_bytes(&bytes[..length], None).unwrap();
-            // Where a frame ends, only the header tells that there should be more.
+            // At the end of a frame, only the header shows that there should be more.
             let is_known = !name.contains("without") || length % MP3_FRAME_BYTES >= 4;
             assert!(sound.is_truncated() || !is_known, "{name}, {percent} %: {} ms", length_ms(&sound));
             assert!(length_ms(&sound) < length_ms(&whole), "{name}, {percent} %");
@@ -96,7 +98,7 @@ fn behind_what_is_damaged_sounds_keep_their_time() {
     let mut random = Random(3);
     for (name, bytes) in files() {
         let whole = Sound::from_bytes(&bytes, None).unwrap();
-        // How long frames of variable length were is not known, and beeps have longer ones than silence.
+        // The length of missing frames of variable size is estimated, and beeps have longer ones than silence.
         let most_off = if name.contains("variable") { 40 } else { 3 };
         for length in [50, 500, 1_500, 3_000] {
             for round in 0..12 {
@@ -121,7 +123,7 @@ fn behind_what_is_damaged_sounds_keep_their_time() {
 fn what_is_gone_is_missing_for_as_long_as_it_lasted() {
     for (name, bytes) in files().into_iter().filter(|(name, _)| !name.contains("variable")) {
         let whole = Sound::from_bytes(&bytes, None).unwrap();
-        // Two pages of the Ogg file and more.
+        // More than two pages of the Ogg file.
         let gone = bytes.len() * 30 / 100..bytes.len() * 55 / 100;
         let damaged = [&bytes[..gone.start], &bytes[gone.end..]].concat();
         let sound = Sound::from_bytes(&damaged, None).unwrap();

@@ -1,4 +1,4 @@
-//! The page of languages lists what there is.
+//! The page of languages lists all languages.
 
 #![allow(clippy::expect_used)]
 

@@ -1,4 +1,4 @@
-//! A recording and its text become a mouth in one call, the same as step by step.
+//! Lip sync of a recording and its text in one call has the same result as step by step.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_speech::{

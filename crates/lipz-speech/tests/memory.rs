@@ -1,4 +1,4 @@
-//! How much memory a sound file can make lipz take: what is in it, not what its headers say.
+//! The memory that an audio file can make lipz allocate is bounded by its content, not by its headers.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 mod wav;
@@ -11,7 +11,7 @@ use wav::{Samples, aiff, wav};
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
 
-/// Runs something that may have `bytes` allocated at a time. If it wants more, the allocation fails, and the test with it.
+/// Runs `run`, which may allocate `bytes` at a time. A larger allocation fails, and the test with it.
 fn within(bytes: usize, run: impl FnOnce()) {
     ALLOCATOR.set_limit(ALLOCATOR.allocated() + bytes).unwrap();
     run();
@@ -20,7 +20,7 @@ fn within(bytes: usize, run: impl FnOnce()) {
 
 #[test]
 fn memory_is_that_of_what_is_in_the_file() {
-    // The model, once.
+    // Load the model, which happens once.
     let model = Model::english();
     let four_gigabytes = 0xffff_fff0_u32.to_le_bytes();
     let lies = |mut file: Vec<u8>, places: &[usize]| {
@@ -42,7 +42,7 @@ fn memory_is_that_of_what_is_in_the_file() {
         lies(honest.clone(), &[4]),
         lies(honest.clone(), &[4, 40]),
         lies(honest.clone(), &[16]),
-        // Another chunk before the samples, as long as can be.
+        // A different chunk of the greatest length before the samples.
         [&honest[..12], b"LIST", &four_gigabytes, &honest[12..]].concat(),
         [&honest[..12], b"id3 ", &four_gigabytes, &honest[12..]].concat(),
         // A tag of 256 megabytes, and a picture of 16.
@@ -50,10 +50,10 @@ fn memory_is_that_of_what_is_in_the_file() {
         [b"fLaC\x06\xff\xff\xff".as_slice(), &[0; 100]].concat(),
     ];
     for file in &files {
-        // The decoder believes four megabytes at first.
+        // The decoder accepts four megabytes at first.
         within(6 << 20, || drop(Sound::from_bytes(file, None)));
     }
-    // Two minutes of something like speech, with a script: a few bytes per frame, and nothing that grows with both.
+    // Two minutes of speech-like audio with a script: a few bytes per frame, and nothing that grows with both.
     let sound = syllables(120);
     let script = Pronouncer::new(Language::ENGLISH).script(&"The map shows a hidden valley. ".repeat(30));
     within(6 << 20, || {
@@ -63,7 +63,7 @@ fn memory_is_that_of_what_is_in_the_file() {
     });
 }
 
-/// A file of bursts of a buzz with pauses between them.
+/// Returns a file with bursts of a buzz, and pauses between them.
 fn syllables(seconds: usize) -> Vec<u8> {
     let sample = |i: usize| {
         let loud = if i / 2_000 % 3 < 2 { 0.3 } else { 0.001 };

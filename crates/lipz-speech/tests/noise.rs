@@ -1,4 +1,4 @@
-//! Worse sound: noise does not make a mouth move in a pause, and what is noise alone is told.
+//! Noisy recordings: noise does not move the mouth in a pause, and recordings of noise alone are reported.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 use lipz_speech::{AlignOptions, Aligner, Alignment, Language, Model, Pronouncer, RenderRules, Sound, render};
@@ -8,18 +8,18 @@ const BOBBY: &[u8] = include_bytes!("../../../fixtures/speech/bobby.wav");
 const RATE_HZ: u32 = 48_000;
 const TEXT: &str = "Bobby ripped the ledger.";
 
-/// The samples of the recording, which has 48,000 a second of 16 bits.
+/// Returns the samples of the recording, which has 16-bit samples at 48,000 per second.
 fn bobby() -> Vec<f32> {
     let data = BOBBY.windows(4).position(|window| window == b"data").unwrap() + 8;
     BOBBY[data..].chunks_exact(2).map(|two| f32::from(i16::from_le_bytes([two[0], two[1]])) / 32_768.0).collect()
 }
 
-/// The sentence, a pause of this many milliseconds, and the sentence again.
+/// Returns the sentence, a pause of this many milliseconds, and the sentence again.
 fn with_pause(ms: usize) -> Vec<f32> {
     [bobby(), vec![0.0; ms * 48], bobby()].concat()
 }
 
-/// Noise from -1 to 1, always the same.
+/// Returns reproducible white noise from -1 to 1.
 fn white(count: usize) -> Vec<f32> {
     let mut state = 7_u32;
     let sample = |_| {
@@ -29,7 +29,7 @@ fn white(count: usize) -> Vec<f32> {
     (0..count).map(sample).collect()
 }
 
-/// Noise whose power falls with the frequency: white noise through three poles (P. Kellet's economy filter).
+/// Returns noise whose power falls with the frequency: white noise through three poles (P. Kellet's economy filter).
 fn pink(count: usize) -> Vec<f32> {
     let mut poles = [0.0_f32; 3];
     let sample = |white: f32| {
@@ -42,7 +42,7 @@ fn pink(count: usize) -> Vec<f32> {
     white(count).into_iter().map(sample).collect()
 }
 
-/// Twenty voices at once, backwards, none of which can be understood.
+/// Returns twenty simultaneous voices, reversed so that none can be understood.
 fn babble(count: usize) -> Vec<f32> {
     let voice: Vec<f32> = bobby().into_iter().rev().collect();
     let voices =
@@ -50,20 +50,20 @@ fn babble(count: usize) -> Vec<f32> {
     (0..count).map(voices).collect()
 }
 
-/// A tone of mains with its harmonics.
+/// Returns a mains hum with its harmonics.
 fn hum(count: usize) -> Vec<f32> {
     let sample =
         |at: usize| (1..8).map(|k| (std::f32::consts::TAU * (at * k % 960) as f32 / 960.0).sin() / k as f32).sum();
     (0..count).map(sample).collect()
 }
 
-/// Noise that swells and fades, as rain and waves do.
+/// Returns noise that swells and fades, like rain and waves.
 fn swelling(count: usize) -> Vec<f32> {
     let level = |at: usize| 1.0 + 0.8 * (std::f32::consts::TAU * (at % 36_923) as f32 / 36_923.0).sin();
     white(count).iter().enumerate().map(|(at, noise)| noise * level(at)).collect()
 }
 
-/// Chords of three tones with harmonics, each of which is struck and fades.
+/// Returns chords of three tones with harmonics, each of which is struck and fades.
 fn music(count: usize) -> Vec<f32> {
     let sample = |at: usize| {
         let (number, since) = (at / 16_800, at % 16_800);
@@ -78,7 +78,7 @@ fn music(count: usize) -> Vec<f32> {
     (0..count).map(sample).collect()
 }
 
-/// Makes so many samples.
+/// Returns so many samples.
 type Noise = fn(usize) -> Vec<f32>;
 
 const NOISES: [(&str, Noise); 6] =
@@ -88,7 +88,7 @@ fn power(samples: &[f32]) -> f32 {
     samples.iter().map(|sample| sample * sample).sum::<f32>() / samples.len() as f32
 }
 
-/// The samples, and noise that is 20 decibels below the sentence.
+/// Returns the samples with noise that is 20 decibels below the sentence.
 fn with_noise(samples: &[f32], noise: Noise) -> Sound {
     let noise = noise(samples.len());
     let gain = 0.1 * (power(&bobby()) / power(&noise)).sqrt();
@@ -101,8 +101,8 @@ fn align(sound: &Sound, text: &str) -> Alignment {
     Aligner::new(Model::english(), AlignOptions::default()).align(sound, &script)
 }
 
-/// The frames of a mouth in a pause of a second: from 100 milliseconds after its start to 200 before its end,
-/// when lips may close for the next word.
+/// Returns the frames in a pause of a second: from 100 milliseconds after its start to 200 before its end, when lips
+/// may close for the next word.
 fn frames_of_pause(alignment: &Alignment) -> String {
     let mouth = render(alignment, Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     let start_ms = bobby().len() / 48 + 100;

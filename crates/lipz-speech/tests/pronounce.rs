@@ -1,4 +1,4 @@
-//! Texts become words with pronunciations: as people write them, and whatever they contain.
+//! Conversion of texts to words with pronunciations, for typical and arbitrary texts.
 
 #![allow(clippy::expect_used)]
 
@@ -175,7 +175,7 @@ fn long_texts_take_linear_time() {
     }
 }
 
-/// Everything that holds for any text.
+/// Checks the properties that hold for any text.
 fn check(text: &str, language: Language) {
     let reading = Pronouncer::new(language).read(text);
     let script = &reading.script;

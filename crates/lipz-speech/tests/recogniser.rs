@@ -1,4 +1,5 @@
-//! A neural network that hears phones: its file, and what a hostile one does. The network is tiny, and its numbers are by chance.
+//! The neural network that recognises phones: its file, including hostile ones. The network is tiny, with random
+//! values.
 #![allow(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 mod hama;
@@ -17,7 +18,7 @@ fn recogniser(seed: u32) -> Recogniser {
     Recogniser::from_bytes(&Recogniser::convert(&hama(seed), &names()).unwrap()).unwrap()
 }
 
-/// A WAV file of 16,000 samples a second: tones that come and go.
+/// Returns a WAV file at 16,000 samples per second, with tones that come and go.
 fn sound(seconds: f32) -> Vec<u8> {
     let count = (seconds * 16_000.0) as u32;
     let sample = |at: u32| {
@@ -36,7 +37,7 @@ fn heard(recogniser: &Recogniser, sound: &[u8]) -> String {
 
 #[test]
 fn a_network_hears_what_another_implementation_of_it_hears() {
-    // NumPy in double precision, with its own Fourier transform.
+    // The result of NumPy in double precision, with its own Fourier transform.
     let expected = "auʃmauafafaʃmauamauʃmafuʃmauʃmafaʃmauʃmauʃmauʃmuauʃfafuafauʃmauʃmauʃmauʃmafuamauamauʃmafuʃmaʃfafaʃfauʃmauʃmauamauafaf\
                     aʃmauʃmaʃa";
     assert_eq!(heard(&recogniser(6), &sound(3.0)), expected);
@@ -45,7 +46,7 @@ fn a_network_hears_what_another_implementation_of_it_hears() {
 
 #[test]
 fn long_sounds_are_heard_in_pieces() {
-    // What is heard depends on all of a piece, but how much is heard does not: nothing is left out or heard twice.
+    // The result depends on the whole piece, but its length does not: nothing is lost or repeated.
     let symbols = |seconds: f32| heard(&recogniser(6), &sound(seconds)).chars().count() as f32 / seconds;
     let (one, several) = (symbols(13.0), symbols(60.0));
     assert!((0.9..1.1).contains(&(several / one)), "{one} and {several} symbols a second");
@@ -68,7 +69,7 @@ fn broken_files_are_refused() {
     assert_eq!(Recogniser::convert(b"RIFF", &names()).err(), Some(RecogniserError::OtherFile));
     assert_eq!(Recogniser::convert(&source, &names()[1..]).err(), Some(RecogniserError::OtherNetwork));
     assert_eq!(Recogniser::convert(&source, &vec!["a".to_owned(); 9]).err(), Some(RecogniserError::OtherNetwork));
-    // Any byte of the head may lie.
+    // Any byte of the head may be wrong.
     let head = source.windows(8).position(|bytes| bytes == b"\x06\0mel_fb").unwrap() + 1_000;
     for at in (8..head.min(source.len())).step_by(3) {
         let mut other = source.clone();

@@ -1,4 +1,4 @@
-//! Sound files: every format, and every way to be damaged. Nothing panics, and nothing is read as what it is not.
+//! Audio files in every format, with every kind of damage. Nothing panics, and no file is read in a wrong format.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests")]
 
 mod random;
@@ -15,7 +15,7 @@ const TONES: [(&str, &[u8]); 3] = [
     ("ogg", include_bytes!("../../../fixtures/speech/tone.ogg")),
 ];
 
-/// A tone of 440 hertz, from -1 to 1.
+/// Returns a tone of 440 hertz, from -1 to 1.
 fn tone(rate_hz: u32, length_ms: u32) -> Vec<f32> {
     let sample = |i: u32| (std::f32::consts::TAU * (i * 440 % rate_hz) as f32 / rate_hz as f32).sin() * 0.4;
     (0..rate_hz * length_ms / 1000).map(sample).collect()
@@ -25,7 +25,7 @@ fn duration_ms(sound: &Sound) -> u64 {
     (sound.duration_us() + 500) / 1_000
 }
 
-/// The mouth of a sound, from its loudness: a tone opens it wide.
+/// Returns the lip-sync track of a recording from its loudness. A tone opens the mouth wide.
 fn mouth(sound: &Sound) -> String {
     rms(sound, Fps::whole(24), &RmsRules::default()).frames
 }
@@ -36,7 +36,7 @@ fn every_format_holds_the_same_tone() {
         for hint in [None, Some(name), Some("wav")] {
             let sound = Sound::from_bytes(bytes, hint).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert_eq!(sound.rate_hz(), 16_000, "{name}");
-            // MP3 has whole frames, and does not always say how many samples of them count.
+            // MP3 has whole frames, and does not always state how many of their samples count.
             assert!((300..=400).contains(&duration_ms(&sound)), "{name}: {}", sound.duration_us());
             assert!(mouth(&sound).contains("9999"), "{name}: {}", mouth(&sound));
             assert_eq!((sound.is_truncated(), sound.is_altered(), sound.damage().places), (false, false, 0), "{name}");
@@ -94,17 +94,17 @@ fn what_has_no_sound_is_an_error() {
     let rate = Sound::from_bytes(&wav(Samples::S16, 1, 3, &[0.0; 100]), None);
     assert!(matches!(rate, Err(SoundError::Rate { rate_hz: 3 })), "{rate:?}");
     for (text, told) in [
-        ("{ \"fps\": 24 }", "this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged"),
-        ("RIFF", "this is no WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged"),
+        ("{ \"fps\": 24 }", "this is not a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged"),
+        ("RIFF", "this is not a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file, or its beginning is damaged"),
         ("RIFF@\0\0\0WAVE", "the file ends before its first sample"),
-        ("\0\0\0\x1cftypM4A ", "this is an MPEG-4 file (M4A, AAC), which is not read"),
+        ("\0\0\0\x1cftypM4A ", "this is an MPEG-4 file (M4A, AAC), which is not supported"),
     ] {
         let error = Sound::from_bytes(text.as_bytes(), Some("wav")).expect_err(text);
         assert_eq!(error.to_string(), told, "{text}");
     }
 }
 
-/// Files of every format, as short as can be.
+/// Returns files of every format, as short as possible.
 fn files() -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<_> = TONES.iter().map(|(name, bytes)| (name.to_string(), bytes.to_vec())).collect();
     for samples in Samples::ALL {
@@ -150,7 +150,7 @@ fn a_wav_of_a_writer_that_did_not_know_its_length_ends_where_it_ends() {
 fn a_file_with_any_byte_changed_is_read_or_refused() {
     let mut random = Random(1);
     for (name, bytes) in files() {
-        // Headers byte by byte, the rest here and there.
+        // All bytes of headers, and a sample of the rest.
         let bytes_at = (0..bytes.len().min(200)).chain((0..200).map(|_| random.below(bytes.len())));
         for at in bytes_at.collect::<Vec<_>>() {
             for change in [0x01, 0x80, 0xff, random.byte()] {
@@ -179,7 +179,7 @@ fn random_bytes_are_read_or_refused() {
     }
 }
 
-/// Reads a file, and makes a mouth of it if it can be read.
+/// Reads a file, and renders it if it can be read.
 fn check(bytes: &[u8], name: &str) {
     match Sound::from_bytes(bytes, None) {
         Ok(sound) => assert!(rms(&sound, Fps::whole(24), &RmsRules::default()).frames.is_ascii(), "{name}"),

@@ -1,4 +1,4 @@
-//! A model that is learnt from recordings.
+//! Training of a model on recordings.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_speech::{
@@ -7,7 +7,7 @@ use lipz_speech::{
 
 const BOBBY: &[u8] = include_bytes!("../../../fixtures/speech/bobby.wav");
 
-/// The recording, as if a smaller person said it a fifth faster: as no voice of the model.
+/// Returns the recording as if spoken by a smaller person a fifth faster, unlike any voice of the model.
 fn small_voice() -> Sound {
     let data = BOBBY.windows(4).position(|window| window == b"data").unwrap() + 8;
     let samples: Vec<f32> =
@@ -19,7 +19,7 @@ fn script(text: &str) -> Script {
     Pronouncer::new(Language::ENGLISH).script(text)
 }
 
-/// How well the phones of the recording fit, in nats per frame.
+/// Returns the fit of the phones of the recording, in nats per frame.
 fn fit(model: &Model) -> f64 {
     let alignment =
         Aligner::new(model, AlignOptions::default()).align(&small_voice(), &script("Bobby ripped the ledger."));
@@ -32,7 +32,7 @@ fn fit(model: &Model) -> f64 {
     sum / all
 }
 
-/// A model that was learnt in so many rounds, from the recording and one whose text is not what is said.
+/// Trains a model in so many rounds, on the recording and on one that does not match its text.
 fn learnt(rounds: usize) -> (Training, Observations) {
     let mut training = Training::new(Model::english());
     let mut last = Observations::default();

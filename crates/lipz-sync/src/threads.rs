@@ -5,8 +5,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// The results of `work` in the order of `items`, whichever thread comes first. `threads` at most, or as many as the
-/// machine has.
+/// Returns the results of `work` in the order of `items`, whichever thread finishes first. Uses at most `threads`, or
+/// as many as the machine has.
 pub(crate) fn map<'i, T: Sync, R: Send>(
     items: &'i [T],
     threads: Option<usize>,
@@ -25,7 +25,7 @@ pub(crate) fn map<'i, T: Sync, R: Send>(
         }
     };
     thread::scope(|scope| {
-        // Where the system gives no more threads, fewer do the work.
+        // If the system cannot start more threads, fewer do the work.
         for _ in 1..count {
             let _ = thread::Builder::new().spawn_scoped(scope, worker);
         }

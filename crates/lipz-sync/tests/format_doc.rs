@@ -1,4 +1,4 @@
-//! The content hashes that docs/reference/bank-format.md shows, whose numbers are those of xxHash's own library.
+//! The content hashes in docs/reference/bank-format.md, which were computed with xxHash's own library.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_sync::content_hash;

@@ -1,19 +1,19 @@
 //! The answers of a bank to every query, as text that does not depend on its layout.
 //!
-//! Only `core` is used, because the firmware and the wasm module of `firmware/` include this file:
-//! they give the same answers as the machine that the dumps were written on.
+//! Only uses `core`, because the firmware and the wasm module of `firmware/` include this file. They must return the
+//! same answers as the machine that wrote the dumps.
 
 use core::fmt::{self, Debug, Display, Write};
 use lipz_bank::face::{Emotion, FaceProfile, LookAt, Who};
-use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Spoken, Text, Viseme};
+use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Text, Viseme, VoiceSource};
 
-/// Strings longer than this are shown by their length, their hash and their start.
+/// The length in bytes from which strings are shown by their length, their hash and their start.
 const LONGEST_BYTES: usize = 400;
 
-/// Characters of a longer string that are shown.
+/// The number of characters of a longer string that are shown.
 const START_CHARACTERS: usize = 40;
 
-/// Writes everything that `bank` answers, one fact a line, in the order of keys and tags.
+/// Writes all answers of `bank`, one fact per line, ordered by key and tag.
 ///
 /// # Errors
 /// Those of `out`.
@@ -31,9 +31,9 @@ pub fn write_answers(bank: &Bank<'_>, out: &mut impl Write) -> fmt::Result {
     bank.clips().try_for_each(|clip| write_clip(out, bank, &clip))
 }
 
-/// What a face profile says.
+/// Writes the contents of a face profile.
 pub(crate) fn write_profile(out: &mut impl Write, profile: &FaceProfile<'_>) -> fmt::Result {
-    write!(out, "face {}, blinks {}", Quoted(profile.name()), profile.blink_interval_ms(None))?;
+    write!(out, "face {}, blinks {}", QuotedText(profile.name()), profile.blink_interval_ms(None))?;
     for emotion in Emotion::ALL {
         write!(out, " {}", profile.blink_interval_ms(Some(emotion)))?;
     }
@@ -50,19 +50,19 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_>) -> fmt::Re
     }
     for voice in bank.voices().filter(|_| clip.original().is_none()) {
         let voiced = clip.in_voice(voice);
-        if voiced.spoken != Spoken::Original {
+        if voiced.spoken != VoiceSource::Original {
             writeln!(out, "  in {} {} ({:?})", bank.voice_tag(voice), voiced.clip.key(), voiced.spoken)?;
         }
     }
     write_curves(out, clip)?;
-    // Only where a bank is about faces: every clip has one.
+    // Only for banks with face profiles, because every clip has a face.
     for profile in bank.face_profiles() {
         write_faces(out, clip, &profile)?;
     }
     clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
 }
 
-/// The mouth of a clip.
+/// Writes the visemes of a clip.
 pub(crate) fn write_mouth(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result {
     writeln!(out, "\nclip {} {}", clip.key(), clip.id())?;
     writeln!(out, "  rate {}, type {}", OrUnknown(clip.fps()), OrUnknown(clip.viseme_type()))?;
@@ -77,13 +77,13 @@ pub(crate) fn write_mouth(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result 
     out.write_str("\n")
 }
 
-/// The recording and the curves of a clip.
+/// Writes the recording and the curves of a clip.
 pub(crate) fn write_curves(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result {
     if let Some(recording) = clip.recording() {
         writeln!(out, "  recording {} us, content {:016x}", recording.length_us(), recording.content_hash())?;
     }
     for curve in clip.curves() {
-        write!(out, "  curve {} {curve}, each 50 ms:", Quoted(curve.name().as_str()))?;
+        write!(out, "  curve {} {curve}, each 50 ms:", QuotedText(curve.name().as_str()))?;
         let curve = clip.or_fps(Fps::whole(24)).curve(curve.name()).unwrap_or(curve);
         for value in (0..20).filter_map(|step| curve.value_at(Micros(step * 50_000))) {
             write!(out, " {value}")?;
@@ -93,10 +93,10 @@ pub(crate) fn write_curves(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result
     Ok(())
 }
 
-/// The face every 150 ms, for ten seconds: lids; pitch, yaw and roll of the head; pitch and yaw of the eyes; brows, shrug and
-/// breath.
+/// Writes the face every 150 ms, for ten seconds: lids; pitch, yaw and roll of the head; pitch and yaw of the eyes;
+/// brows, shrug and breath.
 pub(crate) fn write_faces(out: &mut impl Write, clip: &Clip<'_>, profile: &FaceProfile<'_>) -> fmt::Result {
-    write!(out, "  face {}, each 150 ms", Quoted(profile.name()))?;
+    write!(out, "  face {}, each 150 ms", QuotedText(profile.name()))?;
     for step in 0..67 {
         let face = clip.face_at(Micros(step * 150_000), Who::Speaker, profile, LookAt::AHEAD);
         write!(out, ": {} {} {} {}", face.blink, face.head_pitch, face.head_yaw, face.head_roll)?;
@@ -110,30 +110,30 @@ fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_>) -
     bank.locales().try_for_each(|locale| write_text(out, bank.locale_tag(locale), segment.text(locale)))
 }
 
-/// The frames and events of a segment.
+/// Writes the frames and events of a segment.
 pub(crate) fn write_events(out: &mut impl Write, segment: &Segment<'_>) -> fmt::Result {
     let (start, end) = (segment.start_frame(), segment.end_frame());
     write!(out, "  segment {} frames {start}..{end}", segment.index())?;
     writeln!(out, " us {:?}..{:?}", segment.start_us(), segment.end_us())?;
     if let Some(event) = segment.event() {
-        writeln!(out, "    event {}", Quoted(event))?;
+        writeln!(out, "    event {}", QuotedText(event))?;
     }
     for event in segment.events() {
         out.write_str("    typed \"")?;
-        write!(Escaping(out), "{event}")?;
+        write!(EscapingWriter(out), "{event}")?;
         out.write_str("\"\n")?;
     }
     Ok(())
 }
 
-/// The text of a segment, if it has one.
+/// Writes the text of a segment, if it has one.
 pub(crate) fn write_text(out: &mut impl Write, tag: &str, text: Option<Text<'_>>) -> fmt::Result {
     let Some(text) = text else { return Ok(()) };
     let origin = if text.is_fallback() { " (fallback)" } else { "" };
-    writeln!(out, "    {tag} {}{origin}", Quoted(text.as_str()))
+    writeln!(out, "    {tag} {}{origin}", QuotedText(text.as_str()))
 }
 
-/// The viseme and the segment every 50 ms, for at most 200 of them.
+/// Writes the viseme and the segment every 50 ms, at most 200 times.
 fn write_sampled(out: &mut impl Write, clip: &Clip<'_>) -> fmt::Result {
     let mut before = None;
     for time_us in (0..200).map(|step| step * 50_000) {
@@ -165,18 +165,18 @@ impl<T: Debug> Display for OrUnknown<T> {
     }
 }
 
-struct Quoted<'a>(&'a str);
+struct QuotedText<'a>(&'a str);
 
-impl Display for Quoted<'_> {
+impl Display for QuotedText<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = self.0;
         f.write_str("\"")?;
         if text.len() <= LONGEST_BYTES {
-            Escaping(&mut *f).write_str(text)?;
+            EscapingWriter(&mut *f).write_str(text)?;
             return f.write_str("\"");
         }
-        text.chars().take(START_CHARACTERS).try_for_each(|c| Escaping(&mut *f).write_char(c))?;
-        // FNV-1a (draft-eastlake-fnv), spelled out: the dump must not change with a hash of the library.
+        text.chars().take(START_CHARACTERS).try_for_each(|c| EscapingWriter(&mut *f).write_char(c))?;
+        // FNV-1a (draft-eastlake-fnv), written out, so that the dump does not change with a hash of the library.
         let hash = text
             .bytes()
             .fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
@@ -184,10 +184,10 @@ impl Display for Quoted<'_> {
     }
 }
 
-/// Quotes, backslashes, control characters and blanks other than U+0020 as escapes; the rest as it is.
-struct Escaping<'a, W>(&'a mut W);
+/// Escapes quotes, backslashes, control characters and spaces other than U+0020, and passes on the rest.
+struct EscapingWriter<'a, W>(&'a mut W);
 
-impl<W: Write> Write for Escaping<'_, W> {
+impl<W: Write> Write for EscapingWriter<'_, W> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         text.chars().try_for_each(|c| {
             if c.is_control() || "\"\\\u{A0}\u{200B}\u{202F}".contains(c) {

@@ -1,4 +1,4 @@
-//! What a dialogue of several files answers to every query, as text, and the same of the bank that it stands for.
+//! The answers of a dialogue of several files to every query, as text, and the same for the equivalent bank.
 
 use crate::answers::{write_curves, write_events, write_faces, write_mouth, write_profile, write_text};
 use lipz_bank::files::DialogueFile;
@@ -6,13 +6,13 @@ use lipz_bank::playback::CharacterState;
 use lipz_bank::{Bank, Clip, ClipId, Cursor, Dialogue, EventName, Fps};
 use std::fmt::{self, Write};
 
-/// Names that the events of tests mention, and one that none does.
+/// Names in the events of tests, and one that is in no event.
 const NAMES: [&str; 4] = ["amy", "door", "sad", "nobody"];
 
-/// Beginnings of keys.
+/// Prefixes of keys.
 const PREFIXES: [&str; 3] = ["act1/", "de/", "z"];
 
-/// Places for this many files.
+/// Returns places for this many files.
 pub fn places<'data>(count: usize) -> Vec<DialogueFile<'data>> {
     vec![DialogueFile::ABSENT; count]
 }
@@ -27,13 +27,13 @@ macro_rules! dialogue {
     };
 }
 
-/// What `look` says of the dialogue of these files, all of them verified.
+/// Returns the result of `look` for the dialogue of these files, all of them verified.
 pub fn with<T>(contents: &[&[u8]], look: impl FnOnce(&Dialogue<'_>) -> T) -> T {
     let mut files = places(contents.len());
     look(&Dialogue::open(&mut files, contents.iter().copied()).expect("files that fit"))
 }
 
-/// Panics, with the difference, if a dialogue does not answer as the bank.
+/// Panics with the difference if a dialogue and a bank return different answers.
 pub fn assert_same(dialogue: &Dialogue<'_>, whole: &Bank<'_>) {
     let said = (of_dialogue(dialogue, whole), of_bank(whole, whole));
     let (several, bank) = (said.0.expect("a string"), said.1.expect("a string"));
@@ -42,15 +42,15 @@ pub fn assert_same(dialogue: &Dialogue<'_>, whole: &Bank<'_>) {
     }
     assert_eq!(several, bank);
     assert_eq!(dialogue.clip_count(), whole.clip_count());
-    // What a file has and another one removes.
+    // Includes names in a file that another file removes.
     let banks = (0..dialogue.file_count()).filter_map(|number| dialogue.bank(number));
     for id in banks.flat_map(Bank::clips).map(|clip| clip.id()).chain([ClipId::from_key("nobody")]) {
         assert_eq!(dialogue.clip(id).is_some(), whole.clip(id).is_some(), "{id}");
     }
 }
 
-/// A function that writes the answers of a bank or of a dialogue: both are asked in the same way. Names are asked for that the whole
-/// bank has; a dialogue has those of events, too, that a patch replaces.
+/// A function that writes the answers of a bank or of a dialogue, with the same queries. It queries the names of the
+/// whole bank, because a dialogue also has those of events that a patch replaces.
 macro_rules! answers {
     ($name:ident($asked:ident: $type:ty)) => {
         fn $name($asked: $type, whole: &Bank<'_>) -> Result<String, fmt::Error> {
@@ -108,7 +108,7 @@ macro_rules! answers {
 answers!(of_bank(asked: &Bank<'_>));
 answers!(of_dialogue(asked: &Dialogue<'_>));
 
-/// What characters feel and do when the clip is over, and what is fired on the way.
+/// Writes the state of characters at the end of the clip, and the events fired on the way.
 fn of_characters<'d>(said: &mut String, clip: &Clip<'d>, name: impl Fn(&str) -> Option<EventName<'d>>) -> fmt::Result {
     let given = clip.or_fps(Fps::whole(24));
     let Some(cursor) = Cursor::new(&given) else { return Ok(()) };

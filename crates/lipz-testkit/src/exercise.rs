@@ -3,26 +3,26 @@
 use crate::{said, stacked};
 use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{
-    Bank, Clip, ClipId, Cursor, Fps, Locale, Micros, Samples, Seconds, Segment, Spoken, Time, VisemeType, Voice,
+    Bank, Clip, ClipId, Cursor, Fps, Locale, Micros, Samples, Seconds, Segment, Time, VisemeType, Voice, VoiceSource,
 };
 use std::hint::black_box;
 use std::time::Duration;
 
-/// How many points in time are tried.
+/// The number of times to test.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Effort {
-    /// One per unit: for tests that try hundreds of thousands of banks.
+    /// One per unit, for tests with hundreds of thousands of banks.
     Few,
     /// All extremes.
     All,
 }
 
-/// Opens and asks everything, before verification and, where that passes, after it; whether it passes.
+/// Opens a bank and makes every query, before verification and, if it passes, after it. Returns whether it passes.
 pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     let Ok(bank) = Bank::open(bytes) else { return false };
     assert!(!bank.is_verified());
     every_query(&bank, effort);
-    // A whole bank is accepted as texts beside itself.
+    // A whole bank is accepted as its own text bank.
     let mut opened = bank;
     opened.open_texts_unverified(bytes).expect("they have one fingerprint");
     stacked::every_query(&[bytes]);
@@ -51,7 +51,7 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
             assert!(error.offset_bytes() as usize <= bytes.len(), "{error}");
             black_box((error.kind().number(), error.kind().message()));
             match bank.verify_lines() {
-                // What is damaged is in a section that is left out: of that, any answer will do.
+                // The damage is in an omitted section, whose queries may return anything.
                 Ok(bank) => every_query(&bank, effort),
                 Err(found) => assert_eq!(found, error),
             }
@@ -60,9 +60,9 @@ pub fn provoke(bytes: &[u8], effort: Effort) -> bool {
     }
 }
 
-/// Calls everything that a bank offers. Panics only if an iterator gives more than it can have.
+/// Makes every query of a bank. Panics only if an iterator returns more items than possible.
 pub fn every_query(bank: &Bank<'_>, effort: Effort) {
-    // Nothing of which every item stands in the file can have more items than the file has bytes.
+    // If every item is stored in the file, there cannot be more items than bytes.
     let limit = bank.length_bytes();
     black_box((bank.fingerprint(), bank.checksum(), bank.format_version(), bank.clip_count()));
     assert!(bank.sections().filter(|section| black_box(section).1.len() <= limit).count() <= limit);
@@ -140,7 +140,7 @@ fn every_segment_query(segment: &Segment<'_>, locales: &[Locale], limit: usize) 
         let text = segment.text(*locale);
         let bytes = segment.text_bytes(*locale);
         black_box(segment.has_own_text(*locale));
-        // The two differ only where the bytes are not UTF-8.
+        // The two differ only if the bytes are not UTF-8.
         if let Some(text) = text {
             assert_eq!(Some(text.as_str().as_bytes()), bytes);
             black_box(text.is_fallback());
@@ -179,7 +179,7 @@ fn every_time(clip: &Clip<'_>, effort: Effort) {
     }
 }
 
-/// Plays the clip once, in a few leaps, with the lead and the hold that `fps` gives.
+/// Plays the clip once, in a few jumps, with the lead and the hold for `fps`.
 fn play(clip: &Clip<'_>, fps: Fps) {
     let given = clip.or_fps(fps).or_viseme_type(VisemeType::Blair);
     let Some(cursor) = Cursor::new(&given) else { return };
@@ -208,7 +208,7 @@ fn at(clip: &Clip<'_>, time: impl Time) {
     black_box((clip.viseme_at(time), clip.segment_at(time).is_some(), clip.openness_at(time)));
 }
 
-/// What holds of every bank that passed `verify`: no query fails for which there is data.
+/// Checks the guarantee for every bank that passes `verify`: no query fails for stored data.
 pub fn verified_is_whole(bank: &Bank<'_>) {
     assert_eq!(bank.clips().count(), bank.clip_count());
     let locales: Vec<Locale> = bank.locales().collect();
@@ -259,14 +259,14 @@ fn voices_are_whole(bank: &Bank<'_>) {
         for &voice in &voices {
             let voiced = clip.in_voice(voice);
             assert_eq!(voiced.clip.segment_count(), clip.segment_count());
-            assert_eq!(voiced.clip.slot() == original.slot(), voiced.spoken == Spoken::Original);
-            assert!(voiced.spoken != Spoken::Dub || voiced.clip.voice() == Some(voice));
+            assert_eq!(voiced.clip.slot() == original.slot(), voiced.spoken == VoiceSource::Original);
+            assert!(voiced.spoken != VoiceSource::Dub || voiced.clip.voice() == Some(voice));
         }
         assert_eq!(clip.voice().map(|voice| clip.in_voice(voice).clip.slot()), Some(clip.slot()));
     }
 }
 
-/// Asks for all texts of all locales; whether there is one for each segment or for none of a clip.
+/// Queries all texts of all locales. Returns whether each clip has texts for all segments or for none.
 pub fn every_text_query(bank: &Bank<'_>) -> bool {
     let mut is_whole = true;
     for locale in bank.locales() {

@@ -1,4 +1,4 @@
-//! Banks built field by field: larger or odder than those of the fixtures.
+//! Banks built field by field, which are larger or less usual than those of the fixtures.
 
 use lipz_bank::{ClipId, VisemeType};
 use lipz_layout::*;
@@ -13,8 +13,8 @@ pub struct ForgedClip {
     pub starts: Vec<u32>,
 }
 
-/// The bank of `clips`, which are in the order of their keys; `locale_count` locales share the pool of texts and
-/// have the text starts `text_starts`, each the same.
+/// Returns the bank of `clips`, which must be ordered by key. `locale_count` locales share the pool of texts and the
+/// same text starts, `text_starts`.
 pub fn bank(clips: &[ForgedClip], locale_count: usize, text_starts: &[u32], pool: &[u8]) -> Vec<u8> {
     let (mut records, mut keys, mut names, mut frames) = (Vec::new(), Vec::new(), String::new(), Vec::new());
     let mut starts: Vec<U32> = Vec::new();
@@ -71,7 +71,7 @@ pub fn bank(clips: &[ForgedClip], locale_count: usize, text_starts: &[u32], pool
     file(&sections.collect::<Vec<_>>(), fingerprint(&keys, &records), 0)
 }
 
-/// Pilots that lead every id directly to its slot: so many buckets that each has one id at most.
+/// Returns pilots that lead every id directly to its slot: with so many buckets that each has at most one id.
 fn pilots(records: &[KeyRecord]) -> Vec<U32> {
     let buckets = |count: u32| records.iter().map(move |record| bucket_of(spread(record.id.get(), 0), count) as usize);
     let count = (1..10_000).find(|&count| {
@@ -85,13 +85,12 @@ fn pilots(records: &[KeyRecord]) -> Vec<U32> {
     pilots
 }
 
-/// The file of these sections: tag, length of an entry, contents. They follow each other as `verify`
-/// wants them.
+/// Returns the file of these sections: tag, length of an entry, contents. They follow each other as `verify` requires.
 pub fn file(sections: &[(Tag, u16, &[u8])], fingerprint: u64, index_seed: u64) -> Vec<u8> {
     let mut bytes = vec![0; 64 + 16 * sections.len()];
     for (index, &(tag, entry_bytes, contents)) in sections.iter().enumerate() {
         bytes.resize(bytes.len().next_multiple_of(64), 0);
-        let is_optional = Tag::OPTIONAL.iter().any(|(optional, _)| *optional == tag);
+        let is_optional = Tag::OPTIONAL.iter().any(|optional| optional.tag == tag);
         let entry = DirectoryEntry {
             tag: tag.0,
             offset_bytes: (bytes.len() as u32).into(),

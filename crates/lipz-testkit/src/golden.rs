@@ -1,4 +1,4 @@
-//! Golden banks, and tools to look into them and to damage them.
+//! Golden banks, and tools to inspect and damage them.
 
 use crate::answers::write_answers;
 use lipz_bank::{Bank, ClipId, Error};
@@ -10,7 +10,7 @@ use zerocopy::FromBytes;
 pub static CURVES: &[u8] = include_bytes!("../../../fixtures/banks/v1/curves.lipzbank");
 /// Emotions in texts and events, and curves of a face.
 pub static FACES: &[u8] = include_bytes!("../../../fixtures/banks/v1/faces.lipzbank");
-/// Faces that move by themselves, by two profiles.
+/// Generated motion of faces, with two profiles.
 pub static SPECIALS: &[u8] = include_bytes!("../../../fixtures/banks/v1/specials.lipzbank");
 /// A line with a dub, which another voice falls back to.
 pub static DUBBED: &[u8] = include_bytes!("../../../fixtures/banks/v1/dubbed.lipzbank");
@@ -21,17 +21,17 @@ pub static SMALL: &[u8] = include_bytes!("../../../fixtures/banks/v1/small.lipzb
 pub static STRIPPED: &[u8] = include_bytes!("../../../fixtures/banks/v1/stripped.lipzbank");
 pub static WIDE: &[u8] = include_bytes!("../../../fixtures/banks/v1/wide.lipzbank");
 
-/// A bank of this repository, verified.
+/// Returns a verified bank of this repository.
 pub fn verified(bytes: &[u8]) -> Bank<'_> {
     Bank::open(bytes).and_then(Bank::verify).expect("a golden bank")
 }
 
-/// Why `open` or `verify` refuses these bytes, if one of them does.
+/// Returns the error of `open` or `verify` for these bytes, if there is one.
 pub fn refusal(bytes: &[u8]) -> Option<Error> {
     Bank::open(bytes).and_then(Bank::verify).err()
 }
 
-/// Makes the checksum right again after a change.
+/// Corrects the checksum after a change.
 pub fn reseal(bytes: &mut [u8]) {
     if let Some(checked) = bytes.get(CHECKED_FROM..) {
         let sum = checksum(checked);
@@ -39,7 +39,7 @@ pub fn reseal(bytes: &mut [u8]) {
     }
 }
 
-/// A copy of `bytes` that `change` has changed, with the right checksum.
+/// Returns a copy of `bytes` that `change` has changed, with a correct checksum.
 pub fn changed(bytes: &[u8], change: impl FnOnce(&mut Vec<u8>)) -> Vec<u8> {
     let mut copy = bytes.to_vec();
     change(&mut copy);
@@ -53,48 +53,48 @@ pub fn put(bytes: &mut [u8], at: usize, new: impl AsRef<[u8]>) {
     bytes[at..at + new.len()].copy_from_slice(new);
 }
 
-/// The number in the four bytes at `at`.
+/// Returns the number in the four bytes at `at`.
 pub fn u32_at(bytes: &[u8], at: usize) -> u32 {
     u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"))
 }
 
-/// The directory of a bank without fault.
+/// Returns the directory of an undamaged bank.
 pub fn directory(bytes: &[u8]) -> &[DirectoryEntry] {
     let (header, rest) = Header::ref_from_prefix(bytes).expect("a header");
     let count = header.section_count.get() as usize;
     <[DirectoryEntry]>::ref_from_prefix_with_elems(rest, count).expect("a directory").0
 }
 
-/// Where the directory entry of a section stands.
+/// Returns the offset of a section's directory entry.
 pub fn entry_of(bytes: &[u8], tag: Tag) -> usize {
     let index = directory(bytes).iter().position(|entry| entry.tag == tag.0).expect("a known section");
     size_of::<Header>() + index * size_of::<DirectoryEntry>()
 }
 
-/// Where the contents of a section stand.
+/// Returns the range of a section's contents.
 pub fn section(bytes: &[u8], tag: Tag) -> Range<usize> {
     let at = entry_of(bytes, tag);
     let start = u32_at(bytes, at + 4) as usize;
     start..start + u32_at(bytes, at + 8) as usize
 }
 
-/// The slot of a clip.
+/// Returns the slot of a clip.
 fn slot_of(bytes: &[u8], key: &str) -> usize {
     let records = <[KeyRecord]>::ref_from_bytes(&bytes[section(bytes, Tag::KEYS)]).expect("key records");
     records.iter().position(|record| record.id.get() == ClipId::from_key(key).get()).expect("a known key")
 }
 
-/// Where the record of a clip stands.
+/// Returns the offset of a clip's record.
 pub fn record_of(bytes: &[u8], key: &str) -> usize {
     section(bytes, Tag::CLIPS).start + slot_of(bytes, key) * size_of::<ClipRecord>()
 }
 
-/// Where the record of a clip's key stands.
+/// Returns the offset of a clip's key record.
 pub fn key_record_of(bytes: &[u8], key: &str) -> usize {
     section(bytes, Tag::KEYS).start + slot_of(bytes, key) * size_of::<KeyRecord>()
 }
 
-/// Random numbers, always the same ones (SplitMix64; Steele, Lea and Flood, OOPSLA 2014).
+/// A random number generator with a fixed seed (SplitMix64; Steele, Lea and Flood, OOPSLA 2014).
 pub struct Random(pub u64);
 
 impl Random {
@@ -105,13 +105,13 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number below `bound`.
+    /// Returns a number below `bound`.
     pub fn below(&mut self, bound: usize) -> usize {
         (self.next_u64() % bound as u64) as usize
     }
 }
 
-/// Everything that `bank` answers, one fact a line, in the order of keys and tags.
+/// Returns all answers of `bank`, one fact per line, ordered by key and tag.
 pub fn dump(bank: &Bank<'_>) -> String {
     let mut out = String::new();
     write_answers(bank, &mut out).expect("a string takes everything");

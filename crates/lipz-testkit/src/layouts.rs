@@ -1,47 +1,51 @@
-//! The golden banks that the cases of playback play, each in several files that answer as it does: a bank and a patch, a set, and a
-//! set with a patch.
+//! The golden banks of the playback cases, each also in several files that return the same answers: a bank and a patch,
+//! a set, and a set with a patch.
 
 use crate::dialogues::{assert_same, with};
 use lipz_bank::Bank;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::shard::{Link, Shard, shard_of_key};
-use lipz_compiler::{Compiler, Input, Options, Over, Stack, Voices};
+use lipz_compiler::{Compiler, Input, Options, Stack, StackBelow, Voices};
 use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
-/// The folders that [`write`] makes.
+/// The folders that [`write`] creates.
 pub const LAYOUTS: [&str; 3] = ["stack", "set", "patched-set"];
 
 /// The number of banks of a set.
 const SHARDS: NonZero<u16> = NonZero::new(3).expect("not 0");
 
-/// What a golden bank is made of.
-struct Project {
+/// The sources of a golden bank.
+struct GoldenProject {
     bank: &'static str,
     sources: &'static str,
     options: fn(Options) -> Options,
 }
 
-const PROJECTS: [Project; 8] = [
-    Project { bank: "drama", sources: "drama", options: before_curves },
-    Project { bank: "small", sources: "banks/sources/small", options: before_curves },
-    Project { bank: "stripped", sources: "banks/sources/small", options: |options| before_curves(options).strip(true) },
-    Project { bank: "long", sources: "banks/sources/long", options: before_curves },
-    Project { bank: "curves", sources: "banks/sources/curves", options: english },
-    Project { bank: "faces", sources: "banks/sources/faces", options: english },
-    Project { bank: "specials", sources: "banks/sources/specials", options: |options| options },
-    Project { bank: "dubbed", sources: "banks/sources/dubbed", options: dubbed },
+const PROJECTS: [GoldenProject; 8] = [
+    GoldenProject { bank: "drama", sources: "drama", options: before_curves },
+    GoldenProject { bank: "small", sources: "banks/sources/small", options: before_curves },
+    GoldenProject {
+        bank: "stripped",
+        sources: "banks/sources/small",
+        options: |options| before_curves(options).strip(true),
+    },
+    GoldenProject { bank: "long", sources: "banks/sources/long", options: before_curves },
+    GoldenProject { bank: "curves", sources: "banks/sources/curves", options: english },
+    GoldenProject { bank: "faces", sources: "banks/sources/faces", options: english },
+    GoldenProject { bank: "specials", sources: "banks/sources/specials", options: |options| options },
+    GoldenProject { bank: "dubbed", sources: "banks/sources/dubbed", options: dubbed },
 ];
 
-/// Files that stand as they are in each layout: a split bank and its texts.
+/// Files that are the same in each layout: a split bank and its texts.
 const AS_THEY_ARE: [&str; 3] = ["split.lipzbank", "split.de-de.lipztexts", "split.en-us.lipztexts"];
 
 fn english(options: Options) -> Options {
     options.default_locale("en-us").expect("a locale")
 }
 
-/// Banks of the time before emotions without values made curves.
+/// For banks that are older than curves for emotions without values.
 fn before_curves(options: Options) -> Options {
     let settings = Settings::parse("[emotions]\ncurves = \"values\"", "lipz.toml", "").expect("settings");
     english(options.emotions(settings.options.get_emotions().clone()))
@@ -56,8 +60,8 @@ fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
 }
 
-/// Writes a folder for each of [`LAYOUTS`]. `NAME.list` in it names the files of the golden bank `NAME` in their order; the banks of a
-/// set are next to its index. Without a list, the file is `NAME.lipzbank`.
+/// Writes a folder for each of [`LAYOUTS`]. Its `NAME.list` contains the files of the golden bank `NAME` in their
+/// order; the banks of a set are next to its index. Without a list, the file is `NAME.lipzbank`.
 pub fn write(folder: &Path) {
     for layout in LAYOUTS {
         fs::create_dir_all(folder.join(layout)).expect("a folder");
@@ -70,7 +74,7 @@ pub fn write(folder: &Path) {
     }
 }
 
-impl Project {
+impl GoldenProject {
     fn write(&self, folder: &Path) {
         let sources = fixtures().join(self.sources);
         let settings = sources.join("lipz.toml");
@@ -85,13 +89,13 @@ impl Project {
         let patch_over = |files: &[PathBuf]| {
             let contents: Vec<Vec<u8>> = files.iter().map(|file| fs::read(file).expect("a file")).collect();
             let stack = Stack::open(contents.iter().map(|bytes| ("", bytes.as_slice()))).expect("a stack");
-            compiler.compile_over(&inputs, &Over::new(stack)).into_bank().expect("a change")
+            compiler.compile_over(&inputs, &StackBelow::new(stack)).into_bank().expect("a change")
         };
         let list = |layout: &str, names: &[String]| {
             let folder = folder.join(layout);
             fs::write(folder.join(name("list")), names.join("\n") + "\n").expect("a list");
         };
-        // As a patched game.
+        // Like a patched game.
         let stack = folder.join("stack");
         fs::write(stack.join(name("base.lipzbank")), compiler.compile(&older).into_bank().expect("a bank"))
             .expect("a file");
@@ -99,12 +103,12 @@ impl Project {
         fs::write(stack.join(name("patch.lipzbank")), patch_over(&files)).expect("a file");
         list("stack", &[name("base.lipzbank"), name("patch.lipzbank")]);
         assert_answers(&[&files[0], &stack.join(name("patch.lipzbank"))], &golden);
-        // As a large game.
+        // Like a large game.
         let set = folder.join("set");
         let files = link(&compiler, &inputs, &set.join(name("lipzset")));
         list("set", &[name("lipzset")]);
         assert_answers(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), &golden);
-        // As a large game that was patched.
+        // Like a large, patched game.
         let patched = folder.join("patched-set");
         let mut files = link(&compiler, &older, &patched.join(name("lipzset")));
         fs::write(patched.join(name("patch.lipzbank")), patch_over(&files)).expect("a file");
@@ -114,7 +118,8 @@ impl Project {
     }
 }
 
-/// An older version of a project: without every third clip, and every other one says what the clip before it says.
+/// Returns an older version of a project: without every third clip, and with every other one replaced by the contents
+/// of the clip before it.
 fn older(inputs: &[Input]) -> Vec<Input> {
     let pairs = inputs.iter().enumerate().filter(|(number, _)| number % 3 != 2 || inputs.len() < 3);
     let older = pairs.map(|(number, input)| match number % 3 {
@@ -124,7 +129,7 @@ fn older(inputs: &[Input]) -> Vec<Input> {
     older.chain([Input::from_bytes("removed", r#"{ "text_en-us": "Gone." }"#)]).collect()
 }
 
-/// Links a set; its index, and its banks in their order.
+/// Links a set. Returns its index, and its banks in their order.
 fn link(compiler: &Compiler<'_>, inputs: &[Input], index: &Path) -> Vec<PathBuf> {
     let folder = index.with_extension("objects");
     fs::create_dir_all(&folder).expect("a folder");
@@ -142,7 +147,7 @@ fn link(compiler: &Compiler<'_>, inputs: &[Input], index: &Path) -> Vec<PathBuf>
     [linked.index.path].into_iter().chain(linked.banks.into_iter().map(|bank| bank.path)).collect()
 }
 
-/// Panics unless the files answer as the bank.
+/// Panics unless the files return the same answers as the bank.
 fn assert_answers(files: &[&Path], bank: &Bank<'_>) {
     let contents: Vec<Vec<u8>> = files.iter().map(|file| fs::read(file).expect("a file")).collect();
     let contents: Vec<&[u8]> = contents.iter().map(Vec::as_slice).collect();

@@ -1,9 +1,9 @@
-//! Helpers of lipz's tests, for all crates and for firmware.
+//! Test helpers for all crates of lipz and for firmware.
 //!
-//! `answers` writes what a bank answers; it is all that there is without features, because firmware has no
-//! `std`. With `std`, there are golden banks, forged ones and every query on them (`golden`, `forge`,
-//! `exercise`); with `tools`, what must hold of the compiler's tools and for any bytes (`tools`, `fuzz`).
-// A helper fails by panicking: that is what a test and a fuzzer notice.
+//! `answers` writes the answers of a bank. Without features, it is the only module, because firmware has no `std`. With
+//! `std`, there are golden banks, forged ones and every query of them (`golden`, `forge`, `exercise`); with `tools`,
+//! guarantees of the compiler's tools and for any bytes (`tools`, `fuzz`).
+// A helper fails by panicking, which tests and fuzzers detect.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![allow(missing_docs, reason = "the helpers of tests say in their names what they do")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::cast_possible_truncation)]
@@ -33,13 +33,14 @@ pub mod texts;
 #[cfg(feature = "tools")]
 pub mod tools;
 
-/// The programs on pages of `docs/` compile.
+/// The programs on the pages of `docs/` compile.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guides/playback.md")]
 #[doc = include_str!("../../../docs/guides/faces.md")]
 #[doc = include_str!("../../../docs/guides/dialogue-files.md")]
 #[doc = include_str!("../../../docs/guides/patches.md")]
 #[doc = include_str!("../../../docs/guides/localisation.md")]
+#[doc = include_str!("../../../docs/guides/fallout-and-second-life.md")]
 struct Pages;
 
 /// The programs of the page on lip sync compile.
@@ -47,7 +48,7 @@ struct Pages;
 #[doc = include_str!("../../../docs/guides/lip-sync.md")]
 struct LipSync;
 
-/// The build scripts compile. The program on the page is that of `examples/dialogue-player/examples`.
+/// The build scripts compile. The program on the page is the one in `examples/dialogue-player/examples`.
 #[cfg(all(doctest, feature = "tools"))]
 #[doc = include_str!("../../../docs/guides/build-scripts.md")]
 struct BuildScripts;

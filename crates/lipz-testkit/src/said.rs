@@ -1,4 +1,4 @@
-//! What a bank, damaged or not, says of rates, mouths and events, passed on to the functions that take such values.
+//! Passes the rates, visemes and events of a bank, damaged or not, to the functions that take such values.
 
 use lipz_bank::babble::{Babble, VoiceLevel, Weight};
 use lipz_bank::curve::{CurveCursor, CurveValue};
@@ -7,7 +7,7 @@ use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{Bank, Clip, ClipId, Event, EventName, Fps, Micros, Time, Viseme, VisemeType, Voice};
 use std::hint::black_box;
 
-/// Every function of a frame rate, and every function that takes one.
+/// Calls every function of a frame rate, and every function with a frame rate as an argument.
 fn of_fps(fps: Fps) {
     let again = Fps::new(fps.numerator(), fps.denominator());
     assert_eq!(again, Some(fps), "a rate that is not valid");
@@ -22,7 +22,7 @@ fn of_fps(fps: Fps) {
     black_box((ConsonantHold::readable(fps), ConsonantHold::frames(u8::MAX)));
 }
 
-/// What a clip says of its mouth.
+/// Makes the queries of a clip about visemes and babble.
 pub(crate) fn of_clip(clip: &Clip<'_>) {
     if let Some(fps) = clip.fps() {
         of_fps(fps);
@@ -35,7 +35,7 @@ pub(crate) fn of_clip(clip: &Clip<'_>) {
     assert_eq!((kind.name().parse(), kind.contains_all(kind.codes().as_bytes())), (Ok(kind), true));
 }
 
-/// The curves of a clip: a cursor says what a search says.
+/// Makes the queries of a clip's curves. A cursor returns the same values as a search.
 pub(crate) fn of_curves(clip: &Clip<'_>, limit: usize) {
     let curves = clip.curves();
     let most = curves.size_hint().1.unwrap_or(usize::MAX);
@@ -71,7 +71,7 @@ pub(crate) fn of_curves(clip: &Clip<'_>, limit: usize) {
     black_box((clip.curve("joy"), named.map(|curve| way(curve.value(0)))));
 }
 
-/// How the mouth is at a time.
+/// Makes the queries of the mouth at a time.
 pub(crate) fn of_mouth(clip: &Clip<'_>, time: impl Time) {
     let shape = Viseme::from_code(clip.viseme_at(time).code());
     black_box((shape.to_char(), shape.is_rest(), VisemeType::ALL.map(|kind| shape.openness(kind))));
@@ -80,7 +80,7 @@ pub(crate) fn of_mouth(clip: &Clip<'_>, time: impl Time) {
     assert!((0.0..1.0).contains(&open.to_f32()) && clip.openness_at(time).is_none_or(|own| own == open));
 }
 
-/// The babble profiles.
+/// Makes the queries of the babble profiles.
 pub(crate) fn of_babble(bank: &Bank<'_>, limit: usize) {
     let babbles: Vec<Babble<'_>> = bank.babbles().take(limit + 1).collect();
     assert!(babbles.len() <= limit);
@@ -95,7 +95,7 @@ pub(crate) fn of_babble(bank: &Bank<'_>, limit: usize) {
     }
 }
 
-/// The face profiles, and the faces that they make; whether there are any.
+/// Makes the queries of the face profiles, and of their faces. Returns whether there are any.
 pub(crate) fn of_faces(bank: &Bank<'_>, limit: usize) -> bool {
     let profiles: Vec<FaceProfile<'_>> = bank.face_profiles().take(limit + 1).collect();
     assert!(profiles.len() <= limit);
@@ -116,7 +116,7 @@ pub(crate) fn of_faces(bank: &Bank<'_>, limit: usize) -> bool {
     !profiles.is_empty()
 }
 
-/// The face at a time.
+/// Makes the queries of the face at a time.
 pub(crate) fn of_face(clip: &Clip<'_>, profile: &FaceProfile<'_>, time: impl Time) {
     for (curve, name) in FaceCurve::ALL.iter().map(|curve| (curve, curve.name())) {
         assert_eq!(FaceCurve::from_name(name), Some(*curve));
@@ -129,7 +129,7 @@ pub(crate) fn of_face(clip: &Clip<'_>, profile: &FaceProfile<'_>, time: impl Tim
     }
 }
 
-/// What is done by whom to whom.
+/// Makes the queries of events.
 pub(crate) fn of_events<'data>(events: impl Iterator<Item = Event<'data>>) {
     let mut state = lipz_bank::playback::CharacterState::default();
     for event in events.take(1000) {
@@ -139,7 +139,7 @@ pub(crate) fn of_events<'data>(events: impl Iterator<Item = Event<'data>>) {
     black_box((state, ClipId::from_key("a").get()));
 }
 
-/// The voices of a bank.
+/// Makes the queries of a bank's voices.
 pub(crate) fn of_voices(bank: &Bank<'_>, limit: usize) -> Vec<Voice> {
     let voices: Vec<Voice> = bank.voices().take(limit + 1).collect();
     assert!(voices.len() <= limit);
@@ -150,7 +150,7 @@ pub(crate) fn of_voices(bank: &Bank<'_>, limit: usize) -> Vec<Voice> {
     voices
 }
 
-/// A clip in each of these voices.
+/// Makes the queries of a clip in each of these voices.
 pub(crate) fn of_dubs(clip: &Clip<'_>, voices: &[Voice]) {
     black_box((clip.voice(), clip.original().map(|original| original.slot())));
     for voice in voices {

@@ -1,12 +1,12 @@
-//! Every query of a dialogue of files that may be damaged.
+//! Every query of a dialogue whose files may be damaged.
 
 use lipz_bank::files::{DialogueError, DialogueFile, Files, SetIndex};
 use lipz_bank::{Bank, ClipId, Dialogue, EventName, Locale, Voice};
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 
-/// Makes a dialogue of these files without verifying them, and asks it everything; whether they fit. Panics only if an iterator
-/// gives more than it can have.
+/// Makes a dialogue of these files without verifying them, and makes every query. Returns whether the files match.
+/// Panics only if an iterator returns more items than possible.
 pub fn every_query(contents: &[&[u8]]) -> bool {
     if let [bytes] = contents {
         let mut file = MaybeUninit::uninit();
@@ -30,7 +30,7 @@ pub fn every_query(contents: &[&[u8]]) -> bool {
     }
 }
 
-/// Whether these files fit, after verifying all of them; asks them everything then.
+/// Whether these files match, after verifying all of them. If so, makes every query.
 pub fn every_query_verified(contents: &[&[u8]]) -> bool {
     let one_by_one = OneByOne::open(contents);
     let version = one_by_one.as_ref().and_then(|files| Some(Dialogue::with_files(files).ok()?.version()));
@@ -46,11 +46,11 @@ pub fn every_query_verified(contents: &[&[u8]]) -> bool {
     true
 }
 
-/// Files as a program opens and verifies them one after the other.
+/// Files that a program opens and verifies one at a time.
 struct OneByOne<'data>(Vec<DialogueFile<'data>>);
 
 impl<'data> OneByOne<'data> {
-    /// Empty bytes stand for a file that is not there.
+    /// Empty bytes stand for a missing file.
     fn open(contents: &[&'data [u8]]) -> Option<OneByOne<'data>> {
         let mut files = Vec::new();
         for (number, bytes) in contents.iter().enumerate() {
@@ -73,7 +73,7 @@ impl Files for OneByOne<'_> {
     }
 }
 
-/// Asks a patch what it says about the banks below it.
+/// Makes every query of a patch's description of the banks below it.
 fn every_query_of_layer(bank: &Bank<'_>) {
     let limit = bank.length_bytes();
     let Some(layer) = bank.layer() else { return };
@@ -94,7 +94,7 @@ fn every_query_of_layer(bank: &Bank<'_>) {
     }
 }
 
-/// Asks a dialogue everything.
+/// Makes every query of a dialogue.
 pub fn every_query_of(dialogue: &Dialogue<'_>) {
     let banks = || (0..dialogue.file_count()).filter_map(|number| dialogue.bank(number));
     banks().for_each(every_query_of_layer);
@@ -152,7 +152,8 @@ pub fn every_query_of(dialogue: &Dialogue<'_>) {
     black_box(dialogue.clip_behind(u64::MAX, "").is_some());
 }
 
-/// Asks the bytes everything as the index of a set, of these banks or of others; the index, if it passes `verify`.
+/// Makes every query of the bytes as the index of a set, with matching or other banks. Returns the index, if it passes
+/// `verify`.
 pub fn every_query_of_index<'data>(bytes: &'data [u8], banks: &[&'data [u8]]) -> Option<SetIndex<'data>> {
     let opened = SetIndex::open(bytes).ok()?;
     let limit = bytes.len();

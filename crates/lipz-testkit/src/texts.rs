@@ -2,7 +2,7 @@
 
 use lipz_bank::{Bank, Error};
 
-/// A copy of the bank with the locales of a text bank, verified.
+/// Returns a copy of the bank with the locales of a text bank, verified.
 ///
 /// # Errors
 /// As [`Bank::open_texts`].
@@ -12,7 +12,7 @@ pub fn with_texts<'a>(bank: &Bank<'a>, texts: &'a [u8]) -> Result<Bank<'a>, Erro
     Ok(bank)
 }
 
-/// The same, not verified.
+/// The same, unverified.
 ///
 /// # Errors
 /// As [`Bank::open_texts_unverified`].

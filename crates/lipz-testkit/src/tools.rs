@@ -1,4 +1,4 @@
-//! Every tool that takes a bank, on banks that may be forged.
+//! Runs every tool that takes a bank on banks that may be forged.
 
 use crate::dialogues::with;
 use crate::texts::with_texts;
@@ -7,7 +7,7 @@ use lipz_compiler::ids::{Language, generate};
 use lipz_compiler::stats::Stats;
 use lipz_compiler::{Documents, SplitBank, coverage, diff};
 
-/// Uses a bank in all ways; whether it passes verification.
+/// Uses a bank in all ways. Returns whether it passes verification.
 pub fn is_used(bytes: &[u8], original: &[u8]) -> bool {
     if Bank::open(bytes).and_then(Bank::verify).is_err() {
         return false;

@@ -1,5 +1,5 @@
-//! The worst that a query costs on a hostile bank, as docs/reference/bank-format.md states it: counted in instructions,
-//! because time proves nothing on a shared machine. Needs valgrind, on which it runs itself.
+//! The worst cost of a query on a hostile bank, as stated in docs/reference/bank-format.md. Counted in instructions,
+//! because time proves nothing on a shared machine. Needs valgrind, under which it runs itself.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
 
@@ -16,30 +16,30 @@ use std::hint::black_box;
 use std::process::Command;
 use zerocopy::IntoBytes;
 
-/// Entries of every table of the small bank, and of the large one.
+/// The number of entries of every table, in the small bank and in the large one.
 const ENTRIES: [usize; 2] = [1 << 9, 1 << 15];
-/// What tells this program how many entries to forge.
+/// The variable that passes the number of entries to this program.
 const VARIABLE: &str = "LIPZ_BOUNDS_ENTRIES";
 
-/// How the cost of a query grows with the bank.
+/// The growth of a query's cost with the bank.
 #[derive(Clone, Copy, PartialEq)]
 enum Growth {
     /// Not at all.
     Constant,
-    /// By a step of a binary search whenever the bank doubles.
+    /// One step of a binary search per doubling of the bank.
     Logarithmic,
-    /// At most as the bank does.
+    /// At most in proportion.
     Linear,
 }
 
-/// The one name: of a curve that is asked for with all others.
+/// The only name: of a curve that is queried with all others.
 const EMOTION: &[u8] = b"joy";
-/// Instructions that a query of constant cost may differ by: other branches, no loop.
+/// The difference in instructions that a query of constant cost may have: different branches, but no loop.
 const NO_LOOP: u64 = 100;
-/// Instructions of a step of a binary search over names.
+/// The instructions of one step of a binary search over names.
 const SEARCH_STEP: u64 = 200;
 
-/// The queries, each in a function that callgrind tells from others.
+/// The queries, each in a separate function for callgrind.
 macro_rules! queries {
     ($($name:ident: $growth:ident = |$bank:ident| $query:expr;)*) => {
         mod queries {
@@ -92,7 +92,7 @@ queries! {
     verify: Linear = |bank| bank.verify().is_err();
 }
 
-/// The one clip.
+/// Returns the only clip.
 fn the<'a>(bank: &'a Bank<'a>) -> lipz_bank::Clip<'a> {
     bank.clip_at(0).unwrap().or_fps(Fps::whole(24))
 }
@@ -107,19 +107,19 @@ fn first<'a>(bank: &'a Bank<'a>) -> lipz_bank::curve::Curve<'a> {
     the(bank).curve_in_place(0).unwrap()
 }
 
-/// The curve of most keys.
+/// Returns the curve with the most keys.
 fn longest<'a>(bank: &'a Bank<'a>) -> lipz_bank::curve::Curve<'a> {
     the(bank).curve("joy").unwrap()
 }
 
-/// A bank with so many locales.
+/// Returns a bank with this number of locales.
 fn many_locales(entries: usize) -> Vec<u8> {
     let clip = ForgedClip { key: "k", frames: vec![], starts: vec![] };
     forge::bank(&[clip], entries, &[0], b"")
 }
 
-/// A bank with `entries` of everything that one clip can refer to: segments that are all empty, event
-/// strings that all claim all typed events, names that are all the same, curves with one name, and profiles of faces.
+/// Returns a bank with `entries` of everything that one clip can refer to: segments that are all empty, event strings
+/// that all refer to all typed events, names that are all the same, curves with one name, and face profiles.
 fn hostile(entries: usize) -> Vec<u8> {
     let starts = vec![0; entries - 1];
     let clip = ForgedClip { key: "k", frames: vec![b'A'; entries], starts };
@@ -163,13 +163,13 @@ fn hostile(entries: usize) -> Vec<u8> {
         (Tag::FACES, &profile),
     ];
     let entry_bytes =
-        |tag| Tag::OPTIONAL.iter().find(|(optional, _)| *optional == tag).map_or(0, |(_, bytes)| *bytes as u16);
+        |tag| Tag::OPTIONAL.iter().find(|known| known.tag == tag).map_or(0, |known| known.entry_bytes as u16);
     contents.extend(beside.map(|(tag, bytes)| (tag, entry_bytes(tag), bytes.to_vec())));
     let sections: Vec<_> = contents.iter().map(|(tag, entry, contents)| (*tag, *entry, contents.as_slice())).collect();
     forge::file(&sections, 0, 0)
 }
 
-/// A profile that blinks in thirteen different intervals.
+/// Returns a profile with thirteen different blink intervals.
 fn whole_face() -> FaceRecord {
     FaceRecord {
         blink_interval_ms: std::array::from_fn(|place| (400 + 10 * place as u16).into()),
@@ -184,7 +184,7 @@ fn whole_face() -> FaceRecord {
     }
 }
 
-/// What runs under callgrind.
+/// Runs under callgrind.
 #[test]
 #[ignore = "run by `queries_cost_what_is_stated`"]
 fn every_query_once() {
@@ -200,7 +200,7 @@ fn every_query_once() {
     }
 }
 
-/// Instructions of each query on a bank of so many entries, callees included.
+/// Returns the instructions of each query on a bank with this number of entries, callees included.
 fn instructions(entries: usize) -> Vec<u64> {
     let folder = std::env::temp_dir().join(format!("lipz-bounds-{}-{entries}", std::process::id()));
     let run = |command: &mut Command| {
@@ -225,7 +225,7 @@ fn instructions(entries: usize) -> Vec<u64> {
     QUERIES.iter().map(|(name, ..)| count(name)).collect()
 }
 
-/// Whether the line is about this function, not about one whose name starts so.
+/// Whether the line belongs to this function, not to a longer name with the same start.
 fn ends_name(line: &str, function: &str) -> bool {
     line.split_once(function).is_some_and(|(_, rest)| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
 }
@@ -244,11 +244,11 @@ fn queries_cost_what_is_stated() {
         let most = match growth {
             Growth::Constant => small + NO_LOOP,
             Growth::Logarithmic => small + SEARCH_STEP * u64::from(times.ilog2()) * 2,
-            // Other branches may be taken at each entry, as well.
+            // Different branches may also be taken at each entry.
             Growth::Linear => small * times * 21 / 20 + NO_LOOP,
         };
         assert!(large <= most, "{name}: {small} instructions, with {times} times the entries {large}");
-        // The measure sees loops at all.
+        // Check that the measurement counts loops at all.
         assert!(*growth != Growth::Linear || *name == "verify" || large > small * 2, "{name}: {small}, {large}");
     }
 }

@@ -1,13 +1,13 @@
-//! Every public function of the reader is asked on damaged banks, and proven not to panic.
+//! Checks that every public function of the reader is called on damaged banks, and proven not to panic.
 #![allow(clippy::expect_used)]
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Functions that are not asked: constants are made of them, and wrong ones do not compile.
+/// Exempt functions: constants are made with them, and invalid ones do not compile.
 const EXEMPT: [&str; 1] = ["whole"];
 
-/// What `lipz-bank` re-exports from `lipz-types`.
+/// The re-exports of `lipz-bank` from `lipz-types`.
 const TYPES: [&str; 8] =
     ["command.rs", "curve_value.rs", "emotion.rs", "fps.rs", "id.rs", "time.rs", "viseme.rs", "weight.rs"];
 
@@ -25,7 +25,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     paths.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] }).collect()
 }
 
-/// The names of the functions that a file makes public.
+/// Returns the names of a file's public functions.
 fn public_functions(source: &str) -> impl Iterator<Item = String> + '_ {
     let code = source.split("#[cfg(test)]").next().unwrap_or(source);
     code.lines().filter_map(|line| {
@@ -35,7 +35,7 @@ fn public_functions(source: &str) -> impl Iterator<Item = String> + '_ {
     })
 }
 
-/// Whether `code` mentions the function as a method or a path.
+/// Whether `code` uses the function as a method or a path.
 fn mentions(code: &str, function: &str) -> bool {
     [format!(".{function}("), format!("::{function}(")].iter().any(|call| code.contains(call.as_str()))
         || code.match_indices(&format!("::{function}")).any(|(at, found)| {

@@ -1,5 +1,5 @@
-//! What the fuzzers once found interesting, and a fixed number of changes of it: fuzzing in short, the
-//! same in every run.
+//! Interesting inputs that the fuzzers have found, and a fixed number of changed copies: short fuzzing, with the same
+//! inputs in every run.
 #![allow(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 #![allow(clippy::expect_used, clippy::unnecessary_map_or, reason = "helpers of the reader's tests")]
 
@@ -12,7 +12,7 @@ fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
 }
 
-/// The seeds of a target, in the order of their names.
+/// Returns the seeds of a target, ordered by name.
 fn seeds(target: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(fuzz().join("seeds").join(target)).unwrap();
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
@@ -20,7 +20,7 @@ fn seeds(target: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// Up to four changes, as fuzzers make them.
+/// Makes up to four changes, like a fuzzer.
 fn changed(seed: &[u8], random: &mut Random) -> Vec<u8> {
     let mut bytes = seed.to_vec();
     for _ in 0..=random.below(4) {
@@ -37,7 +37,7 @@ fn changed(seed: &[u8], random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-/// A panic says by itself what does not hold; the target and the seed are in the name of the thread.
+/// A panic describes the violation; the name of the thread contains the target and the seed.
 #[test]
 fn the_seeds_and_changes_of_them() {
     std::thread::scope(|scope| {
@@ -57,7 +57,7 @@ fn the_seeds_and_changes_of_them() {
     });
 }
 
-/// With each new format, the numbers of those behind it change: then the first bytes of their seeds must, too.
+/// With each new format, the numbers of those after it change, and so must the first bytes of their seeds.
 #[test]
 fn each_format_has_a_seed_of_its_name() {
     let mut kinds: Vec<&str> = (0..=u8::MAX).map(kind_of_foreign).collect();
@@ -72,7 +72,7 @@ fn each_format_has_a_seed_of_its_name() {
     }
 }
 
-/// Every check has its fuzz target, and every fuzz target its check.
+/// Each check has a fuzz target, and each fuzz target a check.
 #[test]
 fn the_targets_are_those_of_the_fuzzers() {
     let mut programs: Vec<String> = fs::read_dir(fuzz().join("fuzz_targets"))

@@ -1,11 +1,11 @@
-//! What files of exchange look like: `fixtures/texts`. `LIPZ_BLESS=1` writes them anew.
+//! The expected exchange files: `fixtures/texts`. `LIPZ_BLESS=1` rewrites them.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_texts::{Collect, Division, Exchange, Format, Shape, State, Unit, WriteOptions, write};
 use std::fs;
 use std::path::Path;
 
-/// Two clips: several segments with everything that a file may have, and a bare one.
+/// Returns two clips: several segments with everything that a file may contain, and a minimal one.
 fn exchange() -> Exchange {
     let clips = [
         (

@@ -1,9 +1,9 @@
-//! Files that somebody made to do harm: entities, archives that unpack to gigabytes, sheets without end.
+//! Malicious files: entities, archives that unpack to gigabytes, endless sheets.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use lipz_texts::{Format, ReadOptions, read};
 
-/// What reading a file says.
+/// Returns the diagnostics of reading a file.
 fn told(format: Format, bytes: &[u8]) -> String {
     let incoming = read(format, bytes, &ReadOptions::new("en-us"));
     assert_eq!(incoming.entries, []);
@@ -15,18 +15,18 @@ fn entities_are_refused() {
     let bomb = r#"<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;">]>
         <xliff version="1.2">&b;</xliff>"#;
     assert!(
-        told(Format::Xliff, bomb.as_bytes()).contains("entities of a DTD"),
+        told(Format::Xliff, bomb.as_bytes()).contains("lipz does not read a DTD"),
         "{}",
         told(Format::Xliff, bomb.as_bytes())
     );
     let outside = r#"<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/passwd">]><xliff version="2.1">&a;</xliff>"#;
-    assert!(told(Format::Xliff12, outside.as_bytes()).contains("entities of a DTD"));
+    assert!(told(Format::Xliff12, outside.as_bytes()).contains("lipz does not read a DTD"));
     let deep = "<a>".repeat(200_000);
     assert!(told(Format::Xliff, deep.as_bytes()).contains("the file is not XML"));
     assert!(told(Format::Json, "[".repeat(200_000).as_bytes()).contains("LZ1901"));
 }
 
-/// What a tool writes that does not know the marks of segments: the text would be passed over.
+/// Written by tools without support for marked segments. Without a diagnostic, the text would be lost.
 #[test]
 fn a_text_beside_marked_segments_is_told() {
     let file = |target: &str| {
@@ -37,7 +37,7 @@ fn a_text_beside_marked_segments_is_told() {
     };
     let marked = r#"<mrk mtype="seg" mid="1">Eins</mrk> | <mrk mtype="seg" mid="2">Zwei</mrk>"#;
     let beside = told(Format::Xliff12, file(&format!("Eins | Zwo{marked}")).as_bytes());
-    assert!(beside.contains("a text stands beside the segments of its target"), "{beside}");
+    assert!(beside.contains("a text is outside the segments of its target"), "{beside}");
     let incoming = read(Format::Xliff12, file(marked).as_bytes(), &ReadOptions::new("en-us"));
     assert_eq!((incoming.entries.len(), incoming.diagnostics.len()), (1, 0));
 }
@@ -49,7 +49,7 @@ mod spreadsheets {
     use zip::ZipWriter;
     use zip::write::SimpleFileOptions;
 
-    /// An archive with these parts.
+    /// Returns an archive with these parts.
     fn archive(parts: &[(&str, &[u8])]) -> Vec<u8> {
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
         for (name, bytes) in parts {
@@ -64,7 +64,7 @@ mod spreadsheets {
         archive(&[("xl/worksheets/sheet1.xml", sheet.as_bytes())])
     }
 
-    /// Texts of many clips in many languages have more bytes than any small file may have unpacked.
+    /// Texts of many clips in many languages may unpack to more bytes than a small file.
     #[test]
     fn a_large_file_is_read() {
         let unused = format!("<si><t>{}</t></si>", "not used ".repeat(1 << 10));
@@ -83,24 +83,24 @@ mod spreadsheets {
     }
 
     /// Reads a sheet whose second row has these cells for a translation and for a comment, which is not imported.
-    fn with(cells: [&str; 2]) -> lipz_texts::Incoming {
+    fn with(cells: [&str; 2]) -> lipz_texts::IncomingFile {
         let text = |text: &str| format!(r#"<c t="inlineStr"><is><t>{text}</t></is></c>"#);
         let (head, key) = (["key", "de-de", "comment"].map(text).concat(), text("a"));
         let file = sheet(&format!("<row>{head}</row><row>{key}{}</row>", cells.concat()));
         lipz_texts::read(Format::Xlsx, &file, &lipz_texts::ReadOptions::new("en-us"))
     }
 
-    /// Who writes `=Ja` into a spreadsheet has written a formula; programs that compute none save it without a value, Excel
-    /// with an error for one.
+    /// `=Ja` in a spreadsheet is a formula. Programs that do not compute formulas save it without a value, Excel with
+    /// an error.
     #[test]
     fn a_formula_without_a_value_or_with_an_error_is_told() {
-        let without = "the cell is a formula without a value, and is not imported";
+        let without = "the cell is a formula without a value and is not imported";
         for (cell, message) in [
             ("<c><f>Ja</f></c>", without),
             ("<c><f>Ja</f><v/></c>", without),
             ("<c><f>Ja</f><v></v></c>", without),
             (r#"<c t="str"><f>Ja</f></c>"#, without),
-            (r#"<c t="e"><f>Ja</f><v>#NAME?</v></c>"#, "the cell is the error `#NAME?`, and is not imported"),
+            (r#"<c t="e"><f>Ja</f><v>#NAME?</v></c>"#, "the cell contains the error `#NAME?` and is not imported"),
         ] {
             let incoming = with([cell, ""]);
             let [told] = incoming.diagnostics.as_slice() else { panic!("{cell}: {:?}", incoming.diagnostics) };
@@ -147,11 +147,11 @@ mod spreadsheets {
                 "row 1 follows row 2",
             ),
             (r#"<row><c r="ZZZZ1"/></row>"#, "the cells of a row are not in order"),
-            (r#"<row><c t="s"><v>7</v></c></row>"#, "a string that is not there"),
+            (r#"<row><c t="s"><v>7</v></c></row>"#, "a missing string"),
             ("", "the file has no header"),
             (&"<a>".repeat(200_000), "more than 100 deep"),
             ("<row></sheetData>", "expected `</row>`"),
-            ("<row><c><v>&b;</v></c></row>", "an entity that XML does not know: `b`"),
+            ("<row><c><v>&b;</v></c></row>", "an unknown XML entity: `b`"),
             ("<row><c><v>&#0;</v></c></row>", "cannot be read as a spreadsheet"),
             ("<row a=\"\u{0}\"", "cannot be read as a spreadsheet"),
         ] {
@@ -166,7 +166,7 @@ mod spreadsheets {
             (entities.as_bytes(), "it has a DTD"),
             (b"<!DOCTYPE a SYSTEM 'file:///etc/passwd'><worksheet/>", "it has a DTD"),
             (b"<worksheet><row><c><v>\xff</v></c></row></worksheet>", "utf-8"),
-            (b"<worksheet><row><c><v>a</v>", "one of its parts ends inside of an element"),
+            (b"<worksheet><row><c><v>a</v>", "one of its parts ends inside an element"),
         ] {
             let told = told(Format::Xlsx, &archive(&[("xl/worksheets/sheet1.xml", sheet)]));
             assert!(told.contains(why), "{told}");
@@ -177,7 +177,7 @@ mod spreadsheets {
     }
 }
 
-/// Were all columns looked at for each of them, this would take minutes.
+/// Iterating over all columns for each of them would take minutes.
 #[test]
 fn a_table_of_many_locales_is_read_at_once() {
     let tag = |number: usize| {

@@ -1,9 +1,10 @@
-//! What a file may take in memory: its texts, not what a sheet is unpacked to, nor what its keys and columns multiply.
+//! The memory for reading a file is bounded by its texts, whatever its unpacked size and its numbers of keys and
+//! columns.
 #![cfg(feature = "xlsx")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use cap::Cap;
-use lipz_texts::{Format, Incoming, ReadOptions, read};
+use lipz_texts::{Format, IncomingFile, ReadOptions, read};
 use std::alloc::System;
 use std::io::{Cursor, Write};
 use zip::ZipWriter;
@@ -12,21 +13,21 @@ use zip::write::SimpleFileOptions;
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
 
-/// Reads a file with so many bytes of memory. If it wants more, the allocation fails, and the test with it.
-fn within(bytes: usize, format: Format, file: &[u8]) -> Incoming {
+/// Reads a file with so many bytes of memory. A larger allocation fails, and the test with it.
+fn within(bytes: usize, format: Format, file: &[u8]) -> IncomingFile {
     ALLOCATOR.set_limit(ALLOCATOR.allocated() + bytes).unwrap();
     let incoming = read(format, file, &ReadOptions::new("en-us"));
     ALLOCATOR.set_limit(usize::MAX).unwrap();
     incoming
 }
 
-/// A row of a sheet with these texts.
+/// Returns a row of a sheet with these texts.
 fn row(texts: &[&str]) -> String {
     let cells: String = texts.iter().map(|text| format!("<c t=\"inlineStr\"><is><t>{text}</t></is></c>")).collect();
     format!("<row>{cells}</row>")
 }
 
-/// A spreadsheet with these rows in its sheet.
+/// Returns a spreadsheet with these rows in its sheet.
 fn sheet(rows: &str) -> Vec<u8> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     archive.start_file("xl/worksheets/sheet1.xml", SimpleFileOptions::default()).unwrap();
@@ -34,7 +35,7 @@ fn sheet(rows: &str) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
-/// Five thousand locales.
+/// Returns five thousand locales.
 fn locales() -> Vec<String> {
     let letter = |number: usize, place: u32| char::from(b"abcdefghijklmnopqrst"[number / 20_usize.pow(place) % 20]);
     (0..5_000).map(|number| format!("{}{}-{}a", letter(number, 2), letter(number, 1), letter(number, 0))).collect()
@@ -42,7 +43,7 @@ fn locales() -> Vec<String> {
 
 #[test]
 fn memory_is_that_of_the_texts() {
-    // One after another: they share the allocator.
+    // In order, because they share the allocator.
     of_a_sheet_with_other_parts();
     of_a_long_key_in_many_locales();
     of_cells_without_texts();
@@ -73,7 +74,7 @@ fn of_a_long_key_in_many_locales() {
     assert_eq!((incoming.diagnostics.first(), incoming.entries.len()), (None, locales.len()));
 }
 
-/// Each row is there in one locale, by which its key and its source are compared: entries in all of them would take gigabytes.
+/// Each row has one locale, with which its key and source are compared. Entries in all locales would take gigabytes.
 fn of_cells_without_texts() {
     let locales = locales();
     let head: Vec<&str> = ["key", "en-us"].into_iter().chain(locales.iter().map(String::as_str)).collect();

@@ -1,19 +1,19 @@
-//! What comes back from a file of exchange: nothing changes that nobody changed, and a change in the file changes exactly
-//! that text, byte for byte.
+//! Round trips of exchange files: unchanged texts stay, and a change in the file changes exactly that text, byte for
+//! byte.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_file::literal;
 use lipz_texts::{
-    Collect, Division, Entry, Exchange, Format, Merge, Merged, ReadOptions, Shape, WriteOptions, read, write,
+    Collect, Division, Entry, Exchange, Format, Merge, MergedFile, ReadOptions, Shape, WriteOptions, read, write,
 };
 use proptest::prelude::*;
 #[cfg(feature = "xlsx")]
 use std::io::{Cursor, Read, Write};
 
-/// A word that no other text has.
+/// A word that occurs in no other text.
 const TOKEN: &str = "qqq";
 
-/// All ways to write a file.
+/// Returns all ways to write a file.
 fn ways() -> Vec<(Format, WriteOptions)> {
     let mut ways = Vec::new();
     for division in [Division::Clip, Division::Segment] {
@@ -42,12 +42,12 @@ fn entries(format: Format, bytes: &[u8]) -> Vec<Entry> {
     incoming.entries
 }
 
-fn merged(file: &str, entries: &[Entry]) -> Merged {
+fn merged(file: &str, entries: &[Entry]) -> MergedFile {
     let document = lipz_file::parse(file.as_bytes()).document.unwrap();
     Merge::new("en-us").merge(file, &document, &entries.iter().collect::<Vec<_>>())
 }
 
-/// The file with another word instead of the one that no other text has; `None` if that is not in it.
+/// Returns the file with the unique word replaced; `None` if it is not in the file.
 fn with_another_word(format: Format, file: &[u8]) -> Option<Vec<u8>> {
     #[cfg(feature = "xlsx")]
     if format == Format::Xlsx {
@@ -57,7 +57,7 @@ fn with_another_word(format: Format, file: &[u8]) -> Option<Vec<u8>> {
     text.contains(TOKEN).then(|| text.replace(TOKEN, "zzz").into_bytes())
 }
 
-/// The same of a spreadsheet, whose parts are packed.
+/// Returns the same for a spreadsheet, whose parts are compressed.
 #[cfg(feature = "xlsx")]
 fn spreadsheet_with_another_word(file: &[u8]) -> Option<Vec<u8>> {
     let mut archive = zip::ZipArchive::new(Cursor::new(file)).unwrap();
@@ -74,7 +74,7 @@ fn spreadsheet_with_another_word(file: &[u8]) -> Option<Vec<u8>> {
     is_there.then(|| edited.finish().unwrap().into_inner())
 }
 
-/// A text of three segments, with what formats have to escape.
+/// Returns a text of three segments, with characters that formats must escape.
 fn text() -> impl Strategy<Value = Vec<String>> {
     let segment = prop_oneof![
         4 => "[a-z \"\\\\\n\r\u{7}\t,;'=@+<>&#é灯-]{0,9}",
@@ -84,7 +84,7 @@ fn text() -> impl Strategy<Value = Vec<String>> {
     proptest::collection::vec(segment, 3)
 }
 
-/// The text as an element of a file, with blanks and escapes of some author.
+/// Returns the text as an element of a file, with the spaces and escapes of different authors.
 fn element(name: &str, segments: &[String], blanks: usize, escapes: bool) -> String {
     let blanks = " ".repeat(blanks);
     let text = segments.iter().map(|segment| format!("{segment}{blanks}")).collect::<Vec<_>>().join("|");
@@ -121,7 +121,7 @@ proptest! {
                 prop_assert_eq!(&same.text, &None, "{:?} {:?}", options, same);
                 prop_assert_eq!(same.found.len(), 0);
 
-                // A segment that has no source is not exported by itself; a translation with fewer placeholders is told.
+                // A segment without a source is not exported alone; a translation with fewer placeholders is reported.
                 let edited = with_another_word(format, &written.bytes);
                 let changed = merged(&file, &entries(format, edited.as_deref().unwrap_or(&written.bytes)));
                 prop_assert!(changed.found.iter().all(|(_, found)| !found.is_error()), "{:?}", changed);
@@ -131,7 +131,7 @@ proptest! {
         }
     }
 
-    /// Readers take any bytes, and places are inside of the text that they count in.
+    /// Readers accept arbitrary bytes, and positions are inside the text to which they refer.
     #[test]
     fn readers_take_any_bytes(
         cut in 0..2_000_usize,

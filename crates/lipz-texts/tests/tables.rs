@@ -1,16 +1,16 @@
-//! Tables that other programs have saved: what they change without being asked, and what they break.
+//! Tables saved by other programs, with their automatic changes and damage.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use lipz_diagnostics::Diagnostic;
-use lipz_texts::{Collect, Exchange, Format, Incoming, Merge, ReadOptions, Shape, WriteOptions, read, write};
+use lipz_texts::{Collect, Exchange, Format, IncomingFile, Merge, ReadOptions, Shape, WriteOptions, read, write};
 
 const HEAD: &str = "key,en-us,de-de\n";
 
-fn table(text: &str) -> Incoming {
+fn table(text: &str) -> IncomingFile {
     read(Format::Csv, text.as_bytes(), &ReadOptions::new("en-us"))
 }
 
-/// Where the only diagnostic is, and what it says; nothing is imported.
+/// Returns the position of the only diagnostic, and its message. Nothing is imported.
 fn refused(rows: &str) -> (String, String) {
     let incoming = table(&format!("{HEAD}{rows}"));
     assert_eq!(incoming.entries, [], "{rows}");
@@ -23,14 +23,17 @@ fn refused(rows: &str) -> (String, String) {
 #[test]
 fn a_table_that_nobody_can_be_sure_about_is_not_imported() {
     let message = |rows: &str| refused(rows).1;
-    // A quote that is not closed swallows the next rows, up to another one.
+    // An unclosed quote includes the following rows, up to the next quote.
     let swallowed = refused("b,Halt!,\"Halt?\na,Hi.,\"Guten Tag\"\n");
-    assert_eq!(swallowed, ("Guten ".to_owned(), "text stands behind the quote that closes a cell".to_owned()));
+    assert_eq!(swallowed, ("Guten ".to_owned(), "text follows the quote that closes a cell".to_owned()));
     let open = refused("b,Halt!,\"Halt?\na,Hi.,Tag\n");
-    assert_eq!(open, ("\"Halt?".to_owned(), "the cell that begins with this quote does not end".to_owned()));
+    assert_eq!(open, ("\"Halt?".to_owned(), "the cell that starts with this quote is not closed".to_owned()));
     assert_eq!(refused("b,Halt!,\"Halt\" stop?\n").0, " stop?");
-    assert_eq!(refused("b,Halt!,Stop, you!\n"), (" you!\n".to_owned(), "the row has 4 cells, the header 3".to_owned()));
-    assert_eq!(message("a,Hi.,Tag\nb,Halt!"), "the row has 2 cells, the header 3");
+    assert_eq!(
+        refused("b,Halt!,Stop, you!\n"),
+        (" you!\n".to_owned(), "the row has 4 cells, but the header has 3".to_owned())
+    );
+    assert_eq!(message("a,Hi.,Tag\nb,Halt!"), "the row has 2 cells, but the header has 3");
     assert_eq!(table(&format!("{HEAD}b,Halt!,\"Stop, \"\"you\"\"!\"\n\na,Hi.,")).diagnostics, []);
 }
 
@@ -72,7 +75,7 @@ fn line_ends_that_another_program_changed_change_no_text() {
             };
             assert_eq!(merged(&table).text, None, "{shape:?}: as it was exported");
             if file.contains("\\r") {
-                // Here the CR belongs to the texts, so one more is a change.
+                // Here the CR belongs to the texts, so an additional one is a change.
                 continue;
             }
             let windows = table.replace("\r\n", "\n").replace('\n', "\r\n");

@@ -1,14 +1,15 @@
-//! The verbs of Character Event Syntax (Lipz specification, "Character Event Syntax"), and those that lipz adds.
+//! The verbs of Character Event Syntax (Lipz specification, "Character Event Syntax"), and lipz's additions.
 
 use crate::Strength;
 
-/// What a character does: a verb with the `Name` of an emotion, target or action, or with the `Amount` of a gesture.
+/// The action of a character: a verb with the `Name` of an emotion, target or action, or with the `Amount` of a
+/// gesture.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub enum Command<Name, Amount = Strength> {
     /// `feels emotion`: lasts until changed.
     Feels(Name),
-    /// `sees target`, a character or a prop: for a moment.
+    /// `sees target`, a character or a prop: momentary.
     Sees(Name),
     /// `stares target`: until `stops staring`.
     Stares(Name),
@@ -20,20 +21,20 @@ pub enum Command<Name, Amount = Strength> {
     StopsPointing,
     /// `does action`: an action of the game.
     Does(Name),
-    /// `nods`, `nods 4`: once, as far as the number says, 0 to 10.
+    /// `nods`, `nods 4`: once, with a strength from 0 to 10.
     Nods(Option<Amount>),
-    /// `shakes`, `shakes 4`: the head, as far as the number says, 0 to 10.
+    /// `shakes`, `shakes 4`: the head, with a strength from 0 to 10.
     Shakes(Option<Amount>),
-    /// `breathes`, `breathes 6`: once, as deep as the number says, 0 to 10.
+    /// `breathes`, `breathes 6`: once, with a depth from 0 to 10.
     Breathes(Option<Amount>),
     /// `blinks`: once.
     Blinks,
-    /// `looks away`: for a moment.
+    /// `looks away`: momentary.
     LooksAway,
 }
 
 impl<Name, Amount> Command<Name, Amount> {
-    /// The verb as it is written: `feels`, `stops staring`.
+    /// Returns the verb as written: `feels`, `stops staring`.
     pub const fn verb(&self) -> &'static str {
         match self {
             Command::Feels(_) => "feels",
@@ -51,7 +52,7 @@ impl<Name, Amount> Command<Name, Amount> {
         }
     }
 
-    /// The emotion, target or action; `None` for verbs without one.
+    /// Returns the emotion, target or action; `None` for verbs without one.
     pub fn object(self) -> Option<Name> {
         match self {
             Command::Feels(object)
@@ -63,7 +64,7 @@ impl<Name, Amount> Command<Name, Amount> {
         }
     }
 
-    /// The number of a gesture; `None` for other verbs, and for a gesture without a number.
+    /// Returns the number of a gesture; `None` for other verbs, and for a gesture without a number.
     pub fn amount(self) -> Option<Amount> {
         match self {
             Command::Nods(amount) | Command::Shakes(amount) | Command::Breathes(amount) => amount,

@@ -13,27 +13,27 @@ use core::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct CurveValue(i32);
 
-/// Thousandths in 1.
+/// The number of thousandths in 1.
 const ONE: u32 = 1000;
 
 impl CurveValue {
-    /// The value of so many thousandths.
+    /// Returns the value of this many thousandths.
     pub const fn from_thousandths(thousandths: i32) -> CurveValue {
         CurveValue(thousandths)
     }
 
-    /// The value in thousandths.
+    /// Returns the value in thousandths.
     pub const fn thousandths(self) -> i32 {
         self.0
     }
 
-    /// The value as a number: for values of at most seven digits, the nearest one.
+    /// Returns the value as a number: for values of at most seven digits, the nearest one.
     pub fn to_f32(self) -> f32 {
         self.0 as f32 / ONE as f32
     }
 
-    /// The value so far on its way from `self` to `to`: `done` of `whole` steps, of which there are less than 2⁶². Exact,
-    /// then rounded to the nearest thousandth, a half away from `self`.
+    /// Returns the value on the way from `self` to `to`, after `done` of `whole` steps, of which there are less than
+    /// 2⁶². The value is computed exactly, then rounded to the nearest thousandth, a half away from `self`.
     ///
     /// ```
     /// # use lipz_types::CurveValue;
@@ -49,10 +49,11 @@ impl CurveValue {
     }
 }
 
-/// `distance` · `done` / `whole`, rounded to the nearest, a half upwards; for `done` of less than `whole`, and both below 2⁶².
+/// Returns `distance` · `done` / `whole`, rounded to the nearest, a half upwards. `done` must be less than `whole`, and
+/// both below 2⁶².
 ///
-/// Divides by an instruction where there is one for 64 bits and the product fits it. Otherwise takes a long division, with
-/// one step for each bit of the distance: a dozen for most curves.
+/// Uses a division instruction if there is one for 64 bits and the product fits it. Otherwise uses a long division,
+/// with one step for each bit of the distance: a dozen for most curves.
 fn share(distance: u32, done: u64, whole: u64) -> u32 {
     if cfg!(target_pointer_width = "64") {
         let product = u64::from(distance).checked_mul(done).and_then(|product| product.checked_mul(2));
@@ -71,7 +72,7 @@ fn long_share(distance: u32, done: u64, whole: u64) -> u32 {
         bit = bit.wrapping_sub(1);
         rest = rest.wrapping_mul(2).wrapping_add(if distance >> bit & 1 == 1 { done } else { 0 });
         quotient = quotient.wrapping_mul(2);
-        // The rest was less than the whole, as `done` is: it is less than three of them.
+        // The rest and `done` are both less than the whole, so the sum is less than three wholes.
         for _ in 0..2 {
             if rest >= whole {
                 rest = rest.wrapping_sub(whole);
@@ -82,7 +83,7 @@ fn long_share(distance: u32, done: u64, whole: u64) -> u32 {
     if rest.wrapping_mul(2) >= whole { quotient.wrapping_add(1) } else { quotient }
 }
 
-/// As in Lipz files: without zeros at the end, `-0.05`.
+/// Prints the value as in Lipz files, without trailing zeros: `-0.05`.
 impl fmt::Display for CurveValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.0.unsigned_abs();

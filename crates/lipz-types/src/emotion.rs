@@ -1,12 +1,12 @@
 //! The attributes of emotion of "Talking Heads: Facial Animation in The Getaway" (Gavin Moore, 2001).
 
-/// One of the twelve attributes that make up a face's emotion. Each has a value from 0 to 10; they are added.
+/// One of the twelve attributes of a face's emotion. Each has a value from 0 to 10; they are added.
 ///
 /// ```
 /// use lipz_types::Emotion;
 /// assert_eq!(Emotion::Anger.name(), "anger");
 /// assert_eq!(Emotion::from_name("joy"), Some(Emotion::Joy));
-/// assert_eq!(Emotion::from_name("happy"), None); // a preset, which tools make attributes of
+/// assert_eq!(Emotion::from_name("happy"), None); // a preset, which tools convert to attributes
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[repr(u8)]
@@ -17,9 +17,9 @@ pub enum Emotion {
     Anger,
     /// `joy`.
     Joy,
-    /// `fear`: worry is a little of it.
+    /// `fear`: in small amounts, worry.
     Fear,
-    /// `disgust`: disdain is a little of it.
+    /// `disgust`: in small amounts, disdain.
     Disgust,
     /// `surprise`.
     Surprise,
@@ -54,7 +54,7 @@ impl Emotion {
         Emotion::Shout,
     ];
 
-    /// The name, which is that of its curve.
+    /// Returns the name of the attribute and of its curve.
     pub const fn name(self) -> &'static str {
         match self {
             Emotion::Sadness => "sadness",
@@ -72,7 +72,7 @@ impl Emotion {
         }
     }
 
-    /// The attribute with this name.
+    /// Returns the attribute with this name.
     pub fn from_name(name: &str) -> Option<Emotion> {
         Emotion::ALL.iter().copied().find(|emotion| emotion.name() == name)
     }

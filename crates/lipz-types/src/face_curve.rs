@@ -1,6 +1,7 @@
-//! Names of the curves that move a face besides its mouth and its emotions (`docs/guides/faces.md`, "Specials").
+//! Names of the curves that move a face, except those for mouth and emotions (`docs/guides/faces.md`, "Generated
+//! motion").
 
-/// A curve with a name that the reader knows: it moves eyes, head or brows, or says how deep somebody breathes.
+/// A curve with a predefined name: it moves eyes, head or brows, or sets the depth of breathing.
 ///
 /// ```
 /// use lipz_types::FaceCurve;
@@ -11,36 +12,36 @@
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[repr(u8)]
 pub enum FaceCurve {
-    /// `blink`, instead of the blinks that are generated: 0 for open eyes, 1 for closed ones.
+    /// `blink`, replaces the generated blinks: 0 for open eyes, 1 for closed ones.
     Blink,
-    /// `headPitch`, instead of the generated motion, in degrees: up is positive.
+    /// `headPitch`, replaces the generated motion, in degrees: up is positive.
     HeadPitch,
     /// `headYaw`, in degrees: to the left of the character is positive.
     HeadYaw,
     /// `headRoll`, in degrees: towards the left shoulder is positive.
     HeadRoll,
-    /// `eyePitch`, instead of what the eyes look at, in degrees: up is positive.
+    /// `eyePitch`, replaces the generated direction of the eyes, in degrees: up is positive.
     EyePitch,
     /// `eyeYaw`, in degrees: to the left of the character is positive.
     EyeYaw,
-    /// `lids`, beside the blinks: 0 for open eyes, 1 for closed ones.
+    /// `lids`, added to the blinks: 0 for open eyes, 1 for closed ones.
     Lids,
-    /// `nod`, beside the motion of the head: from 0, down, to 10, up; 5 is neutral.
+    /// `nod`, added to the motion of the head: from 0, down, to 10, up; 5 is neutral.
     Nod,
-    /// `shake`, beside the motion of the head: from 0, right, to 10, left; 5 is neutral.
+    /// `shake`, added to the motion of the head: from 0, right, to 10, left; 5 is neutral.
     Shake,
-    /// `lookPitch`, beside what the eyes look at, in degrees.
+    /// `lookPitch`, added to the direction of the eyes, in degrees.
     LookPitch,
-    /// `lookYaw`, beside what the eyes look at, in degrees.
+    /// `lookYaw`, added to the direction of the eyes, in degrees.
     LookYaw,
-    /// `brows`: how far they are raised, 0 to 1.
+    /// `brows`: how far they are raised, from 0 to 1.
     Brows,
-    /// `shrug` of the face: 0 to 1.
+    /// `shrug` of the face: from 0 to 1.
     Shrug,
     /// `breath`: from 0 to 10, gasping.
     Breath,
-    /// `pose`, instead of the times at which the head turns to another pose while its mouth moves: at each key, and as far as its
-    /// value says, 0 to 1.
+    /// `pose`, replaces the times at which the head turns to a new pose while the mouth moves. The head turns at each
+    /// key, by the share in the key's value, from 0 to 1.
     Pose,
 }
 
@@ -64,7 +65,7 @@ impl FaceCurve {
         FaceCurve::Pose,
     ];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             FaceCurve::Blink => "blink",
@@ -85,7 +86,7 @@ impl FaceCurve {
         }
     }
 
-    /// The curve with this name.
+    /// Returns the curve with this name.
     pub fn from_name(name: &str) -> Option<FaceCurve> {
         FaceCurve::ALL.iter().copied().find(|curve| curve.name() == name)
     }

@@ -7,8 +7,7 @@ use core::fmt;
 /// Microseconds in a second.
 pub(crate) const MICROS_PER_SECOND: u64 = 1_000_000;
 
-/// A frame rate: an exact ratio of frames to seconds, from 1 to 1000 inclusive (Lipz specification,
-/// element `fps`).
+/// A frame rate: an exact ratio of frames to seconds, from 1 to 1000 inclusive (Lipz specification, element `fps`).
 ///
 /// ```
 /// use lipz_types::Fps;
@@ -22,30 +21,29 @@ pub(crate) const MICROS_PER_SECOND: u64 = 1_000_000;
 pub struct Fps(StoredFps);
 
 impl Fps {
-    /// The rate of `numerator` frames in `denominator` seconds, in lowest terms; `None` outside
-    /// 1 to 1000.
+    /// Returns the rate of `numerator` frames in `denominator` seconds, in lowest terms; `None` outside 1 to 1000.
     #[allow(clippy::arithmetic_side_effects)] // 1000 · denominator fits 64 bits
     pub const fn new(numerator: u32, denominator: u32) -> Option<Fps> {
         if denominator == 0 || numerator < denominator || numerator as u64 > 1000 * denominator as u64 {
             return None;
         }
         let divisor = greatest_common_divisor(numerator, denominator);
-        // No divisor is zero; checked division keeps a panic out of the machine code.
+        // No divisor is zero. Checked division keeps a panic out of the machine code.
         match (numerator.checked_div(divisor), denominator.checked_div(divisor)) {
             (Some(numerator), Some(denominator)) => Fps::with_reciprocal(numerator, denominator),
             _ => None,
         }
     }
 
-    /// A rate of whole frames per second, for constants.
+    /// Returns a rate of whole frames per second, for constants.
     ///
     /// # Panics
-    /// Outside 1 to 1000: in a `const`, that is a compile error.
+    /// Outside 1 to 1000. In a `const`, that is a compile error.
     #[allow(clippy::panic)]
     pub const fn whole(frames_per_second: u16) -> Fps {
         match Fps::new(frames_per_second as u32, 1) {
             Some(fps) => fps,
-            None => panic!("a frame rate lies between 1 and 1000"),
+            None => panic!("a frame rate must be from 1 to 1000"),
         }
     }
 
@@ -62,38 +60,38 @@ impl Fps {
         }
     }
 
-    /// What [`StoredFps::checked`] has checked.
+    /// Returns the rate from a value that [`StoredFps::checked`] has checked.
     pub(crate) const fn from_checked(stored: StoredFps) -> Fps {
         Fps(stored)
     }
 
-    /// Frames in [`Fps::denominator`] seconds.
+    /// Returns the number of frames in [`Fps::denominator`] seconds.
     pub const fn numerator(self) -> u32 {
         self.0.numerator()
     }
 
-    /// Seconds in which [`Fps::numerator`] frames pass.
+    /// Returns the number of seconds in which [`Fps::numerator`] frames pass.
     pub const fn denominator(self) -> u32 {
         self.0.denominator()
     }
 
-    /// ⌈2⁶⁴ · frames per microsecond⌉, as stored in a bank.
+    /// Returns ⌈2⁶⁴ · frames per microsecond⌉, as stored in a bank.
     pub const fn frames_per_micro_q64(self) -> u64 {
         self.0.frames_per_micro_q64()
     }
 
-    /// The rate as the nearest floating-point number, for display.
+    /// Returns the rate as the nearest floating-point number, for display.
     pub fn to_f64(self) -> f64 {
         f64::from(self.numerator()) / f64::from(self.denominator())
     }
 
-    /// The frame that shows at `time`: ⌊time · rate⌋. `None` before 0, and from frame 2³² − 1 on.
+    /// Returns the frame at `time`: ⌊time · rate⌋. `None` before 0, and from frame 2³² − 1 on.
     #[inline]
     pub fn frame_at<T: Time>(self, time: T) -> Option<u32> {
         time.frame(self, u32::MAX)
     }
 
-    /// The first microsecond at which `frame` shows: ⌈frame / rate⌉ in exact arithmetic.
+    /// Returns the first microsecond of `frame`: ⌈frame / rate⌉ in exact arithmetic.
     pub fn start_of_frame_us(self, frame: u32) -> u64 {
         self.0.start_of_frame_us(frame)
     }
@@ -105,7 +103,7 @@ impl From<Fps> for StoredFps {
     }
 }
 
-/// The slower rate first. Equal are only the same ratios: both are in lowest terms.
+/// Orders slower rates first. Only the same ratios are equal, because both are in lowest terms.
 impl Ord for Fps {
     fn cmp(&self, other: &Fps) -> Ordering {
         let product = |a: Fps, b: Fps| u64::from(a.numerator()).wrapping_mul(u64::from(b.denominator()));
@@ -119,14 +117,14 @@ impl PartialOrd for Fps {
     }
 }
 
-/// ⌈2⁶⁴ · `frames` / `micros`⌉ of a quotient below 1. `None` if `micros` is 0, which 32-bit processors do not check: callers pass
-/// a denominator that is not 0. Small processors do not divide 128 bits.
+/// Returns ⌈2⁶⁴ · `frames` / `micros`⌉ for a quotient below 1; `None` if `micros` is 0. 32-bit processors do not check
+/// this: callers pass a denominator that is not 0. Small processors cannot divide 128 bits.
 const fn reciprocal(frames: u32, micros: u64) -> Option<u64> {
     if cfg!(target_pointer_width = "64") { divided(frames, micros) } else { Some(long_divided(frames, micros)) }
 }
 
-/// The reciprocal by an instruction.
-#[allow(clippy::arithmetic_side_effects)] // 128 bits hold the sum
+/// Returns the reciprocal by a division instruction.
+#[allow(clippy::arithmetic_side_effects)] // the sum fits 128 bits
 const fn divided(frames: u32, micros: u64) -> Option<u64> {
     match (((frames as u128) << 64) + micros as u128 - 1).checked_div(micros as u128) {
         Some(reciprocal) => Some(reciprocal as u64),
@@ -134,7 +132,7 @@ const fn divided(frames: u32, micros: u64) -> Option<u64> {
     }
 }
 
-/// The reciprocal by long division, a bit at a time.
+/// Returns the reciprocal by long division, one bit at a time.
 #[allow(clippy::arithmetic_side_effects)] // the rest is less than the divisor, which has 52 bits
 const fn long_divided(frames: u32, micros: u64) -> u64 {
     let (mut reciprocal, mut rest, mut bit) = (0_u64, frames as u64, 0);
@@ -150,7 +148,7 @@ const fn long_divided(frames: u32, micros: u64) -> u64 {
     reciprocal + (rest != 0) as u64
 }
 
-#[allow(clippy::arithmetic_side_effects)] // the divisor is not zero: it is the loop's condition
+#[allow(clippy::arithmetic_side_effects)] // the loop condition ensures that the divisor is not zero
 pub(crate) const fn greatest_common_divisor(mut a: u32, mut b: u32) -> u32 {
     while b != 0 {
         let rest = a % b;
@@ -160,7 +158,7 @@ pub(crate) const fn greatest_common_divisor(mut a: u32, mut b: u32) -> u32 {
     a
 }
 
-/// The nearest decimal number, `29.97`.
+/// Prints the nearest decimal number, `29.97`.
 impl fmt::Display for Fps {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.to_f64(), f)

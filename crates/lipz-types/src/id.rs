@@ -1,4 +1,4 @@
-//! Clip ids: the 64-bit hash of a clip's key, computable while compiling.
+//! Clip ids: the 64-bit hash of a clip's key, computable at compile time.
 
 use crate::UnknownName;
 use crate::hash::{FINISH, STEP, mix};
@@ -7,8 +7,8 @@ use core::str::FromStr;
 
 /// 64-bit hash of a clip's key.
 ///
-/// The compiler proves that no two clips of a bank share an id, so within a bank an id is as good
-/// as the key, and eight bytes instead of a string.
+/// The compiler checks that no two clips of a bank share an id. Within a bank, an id is therefore as good as the key,
+/// and takes eight bytes instead of a string.
 ///
 /// ```
 /// use lipz_types::ClipId;
@@ -19,11 +19,10 @@ use core::str::FromStr;
 pub struct ClipId(u64);
 
 impl ClipId {
-    /// The id of `key`, the path of a Lipz file below its source root, with `/` and without
-    /// extension.
+    /// Returns the id of `key`, the path of a Lipz file below its source root, with `/` and without extension.
     ///
-    /// The function is FNV-1a widened to eight bytes a step, with the high half folded down after
-    /// each multiplication; `docs/reference/bank-format.md`, "Clip ids", gives it in words and with test vectors.
+    /// The function is FNV-1a, widened to eight bytes per step, with the high half folded down after each
+    /// multiplication. `docs/reference/bank-format.md`, "Clip ids", has a specification with test vectors.
     #[inline]
     pub const fn from_key(key: &str) -> ClipId {
         let mut rest = key.as_bytes();
@@ -41,12 +40,12 @@ impl ClipId {
         ClipId(mix(mix(hash ^ word, STEP), FINISH))
     }
 
-    /// The id with the given value, as stored in generated headers and in the bank.
+    /// Returns the id with this value, as stored in generated headers and in banks.
     pub const fn from_u64(value: u64) -> ClipId {
         ClipId(value)
     }
 
-    /// The value of the id.
+    /// Returns the value of the id.
     pub const fn get(self) -> u64 {
         self.0
     }
@@ -64,7 +63,7 @@ impl fmt::Display for ClipId {
     }
 }
 
-/// Sixteen hexadecimal digits, as [`Display`](fmt::Display) writes them; a leading `0x` is allowed.
+/// Parses sixteen hexadecimal digits, as [`Display`](fmt::Display) writes them. A leading `0x` is allowed.
 impl FromStr for ClipId {
     type Err = UnknownName;
 

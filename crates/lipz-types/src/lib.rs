@@ -1,8 +1,8 @@
-//! The vocabulary that all crates of lipz share: [`ClipId`], [`VisemeType`], [`Fps`], [`Time`] and the
-//! commands of Character Event Syntax. `no_std`, no allocation, no dependencies.
+//! The types shared by all crates of lipz: [`ClipId`], [`VisemeType`], [`Fps`], [`Time`] and the commands of Character
+//! Event Syntax. `no_std`, no allocation, no dependencies.
 //!
-//! `lipz-bank` re-exports what a game needs, so that a game names one crate. Parsers, importers and
-//! other tools use this crate, and so need neither the reader nor the binary layout.
+//! `lipz-bank` re-exports the types for games, so that a game depends on one crate. Parsers, importers and other tools
+//! use this crate, and need neither the reader nor the binary layout.
 //!
 //! ```
 //! use lipz_types::{ClipId, Fps, Micros, VisemeType};
@@ -14,7 +14,7 @@
 
 #![no_std]
 #![forbid(unsafe_code)]
-// Numbers are narrowed only where they are known to fit.
+// Numbers are only narrowed where they are known to fit.
 #![allow(clippy::cast_possible_truncation)]
 #![cfg_attr(
     not(test),
@@ -59,8 +59,8 @@ pub use time::{AnyTime, Micros, Samples, Seconds, Time};
 pub use viseme::{Viseme, VisemeType};
 pub use weight::Weight;
 
-/// The first eight bytes of a bank, by which other readers of files know one. As in PNG, a byte above
-/// 127, CR LF, a DOS end-of-file and a lone LF make every usual text-mode damage visible.
+/// The first eight bytes of a bank, which identify it. As in PNG, a byte above 127, CR LF, a DOS end-of-file and a lone
+/// LF reveal every common damage by text mode.
 pub const BANK_MAGIC: [u8; 8] = *b"\x89LPZ\r\n\x1a\n";
 
 /// The example of the README, run as a test.

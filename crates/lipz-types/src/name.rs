@@ -1,14 +1,14 @@
-//! The error for a name that means nothing.
+//! The error for an unknown name.
 
 use core::fmt;
 
-/// A string is not the name of any value of the type it was parsed as.
+/// The error for a string that is not a name of the type it was parsed as.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub struct UnknownName {
-    /// What was asked for, `viseme type`.
+    /// The type that was expected, `viseme type`.
     pub kind: &'static str,
-    /// What would have been accepted.
+    /// The accepted names.
     pub expected: &'static str,
 }
 

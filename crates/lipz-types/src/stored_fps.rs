@@ -1,15 +1,15 @@
-//! Frame rates as banks store them, and the arithmetic from times to frame numbers.
+//! Frame rates as stored in banks, and the conversion of times to frame numbers.
 
 use crate::Fps;
 use crate::fps::{MICROS_PER_SECOND, greatest_common_divisor};
 use core::num::NonZeroU32;
 
-/// Microseconds of which the product with a rate of at most 1000 fits 64 bits. They are 571 years; no clip of
-/// 2³² frames is as long.
+/// The limit of microseconds, below which the product with a rate of at most 1000 fits 64 bits. That is 571 years,
+/// longer than any clip of 2³² frames at such a rate.
 pub(crate) const LATEST_US: u64 = 1 << 54;
 
-/// A frame rate as a bank stores it: not checked, so that a query need not do it for every picture. Every question
-/// has some answer, and none panics.
+/// A frame rate as stored in a bank. It is not checked, so that queries need not check it for every rendered frame.
+/// Every method returns some value, and none panics.
 ///
 /// This is for readers of banks. Programs get an [`Fps`], which is always valid.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -21,7 +21,7 @@ pub struct StoredFps {
 }
 
 impl StoredFps {
-    /// The rate of these parts; `None` if there are no frames.
+    /// Returns the rate of these parts; `None` if there are no frames.
     #[inline]
     pub const fn from_parts(numerator: u32, denominator: u32, frames_per_micro_q64: u64) -> Option<StoredFps> {
         match NonZeroU32::new(numerator) {
@@ -30,8 +30,7 @@ impl StoredFps {
         }
     }
 
-    /// The rate of so many whole frames per second, at most 1000, without a division of more than 32 bits; `None`
-    /// for 0.
+    /// Returns a rate of whole frames per second, at most 1000, without a division of more than 32 bits; `None` for 0.
     #[inline]
     #[allow(clippy::arithmetic_side_effects)] // 1000 rests of less than a million fit 32 bits
     pub const fn from_whole(frames_per_second: u16) -> Option<StoredFps> {
@@ -42,7 +41,7 @@ impl StoredFps {
         StoredFps::from_parts(numerator, 1, QUOTIENT.wrapping_mul(numerator as u64).wrapping_add(rest as u64))
     }
 
-    /// The rate as a valid one: between 1 and 1000, in lowest terms, with the right reciprocal; `None` if it is not.
+    /// Returns a valid rate, or `None` unless it is between 1 and 1000, in lowest terms, with the correct reciprocal.
     /// Needs no division of more than 32 bits.
     pub fn checked(self) -> Option<Fps> {
         let (numerator, denominator) = (u64::from(self.numerator.get()), u64::from(self.denominator));
@@ -74,11 +73,11 @@ impl StoredFps {
         self.frames_per_micro_q64
     }
 
-    /// The frame that shows at `time_us` microseconds, before [`LATEST_US`]: ⌊time · rate⌋ in exact arithmetic.
+    /// Returns the frame at `time_us` microseconds, before [`LATEST_US`]: ⌊time · rate⌋ in exact arithmetic.
     ///
-    /// The rounded-up reciprocal gives that number or one more (its error is below one for any
-    /// 64-bit time); the sign of the remainder says which. The remainder is less than 2⁵² in
-    /// size, so arithmetic modulo 2⁶⁴ suffices for it.
+    /// The rounded-up reciprocal leads to that number or one more, because its error is below one for any 64-bit time.
+    /// The sign of the remainder decides. The remainder's absolute value is less than 2⁵², so arithmetic modulo 2⁶⁴
+    /// suffices.
     #[inline]
     pub(crate) fn frame_at_micros(self, time_us: u64) -> u64 {
         if cfg!(target_pointer_width = "64") && self.denominator() == 1 {
@@ -92,10 +91,10 @@ impl StoredFps {
         estimate.wrapping_sub(remainder >> 63)
     }
 
-    /// ⌊`time` · rate / `units_per_second`⌋, or `None` from `frame_count` on.
+    /// Returns ⌊`time` · rate / `units_per_second`⌋, or `None` from `frame_count` on.
     ///
-    /// `time` is below 2⁹⁴, `units_per_second` below 2³². Processors of 64 bits divide by an instruction what fits it:
-    /// hours. The others, and longer times, take a long division whose quotient has only as many bits as
+    /// `time` is below 2⁹⁴, `units_per_second` below 2³². 64-bit processors use a division instruction for times that
+    /// fit it: hours. Other processors and longer times use a long division whose quotient has only as many bits as
     /// `frame_count`: a dozen steps for a clip.
     pub(crate) fn frame_at_units(self, time: u128, units_per_second: u32, frame_count: u32) -> Option<u32> {
         let mut rest = time.wrapping_mul(u128::from(self.numerator()));
@@ -119,15 +118,15 @@ impl StoredFps {
         Some(frame)
     }
 
-    /// The first microsecond at which `frame` shows: ⌈frame / rate⌉ in exact arithmetic.
+    /// Returns the first microsecond of `frame`: ⌈frame / rate⌉ in exact arithmetic.
     ///
     /// Saturates at `u64::MAX` only for rates that no valid bank has.
-    // Short code where memory is scarce: it is needed in several places.
+    // Not inlined where memory is scarce, because several places need it.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub fn start_of_frame_us(self, frame: u32) -> u64 {
         let numerator = core::num::NonZeroU64::from(self.numerator);
         let parts = u64::from(frame).wrapping_mul(u64::from(self.denominator()));
-        // Whole seconds and what is left of them: 128 bits are not needed, and no processor divides them at once.
+        // Whole seconds and the rest: 128 bits are not needed, which no processor divides at once.
         let (seconds, rest) = (parts / numerator, parts % numerator);
         let micros = rest.wrapping_mul(MICROS_PER_SECOND);
         let rounded_up = micros.wrapping_add(numerator.get().wrapping_sub(1)) / numerator;
@@ -135,11 +134,12 @@ impl StoredFps {
     }
 }
 
-/// Says that a path is seldom taken: few rates are not whole numbers. It is laid out behind the others, and is as fast as them.
+/// Marks a rare path, because few rates are not whole numbers. Its code is placed after the others, and is just as
+/// fast.
 #[cold]
 const fn seldom() {}
 
-/// The frame, if it is one of the first `frame_count`.
+/// Returns the frame, if it is one of the first `frame_count`.
 #[inline]
 pub(crate) fn one_of(frame: u128, frame_count: u32) -> Option<u32> {
     if frame < u128::from(frame_count) { Some(frame as u32) } else { None }

@@ -1,9 +1,9 @@
-//! How far a gesture goes.
+//! The strength of a gesture.
 
 use crate::CurveValue;
 use core::fmt;
 
-/// How far a gesture goes: the 4 of `nods 4`. Usual are 0 to 10, in whole thousandths.
+/// The strength of a gesture: the 4 of `nods 4`. Usually 0 to 10, in whole thousandths.
 ///
 /// ```
 /// use lipz_types::Strength;
@@ -14,30 +14,30 @@ use core::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct Strength(u32);
 
-/// Digits behind the point that a strength may have.
+/// The maximal number of digits after the decimal point.
 const PLACES: u32 = 3;
 
 impl Strength {
-    /// The strength with this number of thousandths; the highest one for more than 2³¹ - 1.
+    /// Returns the strength with this number of thousandths, which is limited to 2³¹ - 1.
     pub const fn from_thousandths(thousandths: u32) -> Strength {
         Strength(if thousandths < i32::MAX as u32 { thousandths } else { i32::MAX as u32 })
     }
 
-    /// The strength in thousandths, at most 2³¹ - 1.
+    /// Returns the strength in thousandths, at most 2³¹ - 1.
     pub const fn thousandths(self) -> u32 {
         self.0
     }
 
-    /// The strength as a number.
+    /// Returns the strength as a number.
     pub fn to_f32(self) -> f32 {
         self.value().to_f32()
     }
 
-    /// The strength that is written as digits, with a point and up to three more digits if it is not whole; `None` for
-    /// anything else (`docs/reference/lipz-files.md`, "Gestures").
+    /// Parses digits, with a point and up to three more digits if the strength is not whole; `None` for anything else
+    /// (`docs/guides/faces.md`, "Gestures in events").
     pub fn parse(text: &[u8]) -> Option<Strength> {
         let mut value = 0_u32;
-        // How many digits have come behind the point.
+        // The number of digits after the point so far.
         let mut places: Option<u32> = None;
         let mut has_digit = false;
         for &byte in text {
@@ -46,7 +46,7 @@ impl Strength {
                     places = Some(0);
                     has_digit = false;
                 }
-                // Zeros at the end change nothing, however many there are.
+                // Any number of trailing zeros is accepted.
                 (b'0', Some(PLACES)) => {}
                 (b'0'..=b'9', Some(PLACES)) => return None,
                 (b'0'..=b'9', _) => {
@@ -68,7 +68,7 @@ impl Strength {
     }
 }
 
-/// As it is written, without zeros at the end: `2.5`.
+/// Prints the strength as written, without trailing zeros: `2.5`.
 impl fmt::Display for Strength {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.value().fmt(f)

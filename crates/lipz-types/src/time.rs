@@ -7,27 +7,28 @@ use crate::{Position, StoredFps};
 /// A point in time since the clip's audio began, in one of the units that audio engines report:
 /// [`Micros`], [`Samples`], [`Seconds`] or [`core::time::Duration`]; [`AnyTime`] if the unit is known only at run time.
 ///
-/// Every unit leads to the frame number of exact arithmetic, ⌊time · fps⌋ (Lipz specification,
-/// "Knowing which Viseme to Show"). Times before the start, after the end, infinite or not a number
-/// are no error: they lead to no frame, and so to rest.
+/// Every unit leads to the frame number of exact arithmetic, ⌊time · fps⌋ (Lipz specification, "Knowing which Viseme to
+/// Show"). Times before the start, after the end, infinite or NaN are not errors: they lead to no frame, and so to
+/// rest.
 pub trait Time: Copy + sealed::Sealed {
-    /// The frame that shows at this time, if it is one of the first `frame_count`.
+    /// Returns the frame at this time, if it is one of the first `frame_count`.
     #[doc(hidden)]
     fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32>;
 
-    /// Whether this is a time from the start on.
+    /// Whether this time is at or after the start.
     #[doc(hidden)]
     fn has_begun(self) -> bool;
 
-    /// The time `us` microseconds later. Integer units round up, floats to the nearest.
+    /// Returns the time `us` microseconds later. Integer units round up, floats to the nearest.
     #[doc(hidden)]
     fn later(self, us: u32) -> Self;
 
-    /// How much of `frame` has passed at this time, which is in it, and in units of how much; modulo 2⁶⁴.
+    /// Returns the part of `frame` that has passed at this time, which is in the frame, and the same for the whole
+    /// frame; modulo 2⁶⁴.
     #[doc(hidden)]
     fn since_start_of(self, frame: u32, fps: StoredFps) -> (u64, u64);
 
-    /// The frame at this time, and how far it has passed.
+    /// Returns the frame at this time, and the part of it that has passed.
     #[doc(hidden)]
     fn position(self, fps: StoredFps) -> Position {
         match self.frame(fps, u32::MAX) {
@@ -41,7 +42,7 @@ pub trait Time: Copy + sealed::Sealed {
     }
 }
 
-/// What is left of `time` whole units, of which `per_second` are a second, after the frames before `frame`.
+/// Returns the rest of `time` after the frames before `frame`. There are `per_second` units in a second.
 fn rest_of_units(time: u64, per_second: u64, frame: u32, fps: StoredFps) -> (u64, u64) {
     let whole = per_second.wrapping_mul(u64::from(fps.denominator()));
     let frames = time.wrapping_mul(u64::from(fps.numerator()));
@@ -70,7 +71,7 @@ pub struct Micros(pub i64);
 impl Time for Micros {
     #[inline]
     fn frame(self, fps: impl Into<StoredFps>, frame_count: u32) -> Option<u32> {
-        // Times before the start are far behind the latest, too.
+        // Times before the start become very large, so they are past the latest one as well.
         let time_us = self.0 as u64;
         if time_us >= LATEST_US {
             return None;
@@ -94,12 +95,12 @@ impl Time for Micros {
     }
 }
 
-/// A position in samples, at a sample rate.
+/// A position in samples, with a sample rate.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Samples {
-    /// Samples (per channel) played since the clip's audio began.
+    /// Samples per channel since the clip's audio began.
     pub position: i64,
-    /// Samples per second (per channel); at rate 0 no frame shows.
+    /// Samples per second and channel. At rate 0 no frame shows.
     pub rate_hz: u32,
 }
 
@@ -153,11 +154,10 @@ impl Time for core::time::Duration {
 
 /// Seconds in floating point, `f32` or `f64`.
 ///
-/// A floating-point time is rounded, so a host that computes the start of frame *n* as `n / fps`
-/// often ends a hair before it. The rule: the frame is that of the time **two units in the last
-/// place later** (at most 2⁻²² of an `f32` time, 2⁻⁵¹ of an `f64` one), in exact arithmetic. With
-/// it, `n / fps` leads to frame *n* for every *n* in `f64`, and up to 2²¹ (a day at 24 fps) in
-/// `f32`. Where your engine offers an integer clock, use [`Micros`] or [`Samples`].
+/// A floating-point time is rounded, so a host that computes the start of frame *n* as `n / fps` often ends slightly
+/// before it. The rule: the frame is that of the time **two units in the last place later** (at most 2⁻²² of an `f32`
+/// time, 2⁻⁵¹ of an `f64` one), in exact arithmetic. With it, `n / fps` leads to frame *n* for every *n* in `f64`, and
+/// up to 2²¹ (a day at 24 fps) in `f32`. If your engine has an integer clock, use [`Micros`] or [`Samples`].
 ///
 /// ```
 /// # use lipz_types::{Fps, Seconds};
@@ -169,11 +169,12 @@ impl Time for core::time::Duration {
 pub struct Seconds<T>(pub T);
 
 impl Seconds<f32> {
-    /// Mantissa and shift: the time is `mantissa` · 2^−`shift` seconds. `None` if it is negative, infinite, or no number.
+    /// Returns mantissa and shift: the time is `mantissa` · 2^−`shift` seconds. `None` if it is negative, infinite or
+    /// NaN.
     #[inline]
     fn parts(self) -> Option<(u64, i32)> {
         let bits = self.0.to_bits();
-        let exponent = bits >> 23; // with the sign above its eight bits
+        let exponent = bits >> 23; // the sign is above its eight bits
         let fraction = u64::from(bits & 0x7F_FFFF);
         match exponent {
             _ if bits == 1 << 31 => Some((0, 149)), // -0.0
@@ -216,11 +217,12 @@ impl Time for Seconds<f32> {
 }
 
 impl Seconds<f64> {
-    /// Mantissa and shift: the time is `mantissa` · 2^−`shift` seconds. `None` if it is negative, infinite, or no number.
+    /// Returns mantissa and shift: the time is `mantissa` · 2^−`shift` seconds. `None` if it is negative, infinite or
+    /// NaN.
     #[inline]
     fn parts(self) -> Option<(u64, i32)> {
         let bits = self.0.to_bits();
-        let exponent = bits >> 52; // with the sign above its eleven bits
+        let exponent = bits >> 52; // the sign is above its eleven bits
         let fraction = bits & 0xF_FFFF_FFFF_FFFF;
         match exponent {
             _ if bits == 1 << 63 => Some((0, 1074)), // -0.0
@@ -262,21 +264,21 @@ impl Time for Seconds<f64> {
     }
 }
 
-/// The frame at (`mantissa` + 2) · 2^−`shift` seconds.
+/// Returns the frame at (`mantissa` + 2) · 2^−`shift` seconds.
 ///
-/// With whole units (`shift` ≤ 0) the time is at least 2²³ seconds, 97 days; from 2⁷⁵ seconds on
-/// no clip of 2³² frames at one frame per second is that long.
+/// With whole units (`shift` ≤ 0), the time is at least 2²³ seconds, or 97 days. From 2⁷⁵ seconds on, no clip of 2³²
+/// frames at one frame per second is that long.
 #[inline]
 fn frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
     if cfg!(target_pointer_width = "64") && fps.denominator() == 1 && (1..64).contains(&shift) {
-        // A whole rate is at most 1000: 64 bits hold the product.
+        // A whole rate is at most 1000, so the product fits 64 bits.
         let frames = mantissa.wrapping_add(2).wrapping_mul(u64::from(fps.numerator())) >> shift;
         return if frames < u64::from(frame_count) { Some(frames as u32) } else { None };
     }
     wide_frame_at_float(fps, frame_count, mantissa, shift)
 }
 
-/// The same of any rate at any time.
+/// The same for any rate and any time.
 #[cfg_attr(target_pointer_width = "64", cold, inline(never))]
 fn wide_frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i32) -> Option<u32> {
     let time = u128::from(mantissa.wrapping_add(2));
@@ -287,16 +289,18 @@ fn wide_frame_at_float(fps: StoredFps, frame_count: u32, mantissa: u64, shift: i
     // ⌊⌊t · n / 2^shift⌋ / d⌋ = ⌊t · n / (2^shift · d)⌋, and t · n has fewer than 87 bits.
     let frames = time.wrapping_mul(u128::from(fps.numerator()));
     let frames = if shift < 128 { frames >> shift } else { 0 };
-    // The numerator is in already: divide by the denominator alone.
+    // The numerator is already included: divide by the denominator only.
     if fps.denominator() == 1 {
         return one_of(frames, frame_count);
     }
     StoredFps::from_parts(1, fps.denominator(), 0)?.frame_at_units(frames, 1, frame_count)
 }
 
-/// The time `us` microseconds after `mantissa` · 2^−`shift` seconds, or after as long before the start, as a mantissa with this
-/// number of digits and its shift. `None` if nothing is added: `us` is 0, the sum is still before the start, or the time is so late
-/// (from 2²⁴ s in single precision) that its unit is two seconds or more; a longer lead is ignored there.
+/// Returns the time `us` microseconds after `mantissa` · 2^−`shift` seconds, or after the same time before the start,
+/// as a mantissa with this number of digits and its shift.
+///
+/// `None` if nothing is added: `us` is 0, the sum is still before the start, or the time is so late (from 2²⁴ s in
+/// single precision) that its unit is two seconds or more, where leads are ignored.
 ///
 /// Uses integers only, because small processors have no floating-point unit, or one for single precision only.
 fn later_float(mantissa: u64, shift: i32, is_before: bool, us: u32, digits: u32) -> Option<(u64, i32)> {
@@ -305,13 +309,13 @@ fn later_float(mantissa: u64, shift: i32, is_before: bool, us: u32, digits: u32)
     if shift < 0 || us == 0 {
         return None;
     }
-    // In units of 2^−64 seconds: fewer than 118 bits, of which the lowest are rounded away.
+    // In units of 2^−64 seconds: fewer than 118 bits. The lowest ones are rounded away.
     let seconds = |mantissa: u64| if shift < 128 { u128::from(mantissa) << 64 >> shift } else { 0 };
     let (time, added) = (seconds(mantissa), u128::from(us).wrapping_mul(MICRO_Q96) >> 32);
     let sum = match added.checked_sub(time) {
         _ if !is_before => time.wrapping_add(added),
         Some(sum) => sum,
-        // The start, within the two units in the last place that frames allow for.
+        // The start, within the tolerance of two units in the last place.
         None if time.wrapping_sub(added) <= seconds(2) => 0,
         None => return None,
     };
@@ -323,8 +327,8 @@ fn later_float(mantissa: u64, shift: i32, is_before: bool, us: u32, digits: u32)
     Some((rounded as u64, 64_i32.wrapping_sub(excess)))
 }
 
-/// What is left of (`mantissa` + 2) · 2^−`shift` seconds after the frames before `frame`, in 65,536ths of the time that a
-/// numerator of frames takes.
+/// Returns the rest of (`mantissa` + 2) · 2^−`shift` seconds after the frames before `frame`, in 65,536ths of the time
+/// that a numerator of frames takes.
 fn rest_of_float(mantissa: u64, shift: i32, frame: u32, fps: StoredFps) -> (u64, u64) {
     let frames = u128::from(mantissa.wrapping_add(2)).wrapping_mul(u128::from(fps.numerator()));
     // Fewer than 87 bits, and 16 more; up to 22 more for whole units.
@@ -337,9 +341,9 @@ fn rest_of_float(mantissa: u64, shift: i32, frame: u32, fps: StoredFps) -> (u64,
     ((shifted as u64).wrapping_sub(whole.wrapping_mul(u64::from(frame))), whole)
 }
 
-/// A time whose unit is known only at run time, such as one from an engine's clock or from a program in another language.
+/// A time whose unit is known only at run time, such as one from an engine's clock or a program in another language.
 ///
-/// It leads to the same frames as the time that it contains. The code of each unit is compiled once.
+/// It leads to the same frames as the time that it contains. The code for each unit is compiled once.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum AnyTime {
     /// Microseconds.

@@ -1,11 +1,11 @@
-//! Visemes and viseme types: the mouth-shape codes of the Lipz specification.
+//! Visemes and viseme types: the codes of the Lipz specification.
 
 use crate::{UnknownName, Weight};
 use core::convert::TryFrom;
 use core::fmt;
 use core::str::FromStr;
 
-/// The set of mouth shapes that a clip's codes are taken from (Lipz specification, "Visemes").
+/// The set of mouth shapes that a clip's codes belong to (Lipz specification, "Visemes").
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[repr(u8)]
 pub enum VisemeType {
@@ -13,7 +13,7 @@ pub enum VisemeType {
     Blair = 1,
     /// Toon Boom's chart: seven shapes and rest.
     ToonBoom = 2,
-    /// Loudness of the frame: ten degrees of openness and rest.
+    /// Loudness of the frame: ten degrees of openness, and rest.
     Rms = 3,
 }
 
@@ -21,7 +21,7 @@ impl VisemeType {
     /// The three types, in the order of their numbers.
     pub const ALL: [VisemeType; 3] = [VisemeType::Blair, VisemeType::ToonBoom, VisemeType::Rms];
 
-    /// The name as written in the `viseme_type` element.
+    /// Returns the name as written in the `viseme_type` element.
     pub const fn name(self) -> &'static str {
         match self {
             VisemeType::Blair => "blair",
@@ -30,7 +30,7 @@ impl VisemeType {
         }
     }
 
-    /// Every legal code, rest first, in the order of the specification's tables.
+    /// Returns every valid code, rest first, in the order of the specification's tables.
     pub const fn codes(self) -> &'static str {
         match self {
             VisemeType::Blair => "-AMOSWEFLU",
@@ -49,13 +49,13 @@ impl VisemeType {
         }
     }
 
-    /// Whether every byte of `codes` is a legal code.
+    /// Whether every byte of `codes` is a valid code.
     #[inline]
     pub fn contains_all(self, codes: &[u8]) -> bool {
         if !cfg!(target_pointer_width = "64") {
             return codes.iter().all(|&code| self.contains(code));
         }
-        // One loop per type, without early exit, so that each becomes vector code.
+        // One loop per type, without early exit, so that each is vectorised.
         match self {
             VisemeType::Blair => all(codes, |code| VisemeType::Blair.contains(code)),
             VisemeType::ToonBoom => all(codes, |code| VisemeType::ToonBoom.contains(code)),
@@ -63,8 +63,8 @@ impl VisemeType {
         }
     }
 
-    /// The type with this number, as banks store it; `None` for 0, which is "unspecified", and for any
-    /// other number.
+    /// Returns the type with this number, as stored in banks; `None` for 0, which is "unspecified", and for any other
+    /// number.
     #[inline]
     pub const fn from_number(number: u8) -> Option<VisemeType> {
         match number {
@@ -87,7 +87,7 @@ impl fmt::Display for VisemeType {
     }
 }
 
-/// The name exactly as in [`VisemeType::name`].
+/// Parses the name, which must match [`VisemeType::name`] exactly.
 impl FromStr for VisemeType {
     type Err = UnknownName;
 
@@ -97,7 +97,7 @@ impl FromStr for VisemeType {
     }
 }
 
-/// The number as banks store it.
+/// Converts the number, as stored in banks.
 impl TryFrom<u8> for VisemeType {
     type Error = UnknownName;
 
@@ -114,19 +114,19 @@ impl Viseme {
     /// The resting mouth, `-` in every viseme type: the speaker is not speaking.
     pub const REST: Viseme = Viseme(b'-');
 
-    /// The viseme with this code.
+    /// Returns the viseme with this code.
     #[inline]
     pub const fn from_code(code: u8) -> Viseme {
         Viseme(code)
     }
 
-    /// The Lipz code, an ASCII character in any bank that passes verification.
+    /// Returns the Lipz code, an ASCII character in any bank that passes verification.
     #[inline]
     pub const fn code(self) -> u8 {
         self.0
     }
 
-    /// The Lipz code as a character.
+    /// Returns the Lipz code as a character.
     #[inline]
     pub const fn to_char(self) -> char {
         self.0 as char
@@ -140,10 +140,10 @@ impl Viseme {
 }
 
 impl Viseme {
-    /// How far the mouth is open that this code of type `viseme_type` shows.
+    /// Returns how far the mouth is open for this code of type `viseme_type`.
     ///
-    /// The digits of `rms` say so themselves. The shapes of the other types are open as far as these
-    /// digits: A and I 9, E and O 6, L 4, most consonants 3, U, W and Q 2, F and V 1, and M, B, P and rest 0.
+    /// The digits of `rms` state it directly. The shapes of the other types correspond to these digits: A and I 9, E
+    /// and O 6, L 4, most consonants 3, U, W and Q 2, F and V 1, and M, B, P and rest 0.
     pub const fn openness(self, viseme_type: VisemeType) -> Weight {
         let digit = match viseme_type {
             VisemeType::Rms => self.code(),

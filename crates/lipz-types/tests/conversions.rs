@@ -1,4 +1,4 @@
-//! Values to and from strings and numbers, as the API guidelines expect them.
+//! Conversions of values to and from strings and numbers, as the API guidelines recommend.
 // Tests run with the workspace's compiler, not with the oldest one of this crate.
 #![allow(clippy::unwrap_used, clippy::incompatible_msrv)]
 

@@ -1,4 +1,4 @@
-//! Positions between frames, and values between keys, against arithmetic without bounds.
+//! Compares positions between frames, and values between keys, with unbounded arithmetic.
 // Tests run with the workspace's compiler, not with the oldest one of this crate.
 #![allow(clippy::unwrap_used, clippy::cast_possible_truncation, clippy::incompatible_msrv)]
 
@@ -35,7 +35,7 @@ fn positions_are_exact_in_every_unit() {
             }
             let nanos = found(Duration::from_nanos(time.into()).position(stored));
             assert_eq!(nanos, exact(wide, 1_000_000_000, fps));
-            // A float is the time of two units in the last place later.
+            // A float stands for the time two units in the last place later.
             let (bits, shift) = (u128::from(time) << 20, 52);
             let seconds = time as f64 / 2_f64.powi(32);
             if (0.5..1.0).contains(&seconds) {
@@ -96,7 +96,7 @@ fn values_are_displayed_as_numbers() {
     }
 }
 
-/// Also at rates that no valid bank has: as far as 64 bits go.
+/// The same for rates that no valid bank has, as far as 64 bits allow.
 #[test]
 fn starts_of_frames_are_exact_or_as_late_as_can_be() {
     let numbers = [1, 2, 3, 7, 24, 1000, 1001, 65_537, u32::MAX - 1, u32::MAX];

@@ -1,4 +1,4 @@
-//! What goes to standard output and standard error.
+//! Output to standard output and standard error.
 
 use indicatif::{HumanCount, HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use lipz_diagnostics::escape;
@@ -8,15 +8,15 @@ use std::path::Path;
 use std::thread;
 use std::time::Duration;
 
-/// Columns when there is no terminal to ask.
+/// The number of columns without a terminal.
 const DEFAULT_WIDTH: usize = 100;
 
-/// Prints text. A reader that went away (`| head`) is no error; a full disk is.
+/// Prints text. A closed pipe (`| head`) is not an error; a full disk is.
 pub(crate) fn print(text: &str) -> io::Result<()> {
     printed(anstream::stdout().lock(), text.as_bytes())
 }
 
-/// Prints what is not text.
+/// Prints binary data.
 pub(crate) fn print_bytes(bytes: &[u8]) -> io::Result<()> {
     printed(io::stdout().lock(), bytes)
 }
@@ -28,40 +28,32 @@ fn printed(mut out: impl Write, bytes: &[u8]) -> io::Result<()> {
     }
 }
 
-/// Clears the terminal, if standard output is one.
-pub(crate) fn clear() {
-    // Cursor to the first place, then erase all (ECMA-48: CUP, ED). Also without colours.
-    if io::stdout().is_terminal() {
-        let _ = io::stdout().write_all(b"\x1B[H\x1B[2J").and_then(|()| io::stdout().flush());
-    }
-}
-
 /// Prints diagnostics and remarks.
 pub(crate) fn remark(text: &str) {
     let mut out = anstream::stderr().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
-/// Prints a remark when a progress bar may stand at the end of the terminal.
+/// Prints a remark when the terminal may show a progress bar.
 pub(crate) fn remark_below_progress(text: &str) {
     let line_break = if io::stderr().is_terminal() { "\n" } else { "" };
     remark(&format!("{line_break}{text}"));
 }
 
-/// Columns of the terminal, or a width that suits files.
+/// Returns the number of columns of the terminal, or a width suitable for files.
 pub(crate) fn width() -> usize {
     terminal_size::terminal_size().map_or(DEFAULT_WIDTH, |(width, _)| usize::from(width.0)).clamp(24, 200)
 }
 
-/// A bar that counts files or parts of them, if anybody sees it: on a terminal.
+/// A bar that counts files or their parts. It is visible only on a terminal.
 pub(crate) struct Progress(Option<ProgressBar>);
 
-/// A bar that counts to `length`; shown only on a terminal.
+/// Returns a bar that counts to `length`, visible only on a terminal.
 pub(crate) fn progress_bar(length: usize, quiet: bool) -> Progress {
     progress_bar_of_parts(length, 1, quiet)
 }
 
-/// A bar that counts parts of `length` files, which have `parts` each.
+/// Returns a bar that counts the parts of `length` files with `parts` each.
 pub(crate) fn progress_bar_of_parts(length: usize, parts: u64, quiet: bool) -> Progress {
     if quiet || !io::stderr().is_terminal() {
         return Progress(None);
@@ -74,14 +66,14 @@ pub(crate) fn progress_bar_of_parts(length: usize, parts: u64, quiet: bool) -> P
         };
         bar.set_style(style.with_key("files", files).with_key("left", left));
     }
-    // It takes a thread, and panics without one.
+    // The progress bar needs a thread, and panics without one.
     if thread::Builder::new().spawn(|| ()).is_ok() {
         bar.enable_steady_tick(Duration::from_millis(200));
     }
     Progress(Some(bar))
 }
 
-/// How much time is left, once that can be known.
+/// Writes the remaining time, once it can be estimated.
 fn left(state: &ProgressState, out: &mut dyn fmt::Write) {
     if state.pos() > 0 {
         let _ = write!(out, ", {:#} left", HumanDuration(state.eta()));
@@ -89,8 +81,8 @@ fn left(state: &ProgressState, out: &mut dyn fmt::Write) {
 }
 
 impl Progress {
-    /// Counts files, or parts of files, that are done. Where nobody sees it, nothing is worked out: a hidden bar estimates its
-    /// end, too.
+    /// Counts completed files or parts of files. A hidden bar is skipped, because it would also estimate the remaining
+    /// time.
     pub(crate) fn inc(&self, done: u64) {
         if let Some(bar) = &self.0 {
             bar.inc(done);
@@ -105,17 +97,17 @@ impl Progress {
     }
 }
 
-/// A path as it is printed: nothing in it steers the terminal.
+/// Returns a path for printing, without terminal control characters.
 pub(crate) fn path(path: &Path) -> String {
     escape::text(&path.to_string_lossy()).into_owned()
 }
 
-/// A number with commas: 1,234,567.
+/// Returns a number with commas: 1,234,567.
 pub(crate) fn grouped(number: usize) -> String {
     HumanCount(number as u64).to_string()
 }
 
-/// `1 clip`, `2 clips`.
+/// Returns `1 clip` or `2 clips`.
 pub(crate) fn counted(number: usize, what: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {what}{plural}", grouped(number))
@@ -128,7 +120,7 @@ mod tests {
     #[test]
     fn progress_that_nobody_sees_is_not_worked_out() {
         assert!(progress_bar(10, true).0.is_none());
-        // The tests have no terminal to show it on, as builds have none.
+        // Neither tests nor builds have a terminal to show it on.
         assert_eq!(progress_bar(10, false).0.is_some(), io::stderr().is_terminal());
     }
 }

@@ -1,6 +1,9 @@
-//! The command `lipz`: reads the command line, runs a command, and ends with its exit code.
+//! The command `lipz`: parses the command line, runs a command, and ends with its exit code.
 //!
-//! This is the only crate that prints, looks at the terminal and chooses exit codes.
+//! This is the only crate that prints, queries the terminal and chooses exit codes.
+
+// Help comes from doc comments, in which [sync] is a table of lipz.toml.
+#![allow(rustdoc::broken_intra_doc_links)]
 
 mod args;
 mod commands;
@@ -9,12 +12,13 @@ mod help;
 mod interrupt;
 mod memory;
 mod outcome;
+mod renamed;
 mod reporter;
 mod shared;
 mod usage;
 
 use outcome::Outcome;
-use reporter::{Abort, Ended, Reporter};
+use reporter::{Abort, CommandResult, Reporter};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -26,7 +30,7 @@ fn main() -> ExitCode {
     arguments.color.write_global();
     interrupt::listen();
     let command = arguments.command.task();
-    let mut reporter = Reporter::new(arguments.format, command.prints_result());
+    let mut reporter = Reporter::new(arguments.output_format, command.prints_result());
     let ended = command.run(&mut reporter);
     reporter.finish(ended).into()
 }

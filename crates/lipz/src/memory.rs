@@ -1,18 +1,18 @@
-//! How the program gives memory back to the system.
+//! Return of freed memory to the system.
 
-/// Bytes from which on a piece of memory is the system's own. glibc starts with this number.
+/// The size in bytes from which glibc maps allocations separately. This is its initial value.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 const LARGE_BYTES: libc::c_int = 128 << 10;
 
-/// Makes memory that is given back leave the process.
+/// Makes freed memory return to the system.
 ///
-/// Once a large piece was given back, glibc keeps all pieces up to that size, for programs that soon ask for them again.
-/// This one makes a bank of clips, once, and gives the clips back while it does: with what glibc keeps of them, it takes
-/// a fifth more.
+/// After a large allocation is freed, glibc keeps all freed memory up to that size, for programs that allocate it again
+/// soon. This program makes a bank from clips once and frees the clips meanwhile: with the memory that glibc keeps, it
+/// takes a fifth more.
 pub(crate) fn give_back() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    #[allow(unsafe_code, reason = "no safe function sets what glibc keeps")]
-    // SAFETY: two numbers, before there is another thread. A glibc that does not take them goes on as before.
+    #[allow(unsafe_code, reason = "no safe function sets how much memory glibc keeps")]
+    // SAFETY: passes two numbers, before there are other threads. A glibc that rejects them behaves as before.
     unsafe {
         libc::mallopt(libc::M_MMAP_THRESHOLD, LARGE_BYTES);
     }

@@ -1,12 +1,12 @@
-//! How a command ended, as its exit code.
+//! The result of a command as its exit code.
 
 use lipz_diagnostics::{Code, Report, Severity};
 use std::process::ExitCode;
 
-/// How a command ended; of two, the greater is the worse.
+/// The result of a command. Of two, the greater is the worse.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Outcome {
-    /// 0: nothing at error level.
+    /// 0: no diagnostics at error level.
     Clean,
     /// 1: diagnostics at error level.
     Errors,
@@ -15,7 +15,7 @@ pub(crate) enum Outcome {
 }
 
 impl Outcome {
-    /// How a run with these diagnostics ends: it failed if a file was not found, read or written.
+    /// Returns the outcome of a run with these diagnostics: failed if a file was not found, read or written.
     pub(crate) fn from_reports(reports: &[Report]) -> Outcome {
         let diagnostics = reports.iter().flat_map(|report| &report.diagnostics);
         let errors = diagnostics.filter(|diagnostic| diagnostic.severity == Severity::Error);

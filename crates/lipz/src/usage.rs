@@ -1,56 +1,61 @@
-//! Command lines that clap refuses, as diagnostics.
+//! Diagnostics for command lines that clap refuses.
 
 use crate::console;
 use crate::outcome::Outcome;
-use crate::reporter::{Format, Reporter};
+use crate::renamed;
+use crate::reporter::{ReportFormat, Reporter};
 use clap::ValueEnum;
 use clap::error::ErrorKind;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::ffi::OsString;
 
-/// Prints help and versions, which clap hands over as errors, and reports real errors in the form that
-/// `arguments` name. Scripts find that on standard output: no command has a result there yet.
+/// Prints help and versions, which clap returns as errors, and reports real errors in the format that `arguments` name.
+/// Scripts find them on standard output, which carries no other result at this point.
 pub(crate) fn end(error: &clap::Error, arguments: impl Iterator<Item = OsString>) -> Outcome {
     let text = error.render().ansi().to_string();
     if !error.use_stderr() {
-        let mut reporter = Reporter::new(Format::Human, true);
+        let mut reporter = Reporter::new(ReportFormat::Human, true);
         let ended = reporter.print(&text).map(|()| Outcome::Clean);
         return reporter.finish(ended);
     }
     let format = format(arguments);
     let is_help = error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
-    if is_help && format == Format::Human {
+    if is_help && format == ReportFormat::Human {
         console::remark(&text);
         return Outcome::Failed;
     }
     let mut reporter = Reporter::new(format, false);
     let abort = match is_help {
-        true => reporter.usage("no command is named", "`lipz --help` lists the commands"),
-        false => reporter.fail(Report::about("", diagnostic(&error.render().to_string()))),
+        true => reporter.usage("no command is named", "list the commands with `lipz --help`"),
+        false => {
+            let mut diagnostic = diagnostic(&error.render().to_string());
+            diagnostic.help = renamed::help(error).or(diagnostic.help);
+            reporter.fail(Report::about("", diagnostic))
+        }
     };
     reporter.finish(Err(abort))
 }
 
-/// The format that the arguments name, as far as it can be found: they are not a valid command line.
-fn format(arguments: impl Iterator<Item = OsString>) -> Format {
+/// Returns the format in the arguments, as far as it can be found in an invalid command line.
+fn format(arguments: impl Iterator<Item = OsString>) -> ReportFormat {
     let mut arguments = arguments.take_while(|argument| argument != "--");
     let mut named = || {
         loop {
             let argument = arguments.next()?;
             let value = match argument.to_str() {
-                Some("--format") => arguments.next()?.into_string().ok(),
-                Some(text) => text.strip_prefix("--format=").map(str::to_owned),
+                Some("--output-format") => arguments.next()?.into_string().ok(),
+                Some(text) => text.strip_prefix("--output-format=").map(str::to_owned),
                 None => None,
             };
-            if let Some(format) = value.and_then(|value| Format::from_str(&value, false).ok()) {
+            if let Some(format) = value.and_then(|value| ReportFormat::from_str(&value, false).ok()) {
                 return Some(format);
             }
         }
     };
-    named().unwrap_or(Format::Human)
+    named().unwrap_or(ReportFormat::Human)
 }
 
-/// What clap's text says: a message, tips, the usage of the command, and where more is.
+/// Converts clap's text to a diagnostic: a message, tips, the usage of the command, and where to find more.
 fn diagnostic(text: &str) -> Diagnostic {
     let mut paragraphs = text.trim_end().split("\n\n");
     let first = paragraphs.next().unwrap_or_default();
@@ -105,19 +110,24 @@ mod tests {
         assert_eq!(missing.notes, ["usage: lipz unpack <BANK> --output <FOLDER> [OPTIONS]"]);
         assert_eq!(missing.help.as_deref(), Some("for more information, try '--help'"));
 
-        let wrong = refused("lipz check --format xml");
-        assert_eq!(wrong.message, "invalid value 'xml' for '--format <FORMAT>'");
+        let wrong = refused("lipz check --output-format xml");
+        assert_eq!(wrong.message, "invalid value 'xml' for '--output-format <FORMAT>'");
         assert_eq!(wrong.notes.first().unwrap(), "possible values: human, json, sarif, github, gitlab, junit, concise");
     }
 
     #[test]
     fn the_format_is_found_in_any_command_line() {
         let found = |line: &str| format(line.split(' ').map(OsString::from));
-        assert_eq!(found("lipz --format json"), Format::Json);
-        assert_eq!(found("lipz pakc --format=sarif -x"), Format::Sarif);
-        for none in ["lipz check", "lipz check --format", "lipz check --format xml", "lipz check -- --format json"] {
-            assert_eq!(found(none), Format::Human, "{none}");
+        assert_eq!(found("lipz --output-format json"), ReportFormat::Json);
+        assert_eq!(found("lipz pakc --output-format=sarif -x"), ReportFormat::Sarif);
+        for none in [
+            "lipz check",
+            "lipz check --output-format",
+            "lipz check --output-format xml",
+            "lipz check -- --output-format json",
+        ] {
+            assert_eq!(found(none), ReportFormat::Human, "{none}");
         }
-        assert_eq!(found("lipz --format xml --format github"), Format::Github);
+        assert_eq!(found("lipz --output-format xml --output-format github"), ReportFormat::Github);
     }
 }

@@ -1,4 +1,4 @@
-//! Babble profiles from settings and viewers to banks, and what is said about wrong ones.
+//! Babble profiles from settings and viewers to banks, and the diagnostics about wrong ones.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -7,7 +7,7 @@ use lipz_bank::babble::Babble;
 use lipz_bank::{Bank, Fps};
 use support::{Scene, lipz};
 
-/// What a viewer writes about a setting.
+/// Returns a setting in a viewer's format.
 fn setting(name: &str, typed_value: &str) -> String {
     format!(
         "    <key>{name}</key>\n    <map>\n      <key>Comment</key>\n      <string>Babble</string>\n      \
@@ -32,15 +32,15 @@ aah-power-transfer = \"0000123456789\"
 rate = 24
 ";
 
-/// Runs `lipz babble` on a file.
+/// Runs `lipz print babble` on a file.
 fn babble(file: &str) -> (i32, String, String) {
     let scene = Scene::new();
     scene.write("settings.xml", file);
-    let run = lipz(scene.path(), ["babble", "settings.xml"]);
+    let run = lipz(scene.path(), ["print", "babble", "settings.xml"]);
     (run.code, run.stdout, run.stderr)
 }
 
-/// What a file with one wrong setting is told.
+/// Returns the diagnostics about a file with one wrong setting.
 fn refused(all: &[(&str, &str)]) -> String {
     let (code, stdout, stderr) = babble(&settings(all));
     assert_eq!((code, stdout.as_str()), (1, ""), "{stderr}");
@@ -54,7 +54,7 @@ fn settings_that_cannot_be_read_are_named() {
     for (path, message) in
         [("settings.xml", "`settings.xml` does not exist"), ("user_settings", "`user_settings` is a folder")]
     {
-        let run = lipz(scene.path(), ["babble", path]);
+        let run = lipz(scene.path(), ["print", "babble", path]);
         assert_eq!((run.code, run.stdout.as_str()), (2, ""));
         assert!(run.stderr.starts_with(&format!("error[LZ0001]: {message}\n")), "{}", run.stderr);
     }
@@ -79,7 +79,7 @@ fn a_viewers_profile_goes_through_settings_into_the_bank() {
     ];
     scene.write("settings.xml", settings(&own));
     scene.write("voices/hello.lipz", r#"{ "text_en-us": "Hello." }"#);
-    let toml = lipz(scene.path(), ["babble", "settings.xml", "--name", "robot"]);
+    let toml = lipz(scene.path(), ["print", "babble", "settings.xml", "robot"]);
     assert_eq!((toml.code, toml.stderr.as_str()), (0, ""));
     scene.write("lipz.toml", format!("sources = [\"voices\"]\n[babble]\nrate = 30\n{}", toml.stdout));
     assert_eq!(lipz(scene.path(), ["pack", "-o", "voices.lipzbank"]).code, 0);
@@ -99,7 +99,7 @@ fn a_viewers_profile_goes_through_settings_into_the_bank() {
         ),
         "{shown}"
     );
-    assert_eq!(lipz(scene.path(), ["pack", "--split-locales", "-o", "base.lipzbank"]).code, 0);
+    assert_eq!(lipz(scene.path(), ["pack", "--config", "split-locales=true", "-o", "base.lipzbank"]).code, 0);
     let bytes = std::fs::read(scene.path().join("base.lipzbank")).unwrap();
     assert_eq!(Bank::open(&bytes).and_then(Bank::verify).unwrap().babble("robot"), Some(robot));
 }
@@ -107,24 +107,24 @@ fn a_viewers_profile_goes_through_settings_into_the_bank() {
 #[test]
 fn wrong_settings_of_a_viewer_are_marked() {
     let found = refused(&[("LipSyncOoh", "<string>12a4</string>")]);
-    let expected = "error[LZ1401]: `LipSyncOoh` has `a`, which is not a digit\n  --> settings.xml:20:17\n";
+    let expected = "error[LZ1401]: `LipSyncOoh` contains `a`, which is not a digit\n  --> settings.xml:20:17\n";
     assert!(found.starts_with(expected), "{found}");
     assert!(found.contains("<string>12a4</string>") && found.contains("\n   |                 ^\n"), "{found}");
     for (name, value, start) in [
         ("LipSyncAah", "<string />", "error[LZ1401]: `LipSyncAah` is empty\n"),
-        ("LipSyncAah", "<string>1&#50;x</string>", "error[LZ1401]: `LipSyncAah` has `x`, which is not a digit\n"),
+        ("LipSyncAah", "<string>1&#50;x</string>", "error[LZ1401]: `LipSyncAah` contains `x`, which is not a digit\n"),
         ("LipSyncOohAahRate", "<real>0</real>", "error[LZ1402]: `LipSyncOohAahRate` is outside 1 to 1000\n"),
         ("LipSyncOohAahRate", "<real>nan</real>", "error[LZ1402]: "),
         ("LipSyncOohAahRate", "<real>-24</real>", "error[LZ1402]: "),
         (
             "LipSyncAah",
             "<integer>257</integer>",
-            "error[LZ1404]: `LipSyncAah` is not a text of digits, but of type integer\n",
+            "error[LZ1404]: `LipSyncAah` has the type integer, but must be a string of digits\n",
         ),
         (
             "LipSyncEnabled",
             "<string>yes</string>",
-            "error[LZ1404]: `LipSyncEnabled` is not 0 or 1, but of type string\n",
+            "error[LZ1404]: `LipSyncEnabled` has the type string, but must be 0 or 1\n",
         ),
         ("LipSyncOoh", "", "error[LZ1404]: `LipSyncOoh` has no value\n"),
     ] {
@@ -134,18 +134,15 @@ fn wrong_settings_of_a_viewer_are_marked() {
     }
     let (code, stdout, stderr) = babble(&settings(&[("LipSyncEnabled", "<integer>0</integer>")]));
     assert_eq!((code, stdout.as_str()), (0, VIEWERS_OWN));
-    assert!(stderr.starts_with("warning[LZ1405]: lip sync is switched off"), "{stderr}");
+    assert!(stderr.starts_with("warning[LZ1405]: lip sync is off"), "{stderr}");
 }
 
 #[test]
 fn other_files_are_refused() {
     for (file, start) in [
         ("<settings/>", "error[LZ1403]: `settings.xml` is not LLSD: it starts with <settings>\n"),
-        (
-            "<llsd><array/></llsd>",
-            "error[LZ1403]: `settings.xml` is not LLSD: there is no <map> of settings in <array>\n",
-        ),
-        ("<llsd/>", "error[LZ1403]: `settings.xml` is not LLSD: there is no <map> of settings in <llsd>\n"),
+        ("<llsd><array/></llsd>", "error[LZ1403]: `settings.xml` is not LLSD: no <map> of settings in <array>\n"),
+        ("<llsd/>", "error[LZ1403]: `settings.xml` is not LLSD: no <map> of settings in <llsd>\n"),
         ("{}", "error[LZ1403]: `settings.xml` is not XML: "),
         ("<!DOCTYPE a [<!ENTITY b \"c\">]><llsd><map/></llsd>", "error[LZ1403]: `settings.xml` is not XML: "),
     ] {
@@ -158,7 +155,7 @@ fn other_files_are_refused() {
         let (code, stdout, stderr) = babble(&whole[..length]);
         assert_eq!((code, stdout.as_str()), (1, ""), "{length}: {stderr}");
     }
-    let missing = lipz(Scene::new().path(), ["babble", "settings.xml"]);
+    let missing = lipz(Scene::new().path(), ["print", "babble", "settings.xml"]);
     assert_eq!(missing.code, 2, "{}", missing.stderr);
 }
 
@@ -167,17 +164,21 @@ fn wrong_profiles_of_a_project_are_marked() {
     for (toml, start, caret) in [
         (
             "ooh = \"12a4\"",
-            "error[LZ1401]: `babble.ooh` has `a`, which is not a digit\n --> lipz.toml:2:10\n",
+            "error[LZ1401]: `babble.ooh` contains `a`, which is not a digit\n --> lipz.toml:2:10\n",
             "         ^\n",
         ),
         ("aah = \"\"", "error[LZ1401]: `babble.aah` is empty\n --> lipz.toml:2:7\n", "      ^^\n"),
-        ("robot = { ooh-power-transfer = \"1٣\" }", "error[LZ1401]: `babble.robot.ooh-power-transfer` has ", "^\n"),
+        (
+            "robot = { ooh-power-transfer = \"1٣\" }",
+            "error[LZ1401]: `babble.robot.ooh-power-transfer` contains `٣`, ",
+            "^\n",
+        ),
         ("rate = 0", "error[LZ1402]: `babble.rate` is outside 1 to 1000\n --> lipz.toml:2:8\n", "       ^\n"),
         ("robot.rate = -24.0", "error[LZ1402]: `babble.robot.rate` is outside 1 to 1000\n", "^^^^^\n"),
         ("ohh = \"1\"", "error[LZ1002]: `ohh` is not a setting of a babble profile\n", "^^^\n"),
         ("robot.speed = 1", "error[LZ1002]: `speed` is not a setting of a babble profile\n", "^^^^^\n"),
-        ("ooh = 123", "error[LZ1003]: `babble.ooh` is a number, not a text of digits\n", "^^^"),
-        ("rate = \"24\"", "error[LZ1003]: `babble.rate` is a text, not a number\n", "^^^^"),
+        ("ooh = 123", "error[LZ1003]: `babble.ooh` is a number, not a string of digits\n", "^^^"),
+        ("rate = \"24\"", "error[LZ1003]: `babble.rate` is a string, not a number\n", "^^^^"),
         ("\"\" = { rate = 24 }", "error[LZ1004]: a babble profile has a name that is empty or too long\n", "^^\n"),
     ] {
         let scene = Scene::new();
@@ -193,7 +194,7 @@ fn wrong_profiles_of_a_project_are_marked() {
 fn settings_without_lip_sync_are_told() {
     let mut scene = Scene::new();
     scene.write("settings_per_account.xml", settings(&[]));
-    let run = lipz(scene.path(), ["babble", "settings_per_account.xml"]);
+    let run = lipz(scene.path(), ["print", "babble", "settings_per_account.xml"]);
     assert_eq!((run.code, run.stdout.as_str()), (0, VIEWERS_OWN));
     let printed = support::Outcome { stdout: String::new(), ..run };
     scene.expect_outcome("LZ1406-no-lip-sync-settings", &printed);

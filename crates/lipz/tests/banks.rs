@@ -1,5 +1,5 @@
-//! Diagnostics about banks and outputs: damaged banks, keys that lead out of a folder, files that are
-//! there already. Whatever fails leaves the file system as it was.
+//! Diagnostics about banks and outputs: damaged banks, keys that lead out of a folder, existing files. A failed command
+//! leaves the file system unchanged.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -11,7 +11,7 @@ use std::os::unix::fs::symlink;
 use support::forge::{bank_with_key, seal, section};
 use support::{Scene, lipz, tree};
 
-/// A scene with a bank `b.lipzbank` of two clips, `act1/aye` and `no`.
+/// Returns a scene with a bank `b.lipzbank` of two clips, `act1/aye` and `no`.
 fn scene() -> Scene {
     let scene = Scene::new();
     scene.write("voices/act1/aye.lipz", r#"{ "fps": 24, "visemes": "AEE-", "text_en-us": "{nods} Aye." }"#);
@@ -48,7 +48,7 @@ fn files_that_are_no_banks() {
     }
     scene.expect("LZ0902-bank-refused-missing", &["verify", "nowhere.lipzbank"]);
     scene.expect("LZ0902-bank-refused-folder", &["verify", "voices"]);
-    assert!(!scene.path().join("out").exists(), "nothing is made for a bank that is refused");
+    assert!(!scene.path().join("out").exists(), "a refused bank leaves no files");
     scene.finish(9);
 }
 
@@ -72,14 +72,14 @@ fn banks_that_were_changed() {
     seal(&mut sources);
     scene.write("sources.lipzbank", &sources);
     scene.expect("LZ0905-source-damaged", &["unpack", "sources.lipzbank", "-o", "out"]);
-    // Also where the first file could be written.
+    // The same if the first file could be written.
     let mut last = whole.clone();
     let end = section(&whole, Tag::SOURCES).end;
     last[end - 1] = 0xFF;
     seal(&mut last);
     scene.write("last.lipzbank", &last);
     scene.expect("LZ0905-source-damaged-last", &["unpack", "last.lipzbank", "-o", "out"]);
-    assert!(!scene.path().join("out").exists(), "nothing is made for a bank that cannot be decoded");
+    assert!(!scene.path().join("out").exists(), "a bank that cannot be decoded leaves no files");
     scene.finish(5);
 }
 
@@ -92,7 +92,7 @@ fn a_key_that_leads_out_of_the_folder() {
         scene.write(&file, &bank);
         scene.prepare(&["verify", &file, "--quiet"]);
         let before = tree(scene.path());
-        scene.expect(&format!("LZ0803-refused-key-unpack-{name}"), &["unpack", &file, "-o", "out/here", "--force"]);
+        scene.expect(&format!("LZ0803-refused-key-unpack-{name}"), &["unpack", &file, "-o", "out/here", "--overwrite"]);
         assert_eq!(tree(scene.path()), before, "{key}: nothing was written");
     }
     scene.finish(3);
@@ -106,7 +106,7 @@ fn unpacking_onto_files_that_exist() {
     scene.expect("LZ0906-would-overwrite", &["unpack", "b.lipzbank", "-o", "out"]);
     assert_eq!(tree(scene.path()), before, "nothing was written");
     assert_eq!(fs::read(scene.path().join("out/no.lipz")).unwrap(), b"mine");
-    scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--force"]);
+    scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--overwrite"]);
     assert!(fs::read_to_string(scene.path().join("out/no.lipz")).unwrap().contains("いいえ。"));
     scene.finish(1);
 }
@@ -118,10 +118,10 @@ fn unpacking_stays_in_its_folder() {
     fs::create_dir(scene.path().join("out")).unwrap();
     symlink("../outside", scene.path().join("out/act1")).unwrap();
     scene.expect("LZ0904-output-failed-link-leads-out", &["unpack", "b.lipzbank", "-o", "out"]);
-    scene.expect("LZ0904-output-failed-link-leads-out-forced", &["unpack", "b.lipzbank", "-o", "out", "--force"]);
+    scene.expect("LZ0904-output-failed-link-leads-out-forced", &["unpack", "b.lipzbank", "-o", "out", "--overwrite"]);
     assert_eq!(tree(&scene.path().join("outside")), ["mine.txt"], "nothing was written outside");
 
-    // Links to nowhere, and files where folders belong.
+    // Links with missing targets, and files in place of folders.
     fs::remove_file(scene.path().join("out/act1")).unwrap();
     symlink("nowhere", scene.path().join("out/act1")).unwrap();
     scene.expect("LZ0904-output-failed-link-to-nowhere", &["unpack", "b.lipzbank", "-o", "out"]);
@@ -129,18 +129,18 @@ fn unpacking_stays_in_its_folder() {
     scene.write("out/act1", "mine");
     scene.expect("LZ0904-output-failed-file-for-folder", &["unpack", "b.lipzbank", "-o", "out"]);
 
-    // A file that is a link is replaced, not followed.
+    // A link to a file is replaced, not followed.
     fs::remove_file(scene.path().join("out/act1")).unwrap();
     fs::create_dir(scene.path().join("out/act1")).unwrap();
     symlink("../../outside/mine.txt", scene.path().join("out/act1/aye.lipz")).unwrap();
     assert_eq!(lipz(scene.path(), ["unpack", "b.lipzbank", "-o", "out"]).code, 1);
-    scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--force"]);
+    scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--overwrite"]);
     assert_eq!(fs::read(scene.path().join("outside/mine.txt")).unwrap(), b"mine");
     assert!(!scene.path().join("out/act1/aye.lipz").is_symlink());
 
     fs::remove_file(scene.path().join("out/no.lipz")).unwrap();
     fs::create_dir(scene.path().join("out/no.lipz")).unwrap();
-    scene.expect("LZ0904-output-failed-folder-for-file", &["unpack", "b.lipzbank", "-o", "out", "--force"]);
+    scene.expect("LZ0904-output-failed-folder-for-file", &["unpack", "b.lipzbank", "-o", "out", "--overwrite"]);
     scene.finish(5);
 }
 
@@ -159,7 +159,7 @@ fn outputs_that_cannot_be_written() {
     fs::remove_file(scene.path().join("pipe")).unwrap();
     scene.expect("LZ0904-output-failed-below-file", &["pack", "voices", "-o", "a-file/b.lipzbank"]);
     scene.expect("LZ0904-output-failed-unpack-file", &["unpack", "b.lipzbank", "-o", "a-file"]);
-    assert_eq!(tree(scene.path()), before, "nothing is written, nothing is left behind");
+    assert_eq!(tree(scene.path()), before, "the folder is unchanged");
     scene.finish(5);
 }
 
@@ -185,7 +185,7 @@ fn who_looks_at_one_clip_is_told_of_its_file_alone() {
     assert_eq!(inspect(&[]).matches("[LZ0203]").count(), 2);
     let of_one = inspect(&["a"]);
     assert_eq!((of_one.matches("[LZ0203]").count(), of_one.contains("voices/a.lipz")), (1, true), "{of_one}");
-    // What keeps a bank from being packed is told, wherever it is.
+    // The reason why a bank cannot be packed is reported, wherever it is.
     scene.write("voices/c.lipz", r#"{ "fps": 0 }"#);
     assert!(inspect(&["a"]).contains("[LZ0301]"));
 }

@@ -1,4 +1,4 @@
-//! `lipz check --baseline`: old diagnostics are passed over, new ones are not.
+//! `lipz check --baseline`: old diagnostics are ignored, new ones are reported.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -24,15 +24,15 @@ fn a_project_with_old_diagnostics_is_told_only_of_new_ones() {
     assert!(missing.code == 2 && missing.stderr.contains("`known.txt` does not exist"), "{missing:?}");
     let written = check(&scene, &["--write-baseline"]);
     assert_eq!((written.code, written.stderr.as_str()), (0, ""));
-    assert_eq!(written.stdout, "6 known diagnostics in known.txt\n2 files checked\n");
+    assert_eq!(written.stdout, "6 known diagnostics recorded in known.txt\n2 files checked\n");
     let baseline = fs::read_to_string(scene.path().join("known.txt")).unwrap();
     let lines: Vec<&str> = baseline.lines().skip(1).collect();
     assert_eq!(lines[..2], ["2 LZ0203 voices/aye.lipz", "1 LZ0601 voices/aye.lipz"], "{baseline}");
 
     let known = check(&scene, &[]);
     assert_eq!((known.code, known.stderr.as_str()), (0, ""));
-    assert_eq!(known.stdout, "6 known diagnostics of known.txt passed over\n2 files checked\n");
-    // The names count from the baseline, wherever the command runs.
+    assert_eq!(known.stdout, "6 known diagnostics hidden by known.txt\n2 files checked\n");
+    // Paths are relative to the baseline, in any working directory.
     let below = lipz(&scene.path().join("voices"), ["check", ".", "--baseline", "../known.txt", "--quiet"]);
     assert_eq!((below.code, below.stderr.as_str()), (0, ""));
 
@@ -48,7 +48,7 @@ fn a_project_with_old_diagnostics_is_told_only_of_new_ones() {
     let baseline = fs::read_to_string(scene.path().join("known.txt")).unwrap();
     let lines: Vec<&str> = baseline.lines().skip(1).collect();
     let expected = ["1 LZ0203 voices/aye.lipz", "2 LZ0203 voices/no.lipz", "1 LZ0601 voices/no.lipz"];
-    assert_eq!(lines, expected, "what is about another file stays");
+    assert_eq!(lines, expected, "lines about other files stay");
     scene.finish(1);
 }
 

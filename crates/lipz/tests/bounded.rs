@@ -1,5 +1,5 @@
-//! Memory and work are in proportion to the input, whatever is in it: docs/inside/performance.md has figures. Counted are bytes
-//! and allocations, not seconds.
+//! Memory and work are proportional to the size of the input, for any content. docs/inside/performance.md has figures.
+//! The tests count bytes and allocations, not seconds.
 #![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(unsafe_code, reason = "an allocator that counts")]
 
@@ -14,19 +14,19 @@ use lipz_diagnostics::{Report, Severity, render, reports};
 use lipz_file::format::{Style, format};
 use lipz_interop::DEFAULT_RATE;
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues, join};
-use lipz_texts::{Collect, Exchange, Format, Incoming, Merge, ReadOptions, TextLints, WriteOptions, texts_of};
+use lipz_texts::{Collect, Exchange, Format, IncomingFile, Merge, ReadOptions, TextLints, WriteOptions, texts_of};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The system's allocator, with counts.
+/// The system's allocator with counters.
 struct Counting;
 
 static NOW_BYTES: AtomicUsize = AtomicUsize::new(0);
 static PEAK_BYTES: AtomicUsize = AtomicUsize::new(0);
 static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
 
-// SAFETY: everything is handed on to the system's allocator as it comes.
+// SAFETY: all calls are passed on unchanged to the system's allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.fetch_add(1, Relaxed);
@@ -46,14 +46,14 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// The counts are those of the process: one test at a time.
+/// The counters belong to the process, so that only one test may run at a time.
 static ALONE: Mutex<()> = Mutex::new(());
 
 fn alone() -> MutexGuard<'static, ()> {
     ALONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The most bytes at a time and the number of allocations of `work`.
+/// Returns the peak number of bytes, the number of allocations, and the result of `work`.
 fn measured<R>(work: impl FnOnce() -> R) -> (usize, usize, R) {
     let (before, allocations) = (NOW_BYTES.load(Relaxed), ALLOCATIONS.load(Relaxed));
     PEAK_BYTES.store(before, Relaxed);
@@ -61,7 +61,7 @@ fn measured<R>(work: impl FnOnce() -> R) -> (usize, usize, R) {
     (PEAK_BYTES.load(Relaxed) - before, ALLOCATIONS.load(Relaxed) - allocations, result)
 }
 
-/// The file `{…}` with `count` elements or parts of one.
+/// Returns the file `{…}` with `count` elements or parts of one.
 type Shape = fn(usize) -> String;
 
 fn elements(count: usize, element: impl Fn(usize) -> String) -> String {
@@ -74,10 +74,10 @@ fn locale(number: usize) -> String {
     format!("{}{}-{}{}", letter(3), letter(2), letter(1), letter(0))
 }
 
-/// Reports in one of the formats.
+/// Renders reports in one of the formats.
 type Render = fn(&[Report]) -> String;
 
-/// What people and their enemies repeat, each a file of so many.
+/// Files that repeat something a given number of times, as authors or attackers may write them.
 const SHAPES: &[(&str, Shape)] = &[
     ("duplicate elements", |count| elements(count, |number| format!("\"fps\":{}", 1 + number % 1000))),
     ("unknown elements", |count| elements(count, |number| format!("\"x{number}\":1"))),
@@ -114,7 +114,7 @@ fn time_and_memory_are_linear_whatever_is_in_a_file() {
         let [small, large] = [3_000, 6_000].map(shape);
         let [(_, few, _), (peak, many, found)] = [&small, &large].map(|file| measured(|| run(file)));
         assert!(many < few * 5 / 2 + 2_000, "{name}: {few} allocations, then {many}");
-        // Up to 65,536 diagnostics are gathered before they are counted.
+        // Up to 65,536 diagnostics are collected before they are limited.
         assert!(peak < 40 * large.len() + (24 << 20), "{name}: {peak} bytes of memory for {} of file", large.len());
         let bound = 40 * (lipz_diagnostics::bound::PER_FILE_AND_CODE + 1);
         assert!(found.iter().map(|report| report.diagnostics.len()).sum::<usize>() < bound, "{name}");
@@ -137,7 +137,7 @@ fn time_and_memory_are_linear_whatever_is_in_a_file() {
     }
 }
 
-/// What commands do with files and with their bank, if there is one, by the names of the commands.
+/// Calls `each` with the name and the work of each command on a file, and on its bank if there is one.
 fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
     let compiler = Compiler::new(Options::new().threads(1).default_locale("aa-aa").unwrap());
     let inputs = [Input::from_bytes("a", file), Input::from_bytes("b", r#"{"text_aa-aa":"x"}"#)];
@@ -176,7 +176,7 @@ fn commands(file: &str, mut each: impl FnMut(&'static str, &mut dyn FnMut())) {
     each("split", &mut || drop(SplitBank::from_bytes(&bytes)));
 }
 
-/// What `texts` and `subtitles` do with a clip.
+/// Calls `each` with the work of `texts` and `subtitles` on a clip.
 fn for_translators(file: &str, each: &mut dyn FnMut(&'static str, &mut dyn FnMut())) {
     let Some(document) = lipz_file::parse(file.as_bytes()).document else { return };
     let locales: Vec<String> = texts_of(&document, None).into_keys().filter(|locale| locale != "aa-aa").collect();
@@ -185,7 +185,7 @@ fn for_translators(file: &str, each: &mut dyn FnMut(&'static str, &mut dyn FnMut
         let unit = Collect::new("aa-aa", &locales).unit("a", &document, &mut Vec::new());
         exchange.units = unit.into_iter().collect();
     });
-    let mut incoming = Incoming::default();
+    let mut incoming = IncomingFile::default();
     each("texts import", &mut || {
         let table = lipz_texts::write(Format::Csv, &exchange, &WriteOptions::new());
         incoming = lipz_texts::read(Format::Csv, &table.files[0].bytes, &ReadOptions::new("aa-aa"));

@@ -1,6 +1,5 @@
-//! Carets stand under the very character that line and column name, also after wide characters,
-//! right-to-left text, escapes and tabs: read back from the expected output, with columns counted
-//! independently of the renderer.
+//! Carets are under the exact character at line and column, also after wide characters, right-to-left text, escapes and
+//! tabs. The test reads them from the expected output, and counts columns independently of the renderer.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
@@ -9,7 +8,8 @@ use std::fs;
 use support::{files, is_blessing, repository};
 use unicode_width::UnicodeWidthChar;
 
-/// What the renderer makes of a source line: it replaces what a terminal would not show in place.
+/// Returns a source line as the renderer shows it, with replacements for characters that a terminal would not show in
+/// place.
 fn shown(source: &str) -> String {
     let mut shown = String::new();
     for character in source.chars() {
@@ -23,7 +23,7 @@ fn shown(source: &str) -> String {
     shown
 }
 
-/// The start of `line` that takes up `columns` of a terminal.
+/// Returns the start of `line` that takes up `columns` of a terminal.
 fn prefix(line: &str, columns: usize) -> &str {
     let mut width = 0;
     let end = line.char_indices().find(|(_, character)| {
@@ -35,12 +35,12 @@ fn prefix(line: &str, columns: usize) -> &str {
     end.map_or(line, |(at, _)| &line[..at])
 }
 
-/// The part of a rendered line behind the margin `12 | `.
+/// Returns a rendered line without the margin `12 | `.
 fn behind_margin(line: &str) -> &str {
     line.split_once("| ").map_or("", |(_, rest)| rest)
 }
 
-/// Checks the diagnostics of one expected output; returns how many carets it looked at.
+/// Checks the diagnostics of one expected output. Returns the number of checked carets.
 fn check_carets(expected: &str, source: &str, path: &str) -> usize {
     let lines: Vec<&str> = expected.lines().collect();
     let mut count = 0;
@@ -60,7 +60,7 @@ fn check_carets(expected: &str, source: &str, path: &str) -> usize {
         }
         let caret_column = carets.find('^').unwrap_or_else(|| panic!("{path}:{number}: no caret"));
         let source = source.split('\n').nth(number - 1).unwrap();
-        // A combining mark has no column of its own: the caret stands behind the character it marks.
+        // A combining mark does not have a column, so the caret follows the marked character.
         let is_mark = source.chars().nth(column - 1).is_some_and(|character| character.width() == Some(0));
         let before: String = source.chars().take(column - 1 + usize::from(is_mark)).collect();
         assert_eq!(prefix(text, caret_column), shown(&before), "{path}:{number}:{column}");
@@ -84,7 +84,7 @@ fn carets_stand_under_their_characters() {
             count += check_carets(&expected, &String::from_utf8_lossy(source), &path);
         }
     }
-    assert!(count > 150, "only {count} carets were looked at");
+    assert!(count > 150, "only {count} carets were checked");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The command line itself: help, usage errors, exit codes, and that a failed run changes nothing.
+//! The command line: help, usage errors, exit codes. A failed run does not change anything.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -57,7 +57,8 @@ fn help_of_each_command_shows_an_example() {
         let help = lipz(&repository, [command.as_str(), "--help"]);
         assert_eq!((help.code, help.stderr.as_str()), (0, ""), "{command}");
         assert!(help.stdout.contains("Example"), "{command}: {}", help.stdout);
-        assert!(help.stdout.contains(&format!("\n  lipz {command} ")), "{command}: {}", help.stdout);
+        let example = format!("\n  lipz {command}");
+        assert!([" ", "\n"].iter().any(|end| help.stdout.contains(&(example.clone() + end))), "{}", help.stdout);
         assert!(help.stdout.lines().all(|line| line.chars().count() <= 100), "{command}: {}", help.stdout);
     }
 }
@@ -81,23 +82,25 @@ fn usage_errors_exit_with_2() {
         &["pakc", "fixtures/drama"],
         &["check"],
         &["check", "fixtures/drama", "--fps", "24"],
-        &["check", "fixtures/drama", "--default-fps", "0"],
-        &["check", "fixtures/drama", "--default-fps", "1000.5"],
-        &["check", "fixtures/drama", "--default-viseme-type", "Blair"],
-        &["check", "fixtures/drama", "--default-locale", "english-us"],
-        &["pack", "fixtures/drama", "-o", "drama.lipzbank", "--default-locale", "es-419"],
-        &["check", "fixtures/drama", "--threads", "0"],
+        &["check", "fixtures/drama", "--config", "default-fps=0"],
+        &["check", "fixtures/drama", "--config", "default-fps=1000.5"],
+        &["check", "fixtures/drama", "--config", "default-viseme-type=Blair"],
+        &["check", "fixtures/drama", "--config", "default-locale=english-us"],
+        &["pack", "fixtures/drama", "-o", "drama.lipzbank", "--config", "default-locale=es-419"],
+        &["check", "fixtures/drama", "--jobs", "0"],
         &["pack", "fixtures/spec/repaired"],
         &["unpack", "drama.lipzbank"],
-        &["inspect", "drama.lipzbank", "act1/otto-aye", "--list", "act1"],
+        &["inspect", "drama.lipzbank", "act1/otto-aye", "act1", "--show", "clips"],
         &["diff", "drama.lipzbank"],
-        &["diff", "drama.lipzbank", "fixtures/drama", "--default-locale", "es-419"],
-        &["stats", "fixtures/drama", "--default-locale", "es-419"],
-        &["man"],
+        &["diff", "drama.lipzbank", "fixtures/drama", "--config", "default-locale=es-419"],
+        &["inspect", "--show", "stats", "fixtures/drama", "--config", "default-locale=es-419"],
+        &["print", "man"],
+        &["print"],
+        &["shard", "plan", "--shards", "2", "-o", "plan.json"],
         &["check", "fixtures/drama", "--color", "red"],
-        &["check", "fixtures/drama", "--format", "xml"],
-        &["explain", "LZ0401", "--list"],
-        &["check", "fixtures/drama", "--diff", "--statistics"],
+        &["check", "fixtures/drama", "--output-format", "xml"],
+        &["explain", "LZ0401", "LZ0402"],
+        &["check", "fixtures/drama", "--diff", "--show", "stats"],
         &["check", "fixtures/drama", "--json"],
         &["fmt"],
         &["convert", "fixtures/drama", "--viseme-type", "toonboom"],
@@ -110,14 +113,52 @@ fn usage_errors_exit_with_2() {
     }
 }
 
+/// Scripts and habits contain the names of earlier versions. The error names the current equivalent of each.
 #[test]
-fn a_default_locale_of_another_shape_needs_its_flag() {
-    let arguments = ["check", "fixtures/drama", "--default-locale", "es-419"];
+fn names_of_earlier_versions_are_answered_with_the_new_ones() {
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", r#"{ "text_en-us": "Aye." }"#);
+    scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--quiet"]);
+    let before = tree(scene.path());
+    let old: [(&[&str], &str); 18] = [
+        (&["stats", "b.lipzbank"], "`lipz inspect --show stats`"),
+        (&["accept", "--all"], "`lipz approve`"),
+        (&["face", "voices"], "`lipz convert --write-curves`"),
+        (&["fallout", "heads", "art"], "`lipz check --fallout-heads`"),
+        (&["link", "a.lipzobj", "-o", "c.lipzbank"], "`lipz shard link`"),
+        (&["schema"], "`lipz print schema`"),
+        (&["import", "rhubarb-tsv", "a.tsv", "-o", "voices"], "`visemes rhubarb-tsv`"),
+        (&["export", "po", "-o", "a.po"], "`texts po`"),
+        (&["texts", "import", "a.po"], "`lipz import texts`"),
+        (&["check", "voices", "--format", "json"], "`--output-format`"),
+        (&["check", "voices", "--threads", "2"], "`--jobs`"),
+        (&["inspect", "b.lipzbank", "--json"], "`--output-format json`"),
+        (&["inspect", "b.lipzbank", "--list"], "`lipz inspect --show clips`"),
+        (&["pack", "voices", "-o", "c.lipzbank", "--strip"], "`--config strip=VALUE`"),
+        (&["pack", "voices", "-o", "c.lipzbank", "--max-lines=2"], "`--config text.lines=VALUE`"),
+        (&["coverage", "voices", "--missing", "de-de"], "`--show missing --locale LOCALE`"),
+        (&["diff", "b.lipzbank", "b.lipzbank", "--new-texts", "b.de-de.lipztexts"], "the stack NEW+TEXTS"),
+        (&["unpack", "b.lipzbank", "-o", "out", "--force"], "`--overwrite`"),
+    ];
+    for (arguments, new) in old {
+        let outcome = lipz(scene.path(), arguments);
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}: {}", outcome.stderr);
+        let help = outcome.stderr.lines().find(|line| line.contains("= help: did you mean ")).unwrap_or_default();
+        assert!(help.contains(new), "{arguments:?}: {}", outcome.stderr);
+        let json = lipz(scene.path(), [&["--output-format", "json"], arguments].concat());
+        assert!(json.stdout.contains("did you mean ") || json.stderr.contains("did you mean "), "{json:?}");
+    }
+    assert_eq!(tree(scene.path()), before, "nothing is done under an old name");
+}
+
+#[test]
+fn a_default_locale_of_another_shape_needs_its_setting() {
+    let arguments = ["check", "fixtures/drama", "--config", "default-locale=es-419"];
     let refused = lipz(&repository(), arguments);
     assert_eq!((refused.code, refused.stdout.as_str()), (2, ""));
-    assert!(refused.stderr.contains("`es-419` does not have the form ll-cc"), "{}", refused.stderr);
-    assert!(refused.stderr.contains("--extended-locales"), "{}", refused.stderr);
-    assert_eq!(lipz(&repository(), arguments.iter().chain(&["--extended-locales"])).code, 0);
+    assert!(refused.stderr.contains("`es-419` is not a locale of the form ll-cc"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("extended-locales = true"), "{}", refused.stderr);
+    assert_eq!(lipz(&repository(), arguments.iter().chain(&["--config", "extended-locales=true"])).code, 0);
 }
 
 #[test]
@@ -140,7 +181,7 @@ fn warnings_do_not_stop_a_bank_and_errors_do() {
 
     let none = lipz(folder, ["pack", "voices", "-o", "new.lipzbank"]);
     assert_eq!(none.code, 1);
-    assert_eq!(tree(folder), files, "no bank is made where there was none");
+    assert_eq!(tree(folder), files, "a bank is not created");
 }
 
 #[test]
@@ -171,7 +212,7 @@ fn a_misspelt_key_gets_the_one_that_was_meant() {
         ("nell-helo", "did you mean `act1/nell-hello`?"),
         ("act1/mara-god-evening", "did you mean `act1/mara-good-evening`?"),
         ("good-evening.lipz", "did you mean `act1/mara-good-evening`?"),
-        ("quite-another", "`--list` lists the clips of the bank"),
+        ("quite-another", "list the clips of the bank with `--show clips`"),
     ];
     for (key, help) in asked {
         let run = lipz(&repository(), ["inspect", bank, key]);
@@ -199,7 +240,7 @@ fn lipz_files_and_folders_are_shown_as_the_bank_that_they_become() {
     let german = shown(&[file, "--locale", "de-de"]);
     assert!(german.contains("\n  Guten Abend, Otto.                 Du bist spät dran, und der Nebel ist zu früh.\n"));
     assert!(shown(&[folder]).contains("48 clips, 4,107 frames"));
-    assert_eq!(shown(&[folder, "--list", "act1/mara-g"]).lines().count(), 1);
+    assert_eq!(shown(&[folder, "act1/mara-g", "--show", "clips"]).lines().count(), 1);
     assert!(!clip.contains('\u{1b}'), "no colours where there is no terminal");
     let coloured = std::process::Command::new(env!("CARGO_BIN_EXE_lipz"))
         .args(["--color", "always", "inspect", file])

@@ -9,7 +9,8 @@ use support::{Scene, lipz, repository, tree};
 const DRAMA: &str = "fixtures/drama";
 const DRAMA_BANK: &str = "fixtures/banks/v1/drama.lipzbank";
 
-/// Settings by which the drama becomes its golden bank: it is from before emotions without values made curves.
+/// Returns a scene with the settings of the drama's golden bank, which is older than curves for emotions without
+/// values.
 fn settings_of_the_bank() -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", "default-locale = \"en-us\"\n\n[emotions]\ncurves = \"values\"\n");
@@ -20,7 +21,7 @@ fn aye(text: &str, more: &str) -> String {
     format!(r#"{{ "fps": 24, "viseme_type": "blair", "visemes": "AAAA|MM", "text_en-us": "{text}"{more} }}"#)
 }
 
-/// Two folders that differ in every way there is.
+/// Returns two folders with every kind of difference.
 fn scene() -> Scene {
     let scene = Scene::new();
     scene.write("old/a.lipz", aye("Good evening, Otto.|Aye.", r#", "events": "points door|""#));
@@ -50,7 +51,7 @@ old -> new
 = old-name -> new-name (renamed)
 ~ a
     fps          24 -> 29.97
-    frames       2 differ (6 -> 7), the first is frame 3
+    frames       2 differ (6 -> 7), first at frame 3
     segments     2 -> 3
     en-us 0      - Good evening, Otto.
                  + Good morning, Otto.
@@ -62,19 +63,19 @@ old -> new
                  + points window
     event 2      + (empty)
 
-clips: 1 removed, 1 added, 1 renamed, 1 changed, 1 the same
+clips: 1 removed, 1 added, 1 renamed, 1 changed, 1 unchanged
 ";
     let shown = lipz(scene.path(), ["diff", "old", "new"]);
     assert_eq!((shown.code, shown.stderr.as_str()), (1, ""));
     assert_eq!(shown.stdout, expected);
     for side in ["old", "new"] {
-        scene.prepare(&["pack", side, "-o", &format!("{side}.lipzbank"), "--strip"]);
+        scene.prepare(&["pack", side, "-o", &format!("{side}.lipzbank"), "--config", "strip=true"]);
     }
     let banks = lipz(scene.path(), ["diff", "old.lipzbank", "new.lipzbank"]);
     assert_eq!((banks.code, banks.stdout), (1, expected.replace("old -> new\n", "old.lipzbank -> new.lipzbank\n")));
     assert!(tree(scene.path()).iter().all(|path| !path.ends_with(".tmp")));
 
-    let printed = lipz(scene.path(), ["diff", "old.lipzbank", "new", "--json"]);
+    let printed = lipz(scene.path(), ["diff", "old.lipzbank", "new", "--output-format", "json"]);
     let found: Value = serde_json::from_str(&printed.stdout).unwrap();
     assert_eq!((printed.code, &found["is_same"], &found["same"]), (1, &json!(false), &json!(1)));
     assert_eq!(found["renamed"], json!([{ "old": "old-name", "new": "new-name" }]));
@@ -91,15 +92,18 @@ clips: 1 removed, 1 added, 1 renamed, 1 changed, 1 the same
 fn a_bank_is_the_same_as_its_folder() {
     let settings = settings_of_the_bank();
     let flags = ["--config", settings.path().join("lipz.toml").to_str().unwrap()].map(str::to_owned);
-    for sides in [[DRAMA_BANK, DRAMA], [DRAMA, DRAMA_BANK], [DRAMA_BANK, DRAMA_BANK]] {
-        let same =
-            lipz(&repository(), ["diff"].iter().chain(&sides).map(|part| (*part).to_owned()).chain(flags.clone()));
+    let no_flags: &[String] = &[];
+    for (sides, flags) in
+        [([DRAMA_BANK, DRAMA], &flags[..]), ([DRAMA, DRAMA_BANK], &flags), ([DRAMA_BANK, DRAMA_BANK], no_flags)]
+    {
+        let diff = |quiet: &[&str]| {
+            let arguments = ["diff"].iter().chain(quiet).chain(&sides).map(|part| (*part).to_owned());
+            lipz(&repository(), arguments.chain(flags.iter().cloned()))
+        };
+        let same = diff(&[]);
         assert_eq!(same.code, 0, "{}", same.stdout);
-        assert!(same.stdout.ends_with("\nno difference in 48 clips\n"), "{}", same.stdout);
-        let quiet = lipz(
-            &repository(),
-            ["diff", "--quiet"].iter().chain(&sides).map(|part| (*part).to_owned()).chain(flags.clone()),
-        );
+        assert!(same.stdout.ends_with("\nno differences in 48 clips\n"), "{}", same.stdout);
+        let quiet = diff(&["--quiet"]);
         assert_eq!((quiet.code, quiet.stdout.as_str()), (0, ""));
     }
     let other = lipz(&repository(), ["diff", "--no-config", DRAMA_BANK, DRAMA]);
@@ -128,13 +132,13 @@ old.lipzbank -> new.lipzbank
     aah          - 15
                  + 19
 
-clips: 2 the same
+clips: 2 unchanged
 ";
     assert_eq!((shown.code, shown.stdout.as_str()), (1, expected));
     let back = lipz(scene.path(), ["diff", "new.lipzbank", "old.lipzbank"]);
     assert!(back.stdout.contains("\n+ babble profile ghost\n"), "{}", back.stdout);
 
-    let printed = lipz(scene.path(), ["diff", "old.lipzbank", "new.lipzbank", "--json"]);
+    let printed = lipz(scene.path(), ["diff", "old.lipzbank", "new.lipzbank", "--output-format", "json"]);
     let found: Value = serde_json::from_str(&printed.stdout).unwrap();
     assert_eq!((printed.code, &found["is_same"]), (1, &json!(false)));
     assert_eq!(found["fallbacks"], json!([{ "locale": "de-at", "old": ["de-de"], "new": ["en-us"] }]));
@@ -174,22 +178,22 @@ fn without_two_sides_there_is_no_comparison() {
 fn statistics_of_a_bank_and_of_its_folder() {
     let settings = settings_of_the_bank();
     let config = settings.path().join("lipz.toml");
-    let of = |source: &str| lipz(&repository(), ["stats", source, "--config", config.to_str().unwrap()]);
-    let (bank, folder) = (of(DRAMA_BANK), of(DRAMA));
+    let of = |arguments: &[&str]| lipz(&repository(), [&["inspect", "--show", "stats"], arguments].concat());
+    let (bank, folder) = (of(&[DRAMA_BANK]), of(&[DRAMA, "--config", config.to_str().unwrap()]));
     assert_eq!((bank.code, folder.code), (0, 0));
     let table = |text: &str| text.split_once('\n').unwrap().1.to_owned();
-    assert_eq!(table(&bank.stdout), table(&folder.stdout), "but for the names");
+    assert_eq!(table(&bank.stdout), table(&folder.stdout), "except for the names");
     for line in ["  48 clips, 124 segments, 4,107 frames, 2:31.5 min", "  FRAM                 4,107   6."] {
         assert!(bank.stdout.contains(line), "{}", bank.stdout);
     }
     assert!(bank.stdout.lines().all(|line| line.chars().count() <= 80), "{}", bank.stdout);
 
-    let printed = lipz(&repository(), ["stats", DRAMA_BANK, "--json"]);
+    let printed = lipz(&repository(), ["inspect", "--show", "stats", DRAMA_BANK, "--output-format", "json"]);
     let stats: Value = serde_json::from_str(&printed.stdout).unwrap();
     assert_eq!((&stats["clips"], &stats["frames"], &stats["events"]), (&json!(48), &json!(4107), &json!(85)));
     let of_types =
         |visemes: &Value| visemes["frames"].as_object().unwrap().values().map(|n| n.as_u64().unwrap()).sum::<u64>();
     assert_eq!(stats["visemes"].as_array().unwrap().iter().map(of_types).sum::<u64>(), 4107, "every frame has a code");
-    let without = lipz(&repository(), ["stats", "nowhere"]);
+    let without = lipz(&repository(), ["inspect", "--show", "stats", "nowhere"]);
     assert_eq!((without.code, without.stdout.as_str()), (2, ""));
 }

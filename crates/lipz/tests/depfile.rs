@@ -1,4 +1,4 @@
-//! `lipz pack --depfile`: read back by a parser of the format, and used by Make where it is installed.
+//! `lipz pack --depfile`: parsed independently, and used by Make if it is installed.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
 
@@ -15,8 +15,8 @@ const CLIP: &str = r#"{ "text_en-us": "Aye." }"#;
 /// Names that need escapes.
 const NAMES: [&str; 6] = ["plain", "with blanks in it", "$HOME and $$", "# one", "act 1/é (2), 50%", "take=1"];
 
-/// The names before and behind the colon of the first rule, as GNU Make reads them ("Rule Syntax"):
-/// `\` takes the meaning from blank, `#`, `:` and, before these, from itself; `$$` is `$`.
+/// Returns the names before and after the colon of the first rule, as GNU Make reads them ("Rule Syntax"): `\` escapes
+/// a blank, `#`, `:` and, before these, itself; `$$` is `$`.
 fn parse(depfile: &str) -> (String, Vec<String>) {
     let rule = depfile.lines().next().unwrap();
     let mut names = vec![String::new()];
@@ -90,7 +90,7 @@ fn every_file_and_folder_is_listed() {
     dependencies.sort();
     let mut expected = tree(scene.path());
     expected.retain(|path| !path.starts_with("out") && !path.ends_with(".txt"));
-    // Where a `lipz.toml` may appear.
+    // The folder in which a `lipz.toml` may appear.
     expected.insert(0, ".".into());
     assert_eq!(dependencies, expected);
 }
@@ -105,7 +105,7 @@ fn errors_leave_the_depfile() {
     scene.write("voices/no.lipz", "");
     assert_eq!(lipz(scene.path(), arguments).code, 1);
     assert_eq!(fs::read(scene.path().join("b.d")).unwrap(), before);
-    // A depfile that cannot be written is said so.
+    // A depfile that cannot be written is reported.
     fs::remove_file(scene.path().join("voices/no.lipz")).unwrap();
     let outcome = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--depfile", "voices"]);
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
@@ -118,13 +118,13 @@ fn a_name_that_make_cannot_read_is_an_error() {
     scene.write("voices/a;b.lipz", CLIP);
     let outcome = lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--depfile", "b.d"]);
     assert_eq!(outcome.code, 2);
-    let expected = "error[LZ0904]: a depfile cannot name `voices/a;b.lipz`";
+    let expected = "error[LZ0904]: a depfile cannot contain `voices/a;b.lipz`";
     assert!(outcome.stderr.contains(expected), "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("the bank itself is written"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("the bank itself was written"), "{}", outcome.stderr);
     assert!(!scene.path().join("b.d").exists(), "without it, build engines pack again");
 }
 
-/// Gives the file or folder a time before or after everything else.
+/// Sets the modification time of a file or folder.
 fn touch(path: &Path, time: SystemTime) {
     fs::File::open(path).unwrap().set_modified(time).unwrap();
 }
@@ -148,7 +148,7 @@ fn make_packs_again_when_something_changes() {
             .unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let packs = String::from_utf8_lossy(&output.stdout).contains("packed into");
-        // From now on everything is older than the bank, but for what a step touches.
+        // From now on, everything is older than the bank, except for the files that a step touches.
         let old = SystemTime::now() - Duration::from_secs(60);
         for path in tree(scene.path()).iter().filter(|path| path.starts_with("voices")) {
             touch(&scene.path().join(path), old);
@@ -168,6 +168,6 @@ fn make_packs_again_when_something_changes() {
     assert!(packs(), "a file was added");
     fs::remove_file(scene.path().join("voices/plain.lipz")).unwrap();
     touch(&scene.path().join("voices"), soon);
-    assert!(packs(), "a file was removed, which stops no rule");
+    assert!(packs(), "a file was removed, which does not stop a rule");
     assert!(!packs(), "nothing changed at the end");
 }

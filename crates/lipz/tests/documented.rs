@@ -1,6 +1,6 @@
-//! What a new rule, format or command needs beside its code: a row on the page where people look for it.
+//! The documentation that a new rule or format needs: a row on the page where users look for it.
 //!
-//! CONTRIBUTING.md has the recipes. What is missing is named here.
+//! CONTRIBUTING.md has the instructions. A failure names the missing rows.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -8,13 +8,13 @@ mod support;
 use lipz_diagnostics::Code;
 use lipz_interop::formats;
 use std::fs;
-use support::{commands, repository};
+use support::repository;
 
 fn read(page: &str) -> String {
     fs::read_to_string(repository().join(page)).unwrap()
 }
 
-/// The first cells of all table rows of a page.
+/// Returns the first cells of all table rows of a page.
 fn first_cells(page: &str) -> Vec<&str> {
     page.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next()).collect()
 }
@@ -22,7 +22,7 @@ fn first_cells(page: &str) -> Vec<&str> {
 #[test]
 fn rules_about_lipz_files_are_in_lipz_files_md() {
     let page = read("docs/reference/lipz-files.md");
-    // Elements, rates and types, visemes, texts, segments, events. The others are about reading and writing.
+    // Elements, rates and types, visemes, texts, segments, events. The remaining codes concern reading and writing.
     let codes = Code::ALL.iter().filter(|code| ("LZ0200".."LZ0800").contains(&code.number()));
     let missing: Vec<&str> = codes.map(|code| code.number()).filter(|number| !page.contains(number)).collect();
     assert!(missing.is_empty(), "docs/reference/lipz-files.md does not mention {missing:?}: add a row");
@@ -35,18 +35,4 @@ fn formats_of_other_tools_are_in_interop_md() {
     let is_missing = |name: &&str| !cells.iter().any(|cell| cell.contains(&format!("`{name}`")));
     let missing: Vec<&str> = formats::ALL.iter().map(|format| format.name).filter(is_missing).collect();
     assert!(missing.is_empty(), "docs/guides/other-tools.md has no row for {missing:?}: add one to its first table");
-}
-
-#[test]
-fn commands_are_in_the_readme() {
-    let readme = read("README.md");
-    let cells = first_cells(&readme);
-    let is_shown = |name: &String| {
-        let starts = [format!("`lipz {name} "), format!("`lipz {name}`")];
-        cells.iter().any(|cell| starts.iter().any(|start| cell.starts_with(start)))
-    };
-    let mut missing = commands();
-    assert!(missing.len() > 20, "{missing:?}");
-    missing.retain(|name| !is_shown(name));
-    assert!(missing.is_empty(), "README.md has no row for {missing:?}: add one to the table of commands");
 }

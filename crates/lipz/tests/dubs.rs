@@ -1,4 +1,4 @@
-//! Dubs on the command line: what does not belong together, and what each command says about voices.
+//! Dubs on the command line: mismatches, and the output of each command about voices.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -16,7 +16,7 @@ en-us = \"en/{key}\"
 de-de = \"de/{key}\"
 ";
 
-/// When somebody speaks in a recording, and when not, in milliseconds.
+/// Speech and silence in a recording, in milliseconds.
 const LINE: &[(bool, u32)] = &[(false, 200), (true, 500), (false, 200)];
 
 const ORIGINAL: &str = r#"{
@@ -84,7 +84,7 @@ fn each_voice_has_a_bank_of_its_own() {
     );
     scene.write("voices/de/act1/mayor.lipz", r#"{ "viseme_type": "blair", "visemes": "AA|E" }"#);
     scene.prepare(&["pack", "--quiet", "-o", "whole.lipzbank"]);
-    let packed = lipz(scene.path(), ["pack", "--split-voices", "-o", "base.lipzbank"]);
+    let packed = lipz(scene.path(), ["pack", "--config", "split-voices=true", "-o", "base.lipzbank"]);
     assert!(packed.stdout.starts_with("1 clip packed into base.lipzbank ("), "{packed:?}");
     assert!(packed.stdout.contains("\n1 dub packed into base.de-de.lipzbank ("), "{packed:?}");
     let stack = "base.lipzbank+base.de-de.lipzbank";
@@ -92,47 +92,49 @@ fn each_voice_has_a_bank_of_its_own() {
     let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(read("merged.lipzbank") == read("whole.lipzbank"));
     assert_eq!(lipz(scene.path(), ["diff", stack, "whole.lipzbank"]).code, 0);
-    let of = |bank: &str| lipz(scene.path(), ["coverage", "--voices", bank]).stdout.replace(stack, "whole.lipzbank");
+    let of =
+        |bank: &str| lipz(scene.path(), ["coverage", "--show", "voices", bank]).stdout.replace(stack, "whole.lipzbank");
     assert_eq!(of(stack), of("whole.lipzbank"));
-    for command in ["stats", "inspect"] {
+    for shown in [&[][..], &["--show", "stats"]] {
         let voices = |bank: &str| -> serde_json::Value {
-            let json: serde_json::Value =
-                serde_json::from_str(&lipz(scene.path(), [command, bank, "--json"]).stdout).unwrap();
+            let inspect = [&["inspect", bank, "--output-format", "json"], shown].concat();
+            let json: serde_json::Value = serde_json::from_str(&lipz(scene.path(), inspect).stdout).unwrap();
             json["voices"].clone()
         };
-        assert_eq!(voices(stack), voices("whole.lipzbank"), "{command}");
+        assert_eq!(voices(stack), voices("whole.lipzbank"), "{shown:?}");
     }
-    // By the settings, too; and each voice is patched by itself, over the banks that its players have.
+    // The same through settings. Each voice has its own patch over the banks that its players have.
     scene.write("lipz.toml", format!("split-voices = true\n{SETTINGS}"));
     scene.prepare(&["pack", "-o", "set.lipzbank", "--quiet"]);
     assert!(read("set.lipzbank") == read("base.lipzbank") && read("set.de-de.lipzbank") == read("base.de-de.lipzbank"));
     let patch = lipz(scene.path(), ["pack", "--over", "base.lipzbank", "-o", "x.lipzbank"]);
-    assert!(patch.code == 2 && patch.stderr.contains("--split-voices=false"), "{patch:?}");
+    assert!(patch.code == 2 && patch.stderr.contains("split-voices=false"), "{patch:?}");
     let (original, dub) = ("voices/en/act1/mayor.lipz", "voices/de/act1/mayor.lipz");
     for (path, old, new) in [(original, "Who|goes?", "Who|went?"), (dub, "AA|E", "AE|E")] {
         let text = fs::read_to_string(scene.path().join(path)).unwrap();
         scene.write(path, text.replace(old, new));
     }
-    let over = ["--split-voices=false", "--root", "voices", "--quiet", "--over", "base.lipzbank"];
+    let over = ["--config", "split-voices=false", "--config", "root=voices", "--quiet", "--over", "base.lipzbank"];
     scene.prepare(&[&["pack", "voices/en", "-o", "patch.lipzbank"], &over[..]].concat());
     let german = ["pack", "voices/de", "-o", "patch.de-de.lipzbank", "--over", "base.de-de.lipzbank", "--keep-others"];
     scene.prepare(&[&german[..1], &over, &german[1..]].concat());
-    scene.prepare(&["pack", "--split-voices=false", "-o", "new.lipzbank", "--quiet"]);
+    scene.prepare(&["pack", "--config", "split-voices=false", "-o", "new.lipzbank", "--quiet"]);
     let patched = "base.lipzbank+base.de-de.lipzbank+patch.lipzbank+patch.de-de.lipzbank";
     let differ = lipz(scene.path(), ["diff", patched, "new.lipzbank"]);
-    assert!(differ.code == 0 && differ.stdout.contains("\nno difference in 2 clips\n"), "{differ:?}");
+    assert!(differ.code == 0 && differ.stdout.contains("\nno differences in 2 clips\n"), "{differ:?}");
     let english = lipz(scene.path(), ["inspect", "base.lipzbank+patch.lipzbank", "en/act1/mayor"]);
     assert!(english.code == 0 && english.stdout.contains("went?"), "without the voice: {english:?}");
     scene.write("lipz.toml", SETTINGS);
-    // What is out of date is told, and stays.
+    // Stale files are reported, and stay.
     fs::remove_file(scene.path().join("voices/de/act1/mayor.lipz")).unwrap();
-    let packed = lipz(scene.path(), ["pack", "--split-voices", "-o", "base.lipzbank"]);
+    let packed = lipz(scene.path(), ["pack", "--config", "split-voices=true", "-o", "base.lipzbank"]);
     assert!(
-        packed.stdout.contains("not written: base.de-de.lipzbank, whose locale the bank no longer has"),
+        packed.stdout.contains("left unchanged: base.de-de.lipzbank, because the bank no longer has its locale"),
         "{packed:?}"
     );
-    for other in [["--split-voices", "--split-locales"], ["--split-voices", "--over=base.lipzbank"]] {
-        let refused = lipz(scene.path(), ["pack", "-o", "x.lipzbank", other[0], other[1]]);
+    for other in [["--config", "split-locales=true"], ["--over", "base.lipzbank"]] {
+        let split = ["pack", "-o", "x.lipzbank", "--config", "split-voices=true", other[0], other[1]];
+        let refused = lipz(scene.path(), split);
         assert!(refused.code == 2 && !scene.path().join("x.lipzbank").exists(), "{refused:?}");
     }
 }
@@ -151,7 +153,7 @@ fn recordings_of_dubs_become_dubs() {
     let dub = fs::read_to_string(scene.path().join("voices/de/mayor.lipz")).unwrap();
     let document = lipz_file::parse(dub.as_bytes()).document.unwrap();
     let visemes = document.string("visemes").unwrap();
-    assert_eq!(visemes.matches('|').count(), 1, "divided as the text of the original: {visemes}");
+    assert_eq!(visemes.matches('|').count(), 1, "divided like the text of the original: {visemes}");
     assert!(document.elements.iter().all(|element| !element.name.text.starts_with("text")), "{dub}");
     assert_eq!(first(&run(&["sync"]).stdout), "0 clips synced, 2 unchanged, in voices");
     let check = |scene: &Scene| {
@@ -160,30 +162,24 @@ fn recordings_of_dubs_become_dubs() {
         codes.collect::<Vec<_>>()
     };
     assert_eq!(check(&scene), [""; 0]);
-    // The dub is spoken as the German text of the original says.
+    // The text of the dub is the German text of the original.
     scene.write("voices/en/mayor.lipz", format!("{{ {english}, \"text_de-de\": \"Wer ist|da?\" }}"));
-    assert_eq!(check(&scene), ["LZ1915"], "the dub says the old words");
+    assert_eq!(check(&scene), ["LZ1915"], "the dub has the old words");
     assert_eq!(first(&run(&["sync"]).stdout), "2 clips synced, in voices");
-    assert_eq!(check(&scene), ["LZ1915"], "a new mouth is no new recording");
-    let accept = || lipz(scene.path(), ["accept", "--key", "de/mayor"]).stdout;
+    assert_eq!(check(&scene), ["LZ1915"], "new visemes are not a new recording");
+    let accept = || lipz(scene.path(), ["approve", "voices/de/mayor.lipz"]).stdout;
     let accepted = accept();
-    assert!(
-        accepted.starts_with("de/mayor: rec/de/mayor.wav says the text of today, before another one\n"),
-        "{accepted}"
-    );
-    assert!(
-        accepted.contains("\n1 recording with another text before, 0 recordings of which nothing was known\n"),
-        "{accepted}"
-    );
+    assert!(accepted.starts_with("de/mayor: rec/de/mayor.wav (its text has changed)\n"), "{accepted}");
+    assert!(accepted.contains("\napproved: 1 recording with a changed text, 0 new recordings\n"), "{accepted}");
     assert_eq!(check(&scene), [""; 0]);
-    // What the original says has changed since.
+    // The text of the original has changed since.
     let again = fs::read_to_string(scene.path().join("voices/en/mayor.lipz")).unwrap().replace("goes", "went");
     scene.write("voices/en/mayor.lipz", again);
     scene.expect("LZ2006-dub-out-of-date-text", &["check", "--quiet", "--allow", "LZ1707,LZ1715,LZ1705,LZ1915"]);
     scene.write("rec/en/mayor.wav", voice(LINE, 3));
     scene.expect("LZ2006-dub-out-of-date", &["check", "--quiet", "--allow", "LZ1707,LZ1715,LZ1705,LZ1915"]);
-    let forced = lipz(scene.path(), ["sync", "--force", "--allow", "LZ1707,LZ1715"]);
-    assert_eq!((forced.code, check(&scene)), (0, vec!["LZ2006".to_owned()]), "a new mouth is no new dub");
+    let forced = lipz(scene.path(), ["sync", "--discard-edits", "--allow", "LZ1707,LZ1715"]);
+    assert_eq!((forced.code, check(&scene)), (0, vec!["LZ2006".to_owned()]), "new visemes are not a new dub");
     scene.write("rec/de/mayor.wav", voice(LINE, 4));
     let again = lipz(scene.path(), ["sync", "--allow", "LZ1707,LZ1715"]);
     assert_eq!((again.code, check(&scene)), (0, vec![]));
@@ -202,14 +198,14 @@ fn a_dub_alone_knows_its_original() {
         || ["voices/de/mayor.lipz", "voices/lipz-sync.txt"].map(|name| fs::read(scene.path().join(name)).unwrap());
     assert_eq!(run(&["sync"]).code, 0);
     let whole = files();
-    for arguments in [&["sync"][..], &["sync", "--force"]] {
+    for arguments in [&["sync"][..], &["sync", "--discard-edits"]] {
         let alone = run(&[arguments, &["voices/de/mayor.lipz"]].concat());
         assert_eq!((alone.code, alone.stderr.as_str()), (0, ""), "{arguments:?}");
         assert!(files() == whole, "{arguments:?}: as a run over the whole project");
     }
     let checked = run(&["check", "voices/de/mayor.lipz", "--quiet", "--allow", "LZ1702,LZ2001"]);
     assert_eq!((checked.code, checked.stderr.as_str()), (0, ""));
-    // From the recordings, too; and an original whose recording is missing was not recorded again.
+    // The same from recordings. An original without a recording does not count as recorded again.
     let recordings = run(&["sync", "rec", "-o", "voices"]);
     assert_eq!((recordings.code, recordings.stderr.as_str()), (0, ""));
     assert!(files() == whole, "{}", recordings.stdout);
@@ -236,21 +232,22 @@ fn every_command_knows_voices() {
     };
     shows(&["inspect", bank], &["en-us original", "de-de 1"]);
     shows(&["inspect", bank, "de/act1/mayor"], &["dub of en/act1/mayor in de-de"]);
-    shows(&["stats", bank], &["en-us 2 0.5 s original", "de-de 1 0.3 s"]);
+    shows(&["inspect", "--show", "stats", bank], &["en-us 2 0.5 s original", "de-de 1 0.3 s"]);
     let covered = ["en-us 100.0 % 2 0.6 s 0 0.0 s (original)", "de-de 50.0 % 1 0.4 s 1 0.3 s"];
     shows(&["coverage", bank], &covered);
-    shows(&["coverage", "--voices"], &covered);
+    shows(&["coverage", "--show", "voices"], &covered);
     shows(&["coverage", bank], &["de-de 100.0 % 2 0 0 0", "dialogue.lipzbank: 2 clips with texts"]);
-    assert_eq!(run(&["coverage", bank, "--voices", "--missing", "de_DE"]), "en/act1/yes\n");
-    assert!(run(&["coverage", bank, "--voices", "--json"]).contains("\"to_record_us\":"));
-    assert!(run(&["inspect", bank, "--json"]).contains("\"voices\":"));
+    assert_eq!(run(&["coverage", bank, "--show", "voices,missing", "--locale", "de_DE"]), "en/act1/yes\n");
+    let json = |arguments: &[&str]| lipz(scene.path(), [arguments, &["--output-format", "json"]].concat()).stdout;
+    assert!(json(&["coverage", bank, "--show", "voices"]).contains("\"to_record_us\":"));
+    assert!(json(&["inspect", bank]).contains("\"voices\":"));
     let ids = run(&["ids", bank, "--lang", "json"]);
     assert!(ids.contains("en/act1/mayor") && !ids.contains("de/act1/mayor"), "{ids}");
     run(&["unpack", bank, "--output", "again", "--quiet"]);
     for file in ["en/act1/mayor", "de/act1/mayor"] {
         let read = |folder: &str| fs::read_to_string(scene.path().join(format!("{folder}/{file}.lipz"))).unwrap();
         let document = |text: &str| lipz_file::write(&lipz_file::parse(text.as_bytes()).document.unwrap());
-        assert_eq!(document(&read("again")), document(&read("voices")), "a dub gets no text of its original");
+        assert_eq!(document(&read("again")), document(&read("voices")), "a dub does not get the text of its original");
     }
     fs::remove_file(scene.path().join("voices/de/act1/mayor.lipz")).unwrap();
     let gone = lipz(scene.path(), ["diff", bank, "voices"]);
@@ -260,38 +257,40 @@ fn every_command_knows_voices() {
     let other = lipz(scene.path(), ["diff", bank, "voices"]).stdout;
     assert!(other.contains("~ en/act1/mayor in de-de  de/act1/mayor -> the original\n"), "{other}");
     assert!(other.contains("~ en/act1/yes in de-de  the original -> de/act1/yes\n"), "{other}");
-    let none = lipz(scene.path(), ["coverage", "voices/en", "--no-config", "--voices"]);
-    assert!(none.code == 2 && none.stderr.contains("no clip of the bank is a dub"), "{}", none.stderr);
+    let none = lipz(scene.path(), ["coverage", "voices/en", "--no-config", "--show", "voices"]);
+    assert!(none.code == 2 && none.stderr.contains("the bank does not contain dubs"), "{}", none.stderr);
 }
 
-/// The project plans a language, and nobody has recorded a line of it.
+/// The project plans a language without any recorded line.
 #[test]
 fn the_first_dub_has_its_work_before_it_begins() {
     let scene = scene();
     fs::remove_dir_all(scene.path().join("voices/de")).unwrap();
-    let run = |arguments: &[&str]| lipz(scene.path(), [&["coverage", "--voices"], arguments].concat());
-    let table = run(&[]);
+    let run = |arguments: &[&str]| lipz(scene.path(), [&["coverage"], arguments].concat());
+    let missing = |locale: &[&str]| run(&[&["--show", "voices,missing", "--locale"], locale].concat());
+    let table = run(&["--show", "voices"]);
     let row = table.stdout.lines().find(|line| line.contains("de-de")).unwrap_or_default();
     assert_eq!(row.split_whitespace().collect::<Vec<_>>().join(" "), "de-de 0.0 % 0 0.0 s 2 0.6 s", "{table:?}");
-    assert_eq!(run(&["--missing", "de-de"]).stdout, "en/act1/mayor\nen/act1/yes\n");
+    assert_eq!(missing(&["de-de"]).stdout, "en/act1/mayor\nen/act1/yes\n");
     let line = |key: &str| serde_json::json!({ "key": key, "voice": "de-de", "played": "en-us" });
-    let json: serde_json::Value = serde_json::from_str(&run(&["--missing", "de-de", "--json"]).stdout).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&missing(&["de-de", "--output-format", "json"]).stdout).unwrap();
     assert_eq!(json, serde_json::json!([line("en/act1/mayor"), line("en/act1/yes")]));
-    let csv = run(&["--missing", "de-de", "--csv"]).stdout;
+    let csv = missing(&["de-de", "--as", "csv"]).stdout;
     assert_eq!(csv, "key,voice,played\r\nen/act1/mayor,de-de,en-us\r\nen/act1/yes,de-de,en-us\r\n");
-    let csv = run(&["--csv"]).stdout;
+    let csv = run(&["--show", "voices", "--as", "csv"]).stdout;
     assert!(csv.starts_with("voice,lines,dubbed,") && csv.contains("\r\nde-de,2,0,0.0,0.0,0.0,0,2,0.6\r\n"), "{csv}");
-    let page = run(&["--html"]).stdout;
-    assert!(page.contains("<summary>2 lines to be recorded</summary>") && page.ends_with("</html>\n"), "{page}");
-    let none = run(&["--missing", "en-us", "--json"]);
-    assert_eq!((none.code, none.stdout.trim(), none.stderr.as_str()), (0, "[]", "no line is missing\n"));
-    let unknown = run(&["--missing", "fr-fr"]);
-    assert!(unknown.code == 2 && unknown.stderr.contains("no voice is `fr-fr`"), "{unknown:?}");
-    assert!(unknown.stderr.contains("there are en-us, de-de; [voices] in lipz.toml names others"), "{unknown:?}");
-    let exported = lipz(scene.path(), ["texts", "export", "po", "-o", "de.po"]);
+    let page = run(&["--show", "voices", "--as", "html"]).stdout;
+    assert!(page.contains("<summary>2 lines to record</summary>") && page.ends_with("</html>\n"), "{page}");
+    assert_eq!(missing(&["en-us", "--output-format", "json"]).stdout.trim(), "[]");
+    let none = missing(&["en-us"]);
+    assert_eq!((none.code, none.stdout.as_str(), none.stderr.as_str()), (0, "", "no line is missing\n"));
+    let unknown = missing(&["fr-fr"]);
+    assert!(unknown.code == 2 && unknown.stderr.contains("the bank has no voice `fr-fr`"), "{unknown:?}");
+    assert!(unknown.stderr.contains("choose one of en-us, de-de, or add fr-fr = "), "{unknown:?}");
+    let exported = lipz(scene.path(), ["export", "texts", "po", "-o", "de.po"]);
     assert_eq!(exported.stdout, "texts of 2 clips for de-de written into de.po\n");
     scene.write("voices/de/act1/mayor.lipz", DUB);
-    let exported = lipz(scene.path(), ["texts", "export", "po", "-o", "de.po", "--force"]);
-    let expected = "texts of 2 clips for de-de written into de.po; 1 dub left out, whose texts are their originals'\n";
+    let exported = lipz(scene.path(), ["export", "texts", "po", "-o", "de.po", "--overwrite"]);
+    let expected = "texts of 2 clips for de-de written into de.po; left out 1 dub with the texts of their originals\n";
     assert_eq!(exported.stdout, expected);
 }

@@ -1,5 +1,5 @@
-//! The steps of a plan, run by build engines: the bank of one run, nothing done twice, one change for one shard. An engine
-//! that is not on this machine is left out with a word; with `LIPZ_TOOLS`, it has to be there.
+//! The steps of a plan, run by build engines: they produce the bank of a single run, do no work twice, and repeat only
+//! one shard after a change. A missing engine is skipped with a message; with `LIPZ_TOOLS`, it is required.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -9,11 +9,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant, SystemTime};
-use support::Scene;
+use support::{Scene, path_with_lipz};
 
 const SHARDS: usize = 8;
 
-/// A project of 80 clips, its plan, and the bank of one run.
+/// Returns a project of 80 clips with its plan and the bank of a single run.
 fn scene(engine: &str, file: &str) -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"dialogue.lipzbank\"\ndefault-locale = \"en-us\"\n");
@@ -21,14 +21,12 @@ fn scene(engine: &str, file: &str) -> Scene {
         scene.write(&format!("voices/{line}.lipz"), format!(r#"{{ "text_en-us": "Line {line}." }}"#));
     }
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
-    scene.prepare(&["shard", "plan", "--shards", &SHARDS.to_string(), "-o", "build/plan.json", "--quiet"]);
-    // By a name without the blanks that the path of this checkout may have.
-    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_lipz"), scene.path().join("lipz")).unwrap();
-    scene.prepare(&["shard", "emit", engine, "build/plan.json", "-o", file, "--lipz", "./lipz", "--quiet"]);
+    scene.prepare(&["shard", "plan", "pack", "--shards", &SHARDS.to_string(), "-o", "build/plan.json", "--quiet"]);
+    scene.prepare(&["shard", "emit", engine, "build/plan.json", "-o", file, "--quiet"]);
     scene
 }
 
-/// Whether a program is there.
+/// Whether a program is installed.
 fn is_there(program: &str) -> bool {
     let found = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     let is_there = found.is_ok_and(|status| status.success());
@@ -40,8 +38,9 @@ fn is_there(program: &str) -> bool {
 }
 
 fn run(scene: &Scene, program: impl AsRef<Path>, arguments: &[&str]) -> String {
-    let output = Command::new(program.as_ref()).args(arguments).current_dir(scene.path()).output().unwrap();
-    said(&output)
+    let mut command = Command::new(program.as_ref());
+    command.args(arguments).env("PATH", path_with_lipz(scene)).current_dir(scene.path());
+    said(&command.output().unwrap())
 }
 
 fn said(output: &Output) -> String {
@@ -61,13 +60,13 @@ fn objects(scene: &Scene) -> Vec<(Vec<u8>, SystemTime)> {
     (0..SHARDS).map(|shard| object(path(shard))).collect()
 }
 
-/// Changes a clip a moment after all that was written so far.
+/// Changes a clip after a delay, so that it is newer than all files so far.
 fn change(scene: &Scene) {
     std::thread::sleep(Duration::from_millis(1100));
     scene.write("voices/41.lipz", r#"{ "text_en-us": "Another line." }"#);
 }
 
-/// How many objects another run has made anew; the bank is that of one run.
+/// Returns the number of objects that the last run has made again, and checks that the bank is that of a single run.
 fn changed_objects(scene: &Scene, before: &[(Vec<u8>, SystemTime)]) -> usize {
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
     assert!(bytes(scene, "dialogue.lipzbank") == bytes(scene, "whole.lipzbank"));
@@ -90,13 +89,13 @@ fn ninja() {
     assert_eq!(changed_objects(&scene, &before), 1, "{third}");
     let packed = third.lines().filter(|line| line.contains("] shard ")).count();
     assert_eq!((packed, third.contains("link dialogue.lipzbank")), (1, true), "{third}");
-    // A file that is only touched: nothing follows.
+    // A file with a new time but the same contents has no effect.
     std::thread::sleep(Duration::from_millis(1100));
     scene.write("voices/41.lipz", r#"{ "text_en-us": "Another line." }"#);
     let touched = run(&scene, "ninja", &[]);
     assert!(!touched.contains("link"), "{touched}");
     assert!(run(&scene, "ninja", &[]).contains("no work to do"));
-    // A file more.
+    // An additional file.
     scene.write("voices/new.lipz", r#"{ "text_en-us": "New." }"#);
     let before = objects(&scene);
     run(&scene, "ninja", &[]);
@@ -113,17 +112,18 @@ fn make() {
     make(&scene);
     assert!(bytes(&scene, "dialogue.lipzbank") == bytes(&scene, "whole.lipzbank"));
     let again = make(&scene);
-    assert!(!again.contains(" pack ") && !again.contains(" link "), "{again}");
+    assert!(!again.contains("shard pack ") && !again.contains("shard link "), "{again}");
     let before = objects(&scene);
     change(&scene);
     let third = make(&scene);
     assert_eq!(changed_objects(&scene, &before), 1, "{third}");
-    assert_eq!((third.matches(" pack ").count(), third.matches(" link ").count()), (1, 1), "{third}");
+    assert_eq!((third.matches("shard pack ").count(), third.matches("shard link ").count()), (1, 1), "{third}");
     let again = make(&scene);
-    assert!(!again.contains(" pack ") && !again.contains(" link "), "{again}");
+    assert!(!again.contains("shard pack ") && !again.contains("shard link "), "{again}");
 }
 
-/// HyperQueue from Python, which runs the job file of the plan on two workers; `None` if it is not on this machine.
+/// Returns the command of HyperQueue from Python that runs the job file of the plan on two workers; `None` if it is not
+/// installed.
 fn hyperqueue_command(scene: &Scene) -> Option<Command> {
     let python = || {
         let mut python = Command::new("python3");
@@ -137,6 +137,7 @@ fn hyperqueue_command(scene: &Scene) -> Option<Command> {
         return None;
     }
     let mut command = python();
+    command.env("PATH", path_with_lipz(scene));
     let script = support::repository().join("crates/lipz/tests/support/run_hyperqueue.py");
     command.arg(script).arg("build/job.toml").arg(scene.path());
     Some(command)
@@ -146,10 +147,10 @@ fn hyperqueue_command(scene: &Scene) -> Option<Command> {
 fn hyperqueue() {
     let scene = scene("hyperqueue", "build/job.toml");
     let Some(mut first) = hyperqueue_command(&scene) else { return };
-    // Slow enough to be killed in the middle, and a line for each end.
-    scene.write("slow.sh", "#!/bin/sh\nsleep 0.3\n./lipz \"$@\" && echo \"$1\" >> ended.txt\n");
-    run(&scene, "chmod", &["+x", "slow.sh"]);
-    scene.prepare(&["shard", "emit", "hyperqueue", "build/plan.json", "-o", "build/job.toml", "--lipz", "./slow.sh"]);
+    // Slow enough to be killed in between, with a line for each finished task.
+    fs::rename(scene.path().join("bin/lipz"), scene.path().join("bin/fast")).unwrap();
+    scene.write("bin/lipz", "#!/bin/sh\nsleep 0.3\nbin/fast \"$@\" && echo \"$2\" >> ended.txt\n");
+    run(&scene, "chmod", &["+x", "bin/lipz"]);
     let store = || fs::read_dir(scene.path().join("build/store")).map_or(0, Iterator::count);
     let mut server = first.spawn().unwrap();
     let start = Instant::now();
@@ -160,7 +161,7 @@ fn hyperqueue() {
     server.kill().unwrap();
     server.wait().unwrap();
     assert!(!scene.path().join("dialogue.lipzbank").exists());
-    // What was started is done: the tasks outlive their server.
+    // Started tasks finish, because they outlive their server.
     std::thread::sleep(Duration::from_secs(1));
     let files = || fs::read_dir(scene.path().join("build/store")).unwrap().map(|file| file.unwrap());
     let times = || files().map(|file| (file.file_name(), file.metadata().unwrap().modified().unwrap()));
@@ -168,7 +169,7 @@ fn hyperqueue() {
     assert!(hyperqueue_command(&scene).unwrap().status().unwrap().success());
     assert!(bytes(&scene, "dialogue.lipzbank") == bytes(&scene, "whole.lipzbank"));
     let after: Vec<_> = times().collect();
-    assert!(before.iter().all(|result| after.contains(result)), "nothing is done twice");
+    assert!(before.iter().all(|result| after.contains(result)), "no task runs twice");
     assert_eq!(after.len(), SHARDS, "nothing is lost");
     let ended = fs::read_to_string(scene.path().join("ended.txt")).unwrap();
     assert_eq!(ended.lines().filter(|line| *line == "link").count(), 1, "{ended}");
@@ -177,7 +178,7 @@ fn hyperqueue() {
 #[test]
 fn slurm() {
     let scene = scene("slurm", "build/submit.sh");
-    // What the script asks of sbatch, done at once: each task of an array, and what depends on it after that.
+    // Runs the script's sbatch commands immediately: each task of an array, then the job that depends on it.
     scene.write(
         "bin/sbatch",
         "#!/bin/sh\nset -eu\nrange=0-0\nfor argument in \"$@\"; do case $argument in --array=*) range=${argument#--array=};;\n\
@@ -186,7 +187,7 @@ fn slurm() {
          touch done\necho '7;cluster'\n",
     );
     run(&scene, "chmod", &["+x", "bin/sbatch"]);
-    let path = format!("{}:{}", scene.path().join("bin").display(), std::env::var("PATH").unwrap());
+    let path = path_with_lipz(&scene);
     let mut script = Command::new("sh");
     script.args(["build/submit.sh", "--partition=short"]).env("PATH", path).current_dir(scene.path());
     said(&script.output().unwrap());
@@ -197,7 +198,7 @@ fn slurm() {
 fn names_with_a_meaning_are_refused() {
     let scene = scene("ninja", "build.ninja");
     fs::create_dir(scene.path().join("a b")).unwrap();
-    scene.prepare(&["shard", "plan", "--shards", "2", "-o", "a b/plan.json", "--quiet"]);
+    scene.prepare(&["shard", "plan", "pack", "--shards", "2", "-o", "a b/plan.json", "--quiet"]);
     for engine in ["ninja", "make", "hyperqueue", "slurm"] {
         let outcome = support::lipz(scene.path(), ["shard", "emit", engine, "a b/plan.json", "-o", "-"]);
         assert!(outcome.code == 2 && outcome.stderr.contains("LZ1601") && outcome.stdout.is_empty(), "{outcome:?}");

@@ -1,5 +1,5 @@
-//! Errors that are about no source file: of the command line, of what was asked for, of the system. Each has a code,
-//! is in the document of every format, and counts as an error.
+//! Errors that do not concern a source file: of the command line, of the requested work, of the system. Each has a
+//! code, is in the document of every format, and counts as an error.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -13,17 +13,22 @@ use support::{Outcome, Scene, assert_sarif, lipz, repository};
 
 const CLIP: &str = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AE-", "text_en-us": "Aye." }"#;
 
-/// Command lines, each with the code of its one error.
+/// Command lines with the code of their only error.
 const REFUSED: &[(&[&str], Code)] = &[
     // By clap.
     (&["check", "--fixx"], Code::Usage),
     (&["nosuch"], Code::Usage),
     (&["unpack"], Code::Usage),
-    (&["check", "voices", "--default-fps", "0"], Code::Usage),
     (&["explain", "LZ0401", "--list"], Code::Usage),
+    (&["inspect", "b.lipzbank", "--show", "clips", "--locale", "en-us"], Code::Usage),
+    // By a setting.
+    (&["check", "voices", "--config", "default-fps=0"], Code::SettingValue),
+    (&["check", "voices", "--config", "default-locale=es-419"], Code::SettingValue),
+    (&["check", "voices", "--config", "text.lins=2"], Code::UnknownSetting),
+    (&["check", "voices", "--config", "strip=maybe"], Code::SettingType),
+    (&["pack", "voices", "-o", "x.lipzbank", "--config", "strip"], Code::SettingsUnreadable),
     // By the command.
     (&["check"], Code::Usage),
-    (&["check", "voices", "--default-locale", "es-419"], Code::Usage),
     (&["check", "-", "--fix"], Code::Usage),
     (&["pack", "voices"], Code::Usage),
     (&["pack", "voices", "-o", "voices/aye.lipz"], Code::Usage),
@@ -33,28 +38,30 @@ const REFUSED: &[(&[&str], Code)] = &[
     (&["pack", "voices", "-o", "x.lipzbank", "--cache", "voices/../x.lipzbank"], Code::Usage),
     (&["pack", "--config", "stdout.toml", "-o", "stdout.toml"], Code::Usage),
     (&["ids", "voices", "--lang", "c", "-o", "lipz.toml"], Code::Usage),
-    (&["pack", "voices", "-o", "-", "--split-locales"], Code::Usage),
+    (&["pack", "voices", "-o", "-", "--config", "split-locales=true"], Code::Usage),
     (&["pack", "--config", "stdout.toml"], Code::Usage),
     (&["fmt", "voices", "-"], Code::Usage),
     (&["convert", "voices"], Code::Usage),
     (&["convert", "voices", "--viseme-type", "toonboom"], Code::Usage),
     (&["convert", "-", "--viseme-type", "toonboom", "--in-place"], Code::Usage),
-    (&["verify", "b.lipzbank", "c.lipzbank", "--texts", "d.lipztexts"], Code::Usage),
-    (&["inspect", "base.lipzbank", "--texts", "base.en-us.lipztexts", "base.en-us.lipztexts"], Code::Usage),
-    (&["export", "rhubarb-tsv", "voices"], Code::Usage),
-    (&["import", "rhubarb-tsv", "mayor.tsv"], Code::Usage),
-    (&["import", "papagayo", "two.pgo", "-o", "-"], Code::Usage),
-    (&["import", "rhubarb-tsv", "mayor.tsv", "mara.tsv", "-o", "out", "--text", "Aye."], Code::Usage),
-    (&["subtitles", "import", "mayor.txt", "-o", "voices"], Code::Usage),
+    (&["inspect", "base.lipzbank+base.en-us.lipztexts+base.en-us.lipztexts"], Code::Usage),
+    (&["merge", "base.lipzbank", "base.en-us.lipztexts", "base.*.lipztexts", "-o", "x.lipzbank"], Code::Usage),
+    (&["inspect", "b.lipzbank", "--config", "strip=true"], Code::Usage),
+    (&["coverage", "b.lipzbank", "--deny", "warnings"], Code::Usage),
+    (&["export", "visemes", "rhubarb-tsv", "voices"], Code::Usage),
+    (&["import", "visemes", "rhubarb-tsv", "mayor.tsv"], Code::Usage),
+    (&["import", "visemes", "papagayo", "two.pgo", "-o", "-"], Code::Usage),
+    (&["import", "visemes", "rhubarb-tsv", "mayor.tsv", "mara.tsv", "-o", "out", "--script", "mayor.txt"], Code::Usage),
+    (&["import", "subtitles", "mayor.txt", "-o", "voices"], Code::Usage),
     (&["ids", "voices", "--lang", "c", "--prefix", "1"], Code::Usage),
     (&["ids", "voices", "--lang", "rust", "--prefix", "a"], Code::Usage),
     (&["watch", "-", "-o", "b.lipzbank"], Code::Usage),
     (&["inspect", "b.lipzbank", "nosuch"], Code::NoSuchClip),
     (&["inspect", "b.lipzbank", "--locale", "en-us"], Code::Usage),
     (&["inspect", "b.lipzbank", "aye", "--locale", "fr-fr"], Code::NoSuchLocale),
-    (&["coverage", "b.lipzbank", "--missing", "fr-fr"], Code::NoSuchLocale),
+    (&["coverage", "b.lipzbank", "--show", "missing", "--locale", "fr-fr"], Code::NoSuchLocale),
     (&["explain", "nosuch"], Code::NoSuchRule),
-    (&["maps", "nosuch"], Code::MapRefused),
+    (&["print", "maps", "nosuch"], Code::MapRefused),
 ];
 
 fn scene() -> Scene {
@@ -68,7 +75,7 @@ fn scene() -> Scene {
     let (head, voice) = one.split_once("\n1\n").unwrap();
     scene.write("two.pgo", format!("{head}\n2\n{voice}{}", voice.replace("Mara", "Otto")));
     scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--quiet"]);
-    scene.prepare(&["pack", "voices", "-o", "base.lipzbank", "--split-locales", "--quiet"]);
+    scene.prepare(&["pack", "voices", "-o", "base.lipzbank", "--config", "split-locales=true", "--quiet"]);
     scene
 }
 
@@ -105,8 +112,8 @@ fn every_error_is_in_every_format() {
     let scene = scene();
     for &(arguments, code) in REFUSED {
         for format in ["human", "json", "sarif", "github"] {
-            // In front, where no argument before it can take it for its value.
-            let outcome = lipz(scene.path(), [&["--format", format], arguments].concat());
+            // At the start, so that no option takes it as its value.
+            let outcome = lipz(scene.path(), [&["--output-format", format], arguments].concat());
             assert_reported(&outcome, format, code);
         }
     }
@@ -115,10 +122,10 @@ fn every_error_is_in_every_format() {
 #[test]
 fn scripts_find_usage_errors_on_standard_output() {
     for arguments in [
-        &["unpack", "--format", "json"][..],
-        &["nosuch", "--format=json"],
-        &["--format", "json"],
-        &["--format", "json", "fallout"],
+        &["unpack", "--output-format", "json"][..],
+        &["nosuch", "--output-format=json"],
+        &["--output-format", "json"],
+        &["--output-format", "json", "fallout"],
     ] {
         let outcome = lipz(&repository(), arguments);
         assert_eq!((outcome.code, outcome.stderr.as_str()), (2, ""), "{outcome:?}");
@@ -128,7 +135,9 @@ fn scripts_find_usage_errors_on_standard_output() {
 
 #[test]
 fn help_is_no_error_in_any_format() {
-    for arguments in [&["--help"][..], &["--format", "json", "check", "--help"], &["--version", "--format", "json"]] {
+    for arguments in
+        [&["--help"][..], &["--output-format", "json", "check", "--help"], &["--version", "--output-format", "json"]]
+    {
         let outcome = lipz(&repository(), arguments);
         assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""), "{outcome:?}");
         assert!(outcome.stdout.contains("lipz"), "{outcome:?}");
@@ -141,17 +150,17 @@ fn what_people_see() {
     scene.expect("LZ1601-usage", &["pack", "voices"]);
     scene.expect("LZ1601-usage-unknown", &["check", "voices", "--fixx"]);
     scene.expect("LZ1601-usage-missing", &["unpack"]);
-    scene.expect("LZ1601-usage-value", &["check", "voices", "--format", "xml"]);
+    scene.expect("LZ1601-usage-value", &["check", "voices", "--output-format", "xml"]);
     scene.expect("LZ1602-no-such-clip", &["inspect", "b.lipzbank", "ayes"]);
     scene.expect("LZ1602-no-such-clip-far", &["inspect", "b.lipzbank", "quite-another"]);
-    scene.expect("LZ1603-no-such-locale", &["coverage", "b.lipzbank", "--missing", "fr-fr"]);
+    scene.expect("LZ1603-no-such-locale", &["coverage", "b.lipzbank", "--show", "missing", "--locale", "fr-fr"]);
     scene.expect("LZ1604-no-such-rule", &["explain", "forein-code"]);
     scene.expect("LZ1604-no-such-rule-far", &["explain", "LZ9999"]);
-    scene.expect("LZ1111-map-refused-not-listed", &["maps", "papagaya"]);
+    scene.expect("LZ1111-map-refused-not-listed", &["print", "maps", "papagaya"]);
     scene.finish(10);
 }
 
-/// Runs `lipz` with a shell that does something to it before.
+/// Runs `lipz` in a shell, with `before` and `after` around the command.
 #[cfg(target_os = "linux")]
 fn in_shell(scene: &Scene, before: &str, after: &str, arguments: &[&str]) -> Outcome {
     let line = format!("{before}exec \"$0\" \"$@\"{after}");
@@ -170,21 +179,21 @@ fn in_shell(scene: &Scene, before: &str, after: &str, arguments: &[&str]) -> Out
 fn a_full_disk_is_an_error_in_every_format() {
     let scene = scene();
     let printing: [&[&str]; 6] = [
-        &["schema"],
-        &["completions", "bash"],
-        &["maps"],
+        &["print", "schema"],
+        &["print", "completions", "bash"],
+        &["print", "maps"],
         &["explain"],
         &["inspect", "b.lipzbank"],
         &["pack", "voices", "-o", "-", "--quiet"],
     ];
     for arguments in printing {
         for format in ["human", "json", "sarif", "github"] {
-            let outcome = in_shell(&scene, "", " > /dev/full", &[arguments, &["--format", format]].concat());
+            let outcome = in_shell(&scene, "", " > /dev/full", &[arguments, &["--output-format", format]].concat());
             assert_reported(&outcome, format, Code::OutputFailed);
         }
     }
-    // The summary for people, and a document that has no other place.
-    for arguments in [&["check", "voices"][..], &["check", "voices", "--format", "json"], &["--help"]] {
+    // The summary for people, and a document without another destination.
+    for arguments in [&["check", "voices"][..], &["check", "voices", "--output-format", "json"], &["--help"]] {
         let outcome = in_shell(&scene, "", " > /dev/full", arguments);
         assert_reported(&outcome, "human", Code::OutputFailed);
     }
@@ -194,9 +203,9 @@ fn a_full_disk_is_an_error_in_every_format() {
 #[cfg(target_os = "linux")]
 fn a_system_that_watches_nothing_is_an_error_in_every_format() {
     let mut scene = scene();
-    // Enough files for the start of the program, too few for a watcher.
+    // Enough files to start the program, but too few for a watcher.
     let watch = |format: &str| {
-        in_shell(&scene, "ulimit -n 8; ", "", &["watch", "voices", "-o", "b.lipzbank", "--format", format])
+        in_shell(&scene, "ulimit -n 8; ", "", &["watch", "voices", "-o", "b.lipzbank", "--output-format", format])
     };
     for format in ["human", "json", "sarif", "github"] {
         assert_reported(&watch(format), format, Code::WatchFailed);
@@ -206,8 +215,8 @@ fn a_system_that_watches_nothing_is_an_error_in_every_format() {
     scene.finish(1);
 }
 
-/// Files that were joined, or changed with PowerShell's `>>`, have two byte order marks: parsers below ours skip the
-/// second one, and then count from another place.
+/// Joined files, or files changed with PowerShell's `>>`, have two byte order marks. Parsers below lipz skip the second
+/// one, and would report different positions.
 #[test]
 fn two_byte_order_marks_are_told() {
     let scene = scene();
@@ -218,16 +227,16 @@ fn two_byte_order_marks_are_told() {
     marked("m.txt", "Aye.");
     marked("aye.lipz", CLIP);
     let commands: [&[&str]; 6] = [
-        &["babble", "b.xml"],
-        &["import", "rhubarb-xml", "b.xml", "-o", "o", "--no-config"],
-        &["subtitles", "import", "d.en-us.srt", "-o", "o"],
+        &["print", "babble", "b.xml"],
+        &["import", "visemes", "rhubarb-xml", "b.xml", "-o", "o", "--no-config"],
+        &["import", "subtitles", "d.en-us.srt", "-o", "o"],
         &["check", "voices", "--config", "d.toml"],
-        &["import", "rhubarb-tsv", "mayor.tsv", "-o", "o", "--map", "d.toml"],
+        &["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "o", "--map", "d.toml"],
         &["check", "aye.lipz"],
     ];
     for command in commands {
         for format in ["human", "json", "sarif", "github"] {
-            let outcome = lipz(scene.path(), command.iter().copied().chain(["--format", format]));
+            let outcome = lipz(scene.path(), command.iter().copied().chain(["--output-format", format]));
             assert!((1..=2).contains(&outcome.code), "{command:?}: {outcome:?}");
         }
         let outcome = lipz(scene.path(), command.iter().copied());

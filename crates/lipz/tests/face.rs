@@ -1,4 +1,4 @@
-//! `lipz face`: generated curves, written into Lipz files.
+//! `lipz convert --write-curves`: generated curves, written into Lipz files.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -11,6 +11,14 @@ use support::{Scene, lipz, with_input};
 const SETTINGS: &str = "sources = [\"voices\"]\noutput = \"out.lipzbank\"\ndefault-locale = \"en-us\"\nstrip = true\n";
 const NEAT: &str = "{\n  \"visemes\"      :    \"MAEOMAEOMAEOMAEOMAEOMAEO\",\n  \"text_en-us\"   : \"Yes. {anger 2} Of course.\",\n  \"viseme_type\"  : \"blair\",\n  \"fps\"          : 24\n}\n";
 const ROUGH: &str = "{\"fps\":24,\"visemes\":\"MAEOMAEOMAEOMAEO\",\"events\":\"nods 4\", \"mine\": [1,  2], \"curves\": {\"jawOpen\":\"0:0.10 3:0\"},\"note\":0}";
+
+/// Writes all curves into the files.
+const WRITE: [&str; 3] = ["convert", "--write-curves", "--in-place"];
+
+/// Returns the arguments that write some curves into a file.
+fn write<'a>(file: &'a str, curves: &'a str) -> [&'a str; 4] {
+    ["convert", file, curves, "--in-place"]
+}
 
 fn scene(keys: &str) -> Scene {
     let scene = Scene::new();
@@ -32,17 +40,17 @@ fn the_bank_is_the_same_with_curves_in_the_files() {
     let neat = read(&scene, "voices/neat.lipz");
     scene.prepare(&["pack", "--quiet"]);
     let before = fs::read(scene.path().join("out.lipzbank")).unwrap();
-    let shown = lipz(scene.path(), ["face", "--check"]);
+    let shown = lipz(scene.path(), ["convert", "--write-curves", "--check"]);
     assert_eq!(
         (shown.code, shown.stdout.replace('\\', "/").as_str()),
         (1, "voices/neat.lipz\nvoices/rough.lipz\n"),
         "{shown:?}"
     );
-    let shown = lipz(scene.path(), ["face", "--diff"]);
+    let shown = lipz(scene.path(), ["convert", "--write-curves", "--diff"]);
     assert!(shown.code == 1 && shown.stdout.contains("+    \"nod\" "), "{shown:?}");
     assert_eq!(read(&scene, "voices/neat.lipz"), neat, "nothing is written");
 
-    let said = lipz(scene.path(), ["face"]);
+    let said = lipz(scene.path(), WRITE);
     assert_eq!(said.code, 0, "{said:?}");
     let summary = said.stderr + &said.stdout;
     assert!(
@@ -51,7 +59,7 @@ fn the_bank_is_the_same_with_curves_in_the_files() {
     );
     let after = read(&scene, "voices/neat.lipz");
     assert!(after.contains("  \"curves\" :      {\n    \"anger\"") && after.contains("\"breath\""), "{after}");
-    // In the rough file, curves are behind its own, and nothing else is another.
+    // In the rough file, the new curves follow its own, and nothing else changes.
     let rough = read(&scene, "voices/rough.lipz");
     let (head, tail) = ROUGH.split_at(ROUGH.find("},\"note\"").unwrap());
     assert!(rough.starts_with(&format!("{head},\"nod\":\"0:5 4:3 ")) && rough.ends_with(tail), "{rough}");
@@ -63,7 +71,7 @@ fn the_bank_is_the_same_with_curves_in_the_files() {
     );
     scene.prepare(&["pack", "--quiet"]);
     assert!(fs::read(scene.path().join("out.lipzbank")).unwrap() == before, "the same bank");
-    let again = lipz(scene.path(), ["face", "--check"]);
+    let again = lipz(scene.path(), ["convert", "--write-curves", "--check"]);
     assert!(again.code == 0 && again.stdout.is_empty(), "{again:?}");
 }
 
@@ -72,7 +80,7 @@ fn what_an_animator_wrote_stays() {
     let scene = scene("events");
     let own = ROUGH.replace("{\"jawOpen\"", "{\"nod\":\"0:5 2:9 4:5\",\"jawOpen\"");
     scene.write("voices/rough.lipz", &own);
-    let said = lipz(scene.path(), ["face", "--keys", "words", "--curve", "nod"]);
+    let said = lipz(scene.path(), ["convert", "--write-curves=nod", "--config", "face.keys=words", "--in-place"]);
     assert_eq!(said.code, 0, "{said:?}");
     assert_eq!(read(&scene, "voices/rough.lipz"), own);
     let neat = read(&scene, "voices/neat.lipz");
@@ -85,7 +93,7 @@ fn line_ends_are_those_of_the_file() {
     let lines = "{ \"fps\": 24,\r\n\"visemes\": \"MAEOMAEOMAEOMAEO\", \"events\": \"shakes\" }\r\n";
     scene.write("voices/lines.lipz", lines);
     scene.write("voices/line.lipz", lines.replace("\r\n", ""));
-    scene.prepare(&["face", "--quiet"]);
+    scene.prepare(&[&WRITE[..], &["--quiet"]].concat());
     let text = read(&scene, "voices/lines.lipz");
     assert!(text.contains("\"shake\"") && text.matches('\n').count() == text.matches("\r\n").count(), "{text}");
     let text = read(&scene, "voices/line.lipz");
@@ -95,30 +103,33 @@ fn line_ends_are_those_of_the_file() {
 #[test]
 fn standard_input_goes_to_standard_output() {
     let scene = scene("words");
-    let made = with_input(scene.path(), &["face", "-"], ROUGH.as_bytes());
+    let made = with_input(scene.path(), &["convert", "-", "--write-curves"], ROUGH.as_bytes());
     let text = String::from_utf8(made.stdout).unwrap();
     assert!(made.status.success() && text.contains("\"nod\":"), "{text}");
-    let same = with_input(scene.path(), &["face", "-"], text.as_bytes());
+    let same = with_input(scene.path(), &["convert", "-", "--write-curves"], text.as_bytes());
     assert_eq!(String::from_utf8(same.stdout).unwrap(), text);
 }
 
 #[test]
 fn what_cannot_be_done_is_told_and_nothing_is_written() {
     let scene = scene("events");
-    let none = lipz(scene.path(), ["face", "--curve", "nodd"]);
-    assert!(none.code == 2 && none.stderr.contains("no curve `nodd`") && none.stderr.contains("nod"), "{none:?}");
-    let little = lipz(scene.path(), ["face", "voices/still.lipz"]);
+    let none = lipz(scene.path(), ["convert", "--write-curves=nodd", "--in-place"]);
+    assert!(none.code == 2 && none.stderr.contains("a curve `nodd`") && none.stderr.contains("nod"), "{none:?}");
+    let little = lipz(scene.path(), write("voices/still.lipz", "--write-curves"));
     let all = little.stderr.clone() + &little.stdout;
-    assert!(little.code == 0 && all.contains("curves of what is said are made with `--keys words`"), "{little:?}");
+    assert!(
+        little.code == 0 && all.contains("hint: `--config face.keys=words` also generates gestures from texts"),
+        "{little:?}"
+    );
     scene.write("voices/bad.lipz", r#"{ "visemes": "M", "fps": 24, "curves": { "nod": "x" } }"#);
-    let bad = lipz(scene.path(), ["face"]);
+    let bad = lipz(scene.path(), WRITE);
     assert!(bad.code == 1 && bad.stderr.contains("LZ1801"), "{bad:?}");
     assert_eq!(read(&scene, "voices/neat.lipz"), NEAT, "nothing is written");
-    let missing = lipz(scene.path(), ["face", "nowhere"]);
+    let missing = lipz(scene.path(), write("nowhere", "--write-curves"));
     assert!(missing.code == 2 && missing.stderr.contains("nowhere"), "{missing:?}");
 }
 
-/// What the reader generates, written into a file, moves the face as before: at each frame, and nearly between them.
+/// Generated curves in a file move the face as before: exactly at each frame, and nearly between frames.
 #[test]
 fn what_is_generated_can_be_edited() {
     let scene = scene("events");
@@ -130,9 +141,8 @@ fn what_is_generated_can_be_edited() {
     scene.prepare(&["pack", "--quiet"]);
     let before = fs::read(scene.path().join("out.lipzbank")).unwrap();
     let names = ["blink", "headPitch", "headYaw", "headRoll", "eyePitch", "eyeYaw"];
-    let mut arguments = vec!["face", "voices/long.lipz"];
-    names.iter().for_each(|name| arguments.extend(["--curve", *name]));
-    let said = lipz(scene.path(), &arguments);
+    let curves = format!("--write-curves={}", names.join(","));
+    let said = lipz(scene.path(), write("voices/long.lipz", &curves));
     assert!(said.code == 0 && said.stdout.contains("1 file with new curves"), "{said:?}");
     let written = read(&scene, "voices/long.lipz");
     assert!(written.contains("\"eyeYaw\": \"0:3\"") && written.contains("\"blink\""), "{written}");
@@ -161,13 +171,13 @@ fn what_is_generated_can_be_edited() {
             );
         }
     }
-    assert!(blinks > 1, "there is something to see");
+    assert!(blinks > 1, "the face moves");
     let now = read(&scene, "voices/long.lipz");
-    let again = lipz(scene.path(), &arguments);
+    let again = lipz(scene.path(), write("voices/long.lipz", &curves));
     assert!(again.code == 0 && read(&scene, "voices/long.lipz") == now, "{again:?}");
-    // Of somebody else, whom its events name; what is not generated of them is no name.
+    // The curves of a character that the events name. Curves that are not generated for characters are not valid names.
     scene.write("voices/heard.lipz", line.replace("\"curves\"", "\"events\": \"mara nods\", \"curves\""));
-    let said = lipz(scene.path(), ["face", "voices/heard.lipz", "--curve", "mara.blink", "--curve", "mara.eyeYaw"]);
+    let said = lipz(scene.path(), write("voices/heard.lipz", "--write-curves=mara.blink,mara.eyeYaw"));
     assert!(said.code == 0 && said.stdout.contains("mara.blink in 1 file"), "{said:?}");
     scene.prepare(&["pack", "--quiet"]);
     let bytes = fs::read(scene.path().join("out.lipzbank")).unwrap();
@@ -186,12 +196,12 @@ fn what_is_generated_can_be_edited() {
     for (file, name) in
         [("voices/heard.lipz", "mara.headYaw"), ("voices/heard.lipz", "otto.blink"), ("voices/long.lipz", "mara.blink")]
     {
-        let said = lipz(scene.path(), ["face", file, "--curve", name]);
-        assert!(said.code == 2 && said.stderr.contains("no curve"), "{said:?}");
+        let said = lipz(scene.path(), write(file, &format!("--write-curves={name}")));
+        assert!(said.code == 2 && said.stderr.contains("do not produce a curve"), "{said:?}");
     }
-    // Without times, nothing is generated.
-    let said = lipz(scene.path(), ["face", "voices/still.lipz", "--curve", "blink"]);
-    assert!(said.code == 2 && said.stderr.contains("no curve `blink` is made"), "{said:?}");
+    // Without a frame rate, nothing is generated.
+    let said = lipz(scene.path(), write("voices/still.lipz", "--write-curves=blink"));
+    assert!(said.code == 2 && said.stderr.contains("do not produce a curve `blink`"), "{said:?}");
 }
 
 /// `mara.old` has a `blink`; `mara` has no `old.blink`.
@@ -201,6 +211,6 @@ fn a_name_may_have_dots() {
     let events = "mara nods, mara.old nods";
     let clip = format!(r#"{{ "fps": 24, "visemes": "{}", "events": "{events}" }}"#, "MA".repeat(120));
     scene.write("voices/heard.lipz", clip);
-    let said = lipz(scene.path(), ["face", "voices/heard.lipz", "--curve", "mara.old.blink"]);
+    let said = lipz(scene.path(), write("voices/heard.lipz", "--write-curves=mara.old.blink"));
     assert!(said.code == 0 && said.stdout.contains("mara.old.blink in 1 file"), "{said:?}");
 }

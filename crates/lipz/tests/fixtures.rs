@@ -1,8 +1,8 @@
-//! The Lipz files below `fixtures/`: what `lipz check` prints about the bad ones, that the good ones
-//! are good, and that every diagnostic code is seen at least once.
+//! The Lipz files below `fixtures/`: the output of `lipz check` about the bad ones is as expected, the good ones are
+//! clean, and every diagnostic code is covered.
 //!
-//! `NAME.expected` beside a bad file holds standard error and the exit code. `LIPZ_BLESS=1` writes
-//! these files anew.
+//! `NAME.expected` next to a bad file contains standard error and the exit code. `LIPZ_BLESS=1` writes these files
+//! again.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use support::{Comparison, files, is_blessing, lipz, repository};
 
-/// Checks every Lipz file in `folder`, with the arguments in `NAME.flags` if there is such a file.
+/// Checks every Lipz file in `folder`, with the arguments in `NAME.flags` if that file exists.
 fn compare_folder(folder: &str, at_least: usize) {
     let repository = repository();
     let mut comparison = Comparison::default();
@@ -42,7 +42,7 @@ fn bad_settings() {
     let repository = repository();
     let mut comparison = Comparison::default();
     for file in files("fixtures/bad/settings", "toml") {
-        // Wrong settings end the run: no source is looked at.
+        // Wrong settings end the run before any source is read.
         let outcome = lipz(&repository, ["check", "nowhere", "--config", &file]);
         assert_eq!(outcome.stdout, "", "{file}");
         comparison.compare(&file.replace(".toml", ".expected"), &outcome.expectation());
@@ -55,7 +55,7 @@ fn bad_viewer_settings() {
     let repository = repository();
     let mut comparison = Comparison::default();
     for file in files("fixtures/bad/viewer", "xml") {
-        let outcome = lipz(&repository, ["babble", &file]);
+        let outcome = lipz(&repository, ["print", "babble", &file]);
         assert_eq!(outcome.stdout.is_empty(), outcome.code == 1, "{file}");
         comparison.compare(&file.replace(".xml", ".expected"), &outcome.expectation());
     }
@@ -72,7 +72,7 @@ fn good_files_have_no_diagnostics_but_two() {
     let repository = repository();
     let acts = ["act1", "act2", "act3"].map(|act| format!("fixtures/drama/{act}"));
     let count: usize = acts.iter().map(|act| files(act, "lipz").len()).sum();
-    assert_eq!(count, 48, "fixtures/drama/README.md says how many there are");
+    assert_eq!(count, 48, "the number in fixtures/drama/README.md");
     let drama = lipz(&repository, ["check", "fixtures/drama"]);
     assert_eq!((drama.code, drama.stdout.lines().next()), (0, Some("48 files checked")), "{}", drama.stderr);
     let diagnostics: Vec<&str> = drama.stderr.lines().filter(|line| line.contains("[LZ")).collect();
@@ -84,7 +84,7 @@ fn good_files_have_no_diagnostics_but_two() {
 
     assert_eq!(files("fixtures/spec/repaired", "lipz").len(), 8);
     let examples = lipz(&repository, ["check", "fixtures/spec/repaired"]);
-    // `nervous` is in two of the specification's own examples, and not in its list.
+    // `nervous` is in two of the specification's own examples, but not in its list.
     let diagnostics: Vec<&str> = examples.stderr.lines().filter(|line| line.contains("[LZ")).collect();
     assert_eq!(diagnostics, ["warning[LZ0702]: `nervous` is not a known emotion"; 3]);
     assert_eq!((examples.code, examples.stdout.as_str()), (0, "8 files checked\n"));
@@ -98,7 +98,7 @@ fn repaired_examples_are_those_that_were_printed() {
     assert_eq!(printed, repaired);
 }
 
-/// The text of every `.expected` file, with its path.
+/// Returns the text of every `.expected` file with its path.
 fn expectations() -> Vec<(String, String)> {
     let folders = [
         "fixtures/bad",
@@ -115,7 +115,7 @@ fn expectations() -> Vec<(String, String)> {
         .collect()
 }
 
-/// The codes in a text, `LZ0401` of `error[LZ0401]: …`.
+/// Returns the codes in a text: `LZ0401` for `error[LZ0401]: …`.
 fn codes(text: &str) -> BTreeSet<&str> {
     let after = text.lines().filter_map(|line| {
         let rest = line.strip_prefix("error[").or_else(|| line.strip_prefix("warning["))?;

@@ -1,4 +1,4 @@
-//! The examples of docs/reference/bank-format.md: the bytes that the page shows are those that `lipz pack` writes.
+//! The examples of docs/reference/bank-format.md: the bytes on the page are the output of `lipz pack`.
 //! (`crates/lipz-bank/tests/format_doc.rs` compares its tables.)
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops at the first surprise")]
 
@@ -8,30 +8,30 @@ use std::fs;
 use std::ops::Range;
 use support::{Scene, lipz, repository};
 
-/// The contents of the fenced block of the page with this info string.
+/// Returns the contents of the fenced block with this info string.
 fn block(page: &str, info: &str) -> String {
     let (_, rest) = page.split_once(&format!("\n```{info}\n")).unwrap_or_else(|| panic!("no block {info}"));
     rest.split_once("```").unwrap().0.to_owned()
 }
 
-/// The bytes in a line: all words of two hexadecimal digits in front of the first two blanks.
+/// Returns the bytes in a line: all words of two hexadecimal digits before the first two blanks.
 fn bytes(line: &str) -> Vec<u8> {
     let listed = line.split("  ").next().unwrap_or_default();
     listed.split_whitespace().map(|byte| u8::from_str_radix(byte, 16).unwrap_or_else(|_| panic!("{line}"))).collect()
 }
 
-/// The bank of a Lipz file `hi.lipz`.
+/// Returns the bank of a Lipz file `hi.lipz`.
 fn pack(file: &str, flags: &[&str]) -> Vec<u8> {
     let scene = Scene::new();
     scene.write("hi.lipz", file);
-    // As the page says: a bank without curves is shorter to read.
+    // As stated on the page, because a bank without curves is shorter.
     scene.write("lipz.toml", "[emotions]\ncurves = \"values\"\n");
     let run = lipz(scene.path(), ["pack", "hi.lipz", "-o", "hi.lipzbank"].iter().chain(flags));
     assert_eq!(run.code, 0, "{}", run.stderr);
     fs::read(scene.path().join("hi.lipzbank")).unwrap()
 }
 
-/// Where a section is.
+/// Returns the range of a section.
 fn section(bank: &[u8], tag: &[u8; 4]) -> Range<usize> {
     let entry = bank[64..].chunks(16).find(|entry| entry.starts_with(tag)).unwrap();
     let number = |at: usize| u32::from_le_bytes(entry[at..at + 4].try_into().unwrap()) as usize;
@@ -41,7 +41,7 @@ fn section(bank: &[u8], tag: &[u8; 4]) -> Range<usize> {
 #[test]
 fn the_bank_that_the_page_walks_through() {
     let page = fs::read_to_string(repository().join("docs/reference/bank-format.md")).unwrap();
-    let bank = pack(&block(&page, "json bank"), &["--strip"]);
+    let bank = pack(&block(&page, "json bank"), &["--config", "strip=true"]);
     let mut end = 0;
     for line in block(&page, "text bank").lines().filter(|line| !line.starts_with('#')) {
         let (offset, rest) = line.split_once("  ").unwrap();

@@ -1,5 +1,5 @@
-//! Diagnostics in the formats for programs: complete documents that are valid whatever the diagnostics
-//! contain, and alone on standard output.
+//! Diagnostics in the formats for programs: complete documents that are valid for any diagnostics, and the only output
+//! on standard output.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use support::{Scene, assert_sarif, lipz, repository, sarif_schema};
 
-/// The document that the command prints, and its exit code. Standard error stays empty.
+/// Returns the document that the command prints, and its exit code. Standard error stays empty.
 fn document(scene: &Scene, arguments: &[&str]) -> (Value, i32) {
     let outcome = lipz(scene.path(), arguments);
     assert_eq!(outcome.stderr, "", "{arguments:?}");
@@ -18,9 +18,9 @@ fn document(scene: &Scene, arguments: &[&str]) -> (Value, i32) {
     (value, outcome.code)
 }
 
-/// What `lipz check` says about all bad files of the repository.
+/// Returns the output of `lipz check` for all bad files of the repository.
 fn bad_files(format: &str) -> String {
-    let outcome = lipz(&repository(), ["check", "fixtures/bad", "fixtures/spec/as-printed", "--format", format]);
+    let outcome = lipz(&repository(), ["check", "fixtures/bad", "fixtures/spec/as-printed", "--output-format", format]);
     assert_eq!((outcome.code, outcome.stderr.as_str()), (1, ""), "{format}");
     outcome.stdout
 }
@@ -83,9 +83,9 @@ fn all_formats_have_all_diagnostics() {
 #[test]
 fn rules_are_counted() {
     let json: Value = serde_json::from_str(&bad_files("json")).unwrap();
-    let arguments = ["check", "fixtures/bad", "fixtures/spec/as-printed", "--statistics"];
-    let counted = lipz(&repository(), arguments.iter().chain(&["--json"]));
-    assert_eq!((counted.code, counted.stderr.as_str()), (1, ""));
+    let arguments = ["check", "fixtures/bad", "fixtures/spec/as-printed", "--show", "stats"];
+    let counted = lipz(&repository(), arguments.iter().chain(&["--output-format", "json"]));
+    assert!(counted.code == 1 && counted.stderr == bad_files("json"), "the document is complete");
     let rows: Value = serde_json::from_str(&counted.stdout).unwrap();
     let counts = list(&rows, "").iter().map(|row| row["count"].as_u64().unwrap());
     assert!(counts.clone().is_sorted_by(|a, b| a >= b), "{rows}");
@@ -93,9 +93,9 @@ fn rules_are_counted() {
     let table = lipz(&repository(), arguments);
     assert_eq!(table.code, 1);
     assert_eq!(table.stdout.lines().count(), list(&rows, "").len() + 1);
-    let junit = lipz(&repository(), arguments.iter().chain(&["--format", "junit"]));
-    assert!(junit.stdout == table.stdout && junit.stderr == bad_files("junit"), "the report is whole");
-    let clean = lipz(&repository(), ["check", "fixtures/drama/act1", "--statistics"]);
+    let junit = lipz(&repository(), arguments.iter().chain(&["--output-format", "junit"]));
+    assert!(junit.stdout == table.stdout && junit.stderr == bad_files("junit"), "the report is complete");
+    let clean = lipz(&repository(), ["check", "fixtures/drama/act1", "--show", "stats"]);
     assert_eq!((clean.stdout.as_str(), clean.code), ("no diagnostics\n", 0));
 }
 
@@ -136,13 +136,13 @@ fn a_fix_can_be_applied_by_its_place() {
     let scene = Scene::new();
     let text = "{\n  \"text_ja-jp\": \"灯台\", \"text-en_US\": \"Aye.\"\n}";
     scene.write("aye.lipz", text);
-    let (json, _) = document(&scene, &["check", "aye.lipz", "--format", "json"]);
+    let (json, _) = document(&scene, &["check", "aye.lipz", "--output-format", "json"]);
     let fix = &json["diagnostics"][0]["fix"];
     let offset = |end: &str| usize::try_from(fix["span"][end]["offset_bytes"].as_u64().unwrap()).unwrap();
     let mut fixed = text.to_owned();
     fixed.replace_range(offset("start")..offset("end"), fix["replacement"].as_str().unwrap());
     assert_eq!(fixed, text.replace("text-en_US", "text_en-us"));
-    let (sarif, _) = document(&scene, &["check", "aye.lipz", "--format", "sarif"]);
+    let (sarif, _) = document(&scene, &["check", "aye.lipz", "--output-format", "sarif"]);
     let change = &sarif["runs"][0]["results"][0]["fixes"][0]["artifactChanges"][0];
     assert_eq!(change["artifactLocation"]["uri"], "aye.lipz");
     assert_eq!(change["replacements"][0]["insertedContent"]["text"], "\"text_en-us\"");
@@ -167,13 +167,13 @@ fn every_command_prints_a_document_and_nothing_else() {
         (&["unpack", "good.lipzbank", "-o", "out", "--quiet"], 0, &[]),
         (&["unpack", "good.lipzbank", "-o", "out"], 1, &[Code::WouldOverwrite]),
     ];
-    let github = lipz(scene.path(), ["check", "good", "--format", "github"]);
+    let github = lipz(scene.path(), ["check", "good", "--output-format", "github"]);
     assert_eq!((github.code, github.stdout.as_str(), github.stderr.as_str()), (0, "", ""));
     for format in ["json", "sarif"] {
-        // Whatever stands there from the format before.
+        // Files may remain from the previous format.
         let _ = fs::remove_dir_all(scene.path().join("out"));
         for (arguments, code, codes) in runs {
-            let arguments = [arguments, &["--format", format]].concat();
+            let arguments = [arguments, &["--output-format", format]].concat();
             let (value, exit_code) = document(&scene, &arguments);
             assert_eq!(exit_code, code, "{arguments:?}");
             let (pointer, field) =
@@ -194,12 +194,10 @@ fn results_keep_standard_output_for_themselves() {
     scene.write("good/aye.lipz", r#"{ "fps": 24, "visemes": "AE-", "text-en_us": "Aye." }"#);
     scene.write("bad.lipzbank", "bad");
     scene.prepare(&["pack", "good", "-o", "good.lipzbank"]);
-    let runs: [(&[&str], &str, i32, &[Code]); 2] = [
-        (&["inspect", "good.lipzbank", "--json"], "{", 0, &[]),
-        (&["inspect", "bad.lipzbank"], "", 1, &[Code::BankRefused]),
-    ];
+    let runs: [(&[&str], &str, i32, &[Code]); 2] =
+        [(&["inspect", "good.lipzbank"], "{", 0, &[]), (&["inspect", "bad.lipzbank"], "", 1, &[Code::BankRefused])];
     for (arguments, starts_with, code, codes) in runs {
-        let outcome = lipz(scene.path(), [arguments, &["--format", "json"]].concat());
+        let outcome = lipz(scene.path(), [arguments, &["--output-format", "json"]].concat());
         assert_eq!(outcome.code, code, "{arguments:?}");
         assert!(outcome.stdout.starts_with(starts_with), "{arguments:?}: {}", outcome.stdout);
         assert_eq!(outcome.stdout.is_empty(), starts_with.is_empty(), "{arguments:?}");
@@ -208,7 +206,7 @@ fn results_keep_standard_output_for_themselves() {
             list(&json, "/diagnostics").iter().map(|found| found["code"].as_str().unwrap()).collect();
         assert_eq!(found, codes.iter().map(|code| code.number()).collect::<Vec<_>>(), "{arguments:?}");
     }
-    let explained = lipz(scene.path(), ["explain", "LZ0401", "--format", "json"]);
+    let explained = lipz(scene.path(), ["explain", "LZ0401", "--output-format", "json"]);
     assert!(explained.stdout.starts_with("LZ0401 "), "{explained:?}");
     let json: Value = serde_json::from_str(&explained.stderr).unwrap();
     assert_eq!(list(&json, "/diagnostics").len(), 0, "{explained:?}");
@@ -223,7 +221,7 @@ fn ten_thousand_equal_diagnostics_are_counted_for_people_only() {
     }
     let human = lipz(scene.path(), ["check", "voices"]);
     assert_eq!(human.stderr.matches("error[LZ0401]").count(), 100);
-    assert!(human.stderr.contains("--> voices/00099.lipz:1:39\n"), "the first of them, in order");
+    assert!(human.stderr.contains("--> voices/00099.lipz:1:39\n"), "the first ones, in order");
     let closing: Vec<&str> = human.stderr.lines().rev().take(2).collect();
     assert_eq!(
         closing,
@@ -232,7 +230,7 @@ fn ten_thousand_equal_diagnostics_are_counted_for_people_only() {
             "9,900 more LZ0401 (a viseme code is not valid in the clip's viseme type) in 9,900 files are not shown",
         ]
     );
-    let (json, _) = document(&scene, &["check", "voices", "--format", "json"]);
+    let (json, _) = document(&scene, &["check", "voices", "--output-format", "json"]);
     assert_eq!(list(&json, "/diagnostics").len(), FILES);
 }
 

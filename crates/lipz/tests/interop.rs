@@ -1,4 +1,5 @@
-//! `lipz import`, `lipz export`, `lipz maps`: what they write, and what they print about files of other tools.
+//! `lipz import visemes`, `lipz export visemes`, `lipz print maps`: their files, and their output about files of other
+//! tools.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -8,7 +9,7 @@ use support::{Scene, lipz, repository, tree, with_input};
 
 const TSV: &str = "0.00\tX\n0.25\tD\n0.50\tA\n0.75\tX\n1.00\tX\n";
 
-/// A table with Papagayo's names but for one, and a code that is none.
+/// A table with all of Papagayo's names except one, and an invalid code.
 const BAD_MAP: &str =
     "name = \"our-rig\"\nversion = 1\nviseme-type = \"blair\"\n\n[to-lipz]\nMBP = \"M\"\nWQ = \"Q\"\n";
 
@@ -29,14 +30,15 @@ fn what_is_wrong_with_files_of_other_tools() {
     ];
     for (name, format, file, text) in files {
         scene.write(file, text);
-        scene.expect(name, &["import", format, file, "-o", "voices", "--quiet", "--force"]);
+        scene.expect(name, &["import", "visemes", format, file, "-o", "voices", "--quiet"]);
     }
-    let text = ["--text", "One? Two and three and four.", "--locale", "en-us", "--segments", "sentences"];
+    let text = ["--script", "mayor.txt", "--locale", "en-us", "--segments", "sentences"];
+    scene.write("mayor.txt", "One? Two and three and four.");
     scene.write("mayor.tsv", TSV);
-    let import = ["import", "rhubarb-tsv", "mayor.tsv", "-o", "voices", "--quiet", "--replace"];
+    let import = ["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "voices", "--quiet", "--overwrite"];
     scene.expect("LZ1109-segment-guessed", &[import.as_slice(), &text].concat());
     fs::remove_file(scene.path().join("voices/mayor.lipz")).unwrap();
-    scene.expect("LZ1110-text-left-out", &[import.as_slice(), &["--text", "Aye."]].concat());
+    scene.expect("LZ1110-text-left-out", &[import.as_slice(), &["--script", "mayor.txt"]].concat());
     scene.write("our-rig.toml", BAD_MAP);
     scene.expect("LZ1111-map-refused", &[import.as_slice(), &["--map", "our-rig.toml"]].concat());
     scene.expect("LZ1111-map-refused-unknown", &[import.as_slice(), &["--map", "papagaya"]].concat());
@@ -47,7 +49,7 @@ fn what_is_wrong_with_files_of_other_tools() {
 fn what_other_tools_cannot_hold() {
     let mut scene = Scene::new();
     scene.write("voices/mayor.lipz", "{ \"visemes\": \"MAE-\", \"viseme_type\": \"blair\" }");
-    let export = ["export", "rhubarb-tsv", "voices", "-o", "out", "--quiet"];
+    let export = ["export", "visemes", "rhubarb-tsv", "voices", "-o", "out", "--quiet"];
     scene.expect("LZ1112-not-exportable", &export);
     scene.write("voices/mayor.lipz", "{ \"visemes\": \"193-\", \"viseme_type\": \"rms\", \"fps\": 24 }");
     scene.expect("LZ1112-not-exportable-rms", &export);
@@ -62,15 +64,17 @@ fn files_are_named_after_their_sources_and_nothing_is_replaced() {
     scene.write("recorded/mayor.tsv", TSV);
     scene.write("recorded/act1/mayor.tsv", TSV);
     let import = |more: &[&str]| {
-        let arguments = [&["import", "rhubarb-tsv", "recorded/mayor.tsv", "-o", "voices"], more].concat();
+        let arguments = [&["import", "visemes", "rhubarb-tsv", "recorded/mayor.tsv", "-o", "voices"], more].concat();
         lipz(scene.path(), arguments)
     };
-    let first = import(&["--report", "report.json"]);
-    let said = "1 file imported from rhubarb-tsv into voices, by the mapping table rhubarb 1\n";
+    let first = import(&[]);
+    let said = "1 file imported from rhubarb-tsv into voices, with the mapping table rhubarb 1\n";
     assert_eq!((first.code, first.stdout.as_str(), first.stderr.as_str()), (0, said, ""));
     let clip = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
     assert!(clip.contains("\"------AAAAAAMMMMMM------\""), "{clip}");
-    assert!(fs::read_to_string(scene.path().join("report.json")).unwrap().contains("\"map\": \"rhubarb 1\""));
+    let report = import(&["--output-format", "json"]);
+    let report: serde_json::Value = serde_json::from_str(&report.stdout).unwrap();
+    assert_eq!(report["import"]["clips"][0]["map"], "rhubarb 1", "{report}");
     let same = import(&["recorded/act1/mayor.tsv"]);
     assert!(same.code == 1 && same.stderr.contains("error[LZ0802]"), "{}", same.stderr);
     assert_eq!(import(&["--viseme-type", "toonboom"]).code, 0);
@@ -78,9 +82,9 @@ fn files_are_named_after_their_sources_and_nothing_is_replaced() {
     assert!(clip.contains("\"------DDDDDDAAAAAA------\""), "{clip}");
     assert_eq!(lipz(scene.path(), ["check", "voices"]).code, 0);
     assert_eq!(tree(&scene.path().join("voices")), ["mayor.lipz"]);
-    let by_pattern = lipz(scene.path(), ["import", "rhubarb-tsv", "recorded/*/*.tsv", "-o", "more"]);
+    let by_pattern = lipz(scene.path(), ["import", "visemes", "rhubarb-tsv", "recorded/*/*.tsv", "-o", "more"]);
     assert_eq!((by_pattern.code, tree(&scene.path().join("more"))), (0, vec!["mayor.lipz".to_owned()]));
-    let nothing = lipz(scene.path(), ["import", "rhubarb-tsv", "recorded/*.tvs", "-o", "more"]);
+    let nothing = lipz(scene.path(), ["import", "visemes", "rhubarb-tsv", "recorded/*.tvs", "-o", "more"]);
     assert!(nothing.code == 2 && nothing.stderr.contains("`recorded/*.tvs` does not exist"), "{}", nothing.stderr);
 }
 
@@ -90,17 +94,21 @@ fn folders_stay_below_a_root_and_one_clash_stops_nothing_else() {
     for file in ["speech/act1/mayor.tsv", "speech/act2/MAYOR.tsv", "speech/act2/con.tsv", "speech/act2/tom.tsv"] {
         scene.write(file, TSV);
     }
-    let flat = lipz(scene.path(), ["import", "rhubarb-tsv", "speech/**/*.tsv", "-o", "flat"]);
+    let flat = lipz(scene.path(), ["import", "visemes", "rhubarb-tsv", "speech/**/*.tsv", "-o", "flat"]);
     assert_eq!((flat.code, tree(&scene.path().join("flat"))), (1, vec!["tom.lipz".to_owned()]), "{}", flat.stderr);
     assert!(flat.stderr.contains("error[LZ0801]") && flat.stderr.contains("error[LZ0803]"), "{}", flat.stderr);
     assert!(flat.stdout.starts_with("1 file imported"), "{}", flat.stdout);
-    let rooted =
-        lipz(scene.path(), ["import", "rhubarb-tsv", "speech/act?/[mMt]*.tsv", "-o", "voices", "--root", "speech"]);
+    let rooted = lipz(
+        scene.path(),
+        ["import", "visemes", "rhubarb-tsv", "speech/act?/[mMt]*.tsv", "-o", "voices", "--root", "speech"],
+    );
     assert_eq!((rooted.code, rooted.stderr.as_str()), (0, ""));
     let voices = ["act1", "act1/mayor.lipz", "act2", "act2/MAYOR.lipz", "act2/tom.lipz"];
     assert_eq!(tree(&scene.path().join("voices")), voices);
-    let elsewhere =
-        lipz(scene.path(), ["import", "rhubarb-tsv", "speech/act2/tom.tsv", "-o", "voices", "--root", "act2"]);
+    let elsewhere = lipz(
+        scene.path(),
+        ["import", "visemes", "rhubarb-tsv", "speech/act2/tom.tsv", "-o", "voices", "--root", "act2"],
+    );
     assert!(elsewhere.code == 1 && elsewhere.stderr.contains("is not below the root `act2`"), "{}", elsewhere.stderr);
 }
 
@@ -111,14 +119,16 @@ fn texts_and_files_that_do_not_belong_together_are_told() {
         scene.write(file, TSV);
     }
     scene.write("script.csv", "file,text\na.wav,One.\nd.wav,Four.\ne.wav,Five.\n");
-    let import = ["import", "rhubarb-tsv", "a.tsv", "b.tsv", "c.tsv", "-o", "voices", "--locale", "en-us", "--quiet"];
+    let import =
+        ["import", "visemes", "rhubarb-tsv", "a.tsv", "b.tsv", "c.tsv", "-o", "voices", "--locale", "en-us", "--quiet"];
     scene.expect("LZ1116-text-not-joined", &[&import[..], &["--script", "script.csv"]].concat());
     for text in ["a.txt", "d.txt", "act1/b.txt", ".b.txt", "notes.md"] {
         scene.write(&format!("texts/{text}"), "One.");
     }
-    scene.expect("LZ1116-text-not-joined-folder", &[&import[..], &["--text", "texts"]].concat());
-    let one = ["import", "rhubarb-tsv", "a.tsv", "-o", "voices", "--locale", "en-us", "--script", "script.csv"];
-    assert_eq!(lipz(scene.path(), one).stderr, "", "the others of the script are not meant");
+    scene.expect("LZ1116-text-not-joined-folder", &[&import[..], &["--script", "texts"]].concat());
+    let one =
+        ["import", "visemes", "rhubarb-tsv", "a.tsv", "-o", "voices", "--locale", "en-us", "--script", "script.csv"];
+    assert_eq!(lipz(scene.path(), one).stderr, "", "the other rows of the script are ignored");
     scene.finish(2);
 }
 
@@ -130,7 +140,19 @@ fn texts_of_other_encodings() {
     scene.write("texts/a.txt", b"\xC4\xE0.");
     scene.write("texts/b.txt", "Нет.");
     let text = |key: &str| fs::read_to_string(scene.path().join(format!("voices/{key}.lipz"))).unwrap_or_default();
-    let both = ["import", "rhubarb-tsv", "a.tsv", "b.tsv", "-o", "voices", "--locale", "ru-ru", "--text", "texts"];
+    let both = [
+        "import",
+        "visemes",
+        "rhubarb-tsv",
+        "a.tsv",
+        "b.tsv",
+        "-o",
+        "voices",
+        "--locale",
+        "ru-ru",
+        "--script",
+        "texts",
+    ];
     let refused = lipz(scene.path(), both);
     assert_eq!((refused.code, text("a").as_str()), (1, ""), "{}", refused.stderr);
     assert!(refused.stderr.contains("error[LZ0003]: the file is not UTF-8 (byte 0xC4)"), "{}", refused.stderr);
@@ -138,7 +160,7 @@ fn texts_of_other_encodings() {
     assert_eq!(named.code, 0, "{}", named.stderr);
     assert!(text("a").contains("Да.") && text("b").contains("Нет."), "{}{}", text("a"), text("b"));
     assert!(named.stderr.contains("the file is UTF-8, not windows-1251"), "{}", named.stderr);
-    let one = ["import", "rhubarb-tsv", "a.tsv", "-o", "-", "--locale", "ru-ru", "--text", "texts/a.txt"];
+    let one = ["import", "visemes", "rhubarb-tsv", "a.tsv", "-o", "-", "--locale", "ru-ru", "--script", "texts/a.txt"];
     let printed = lipz(scene.path(), [&one[..], &["--encoding", "windows-1251"]].concat());
     assert!(printed.stdout.contains("Да."), "{}{}", printed.stdout, printed.stderr);
 }
@@ -148,9 +170,9 @@ fn frames_of_moho_count_from_where_its_reader_does() {
     let scene = Scene::new();
     scene.write("voices/mayor.lipz", r#"{ "visemes": "MA", "viseme_type": "blair", "fps": 24 }"#);
     for (base, expected) in [("0", "MohoSwitch1\n0 MBP\n1 AI\n2 rest\n"), ("1", "MohoSwitch1\n1 MBP\n2 AI\n3 rest\n")] {
-        scene.prepare(&["export", "moho", "voices", "-o", "out", "--force", "--dat-base", base]);
+        scene.prepare(&["export", "visemes", "moho", "voices", "-o", "out", "--overwrite", "--dat-base", base]);
         assert_eq!(fs::read_to_string(scene.path().join("out/mayor.dat")).unwrap(), expected);
-        scene.prepare(&["import", "moho", "out/mayor.dat", "-o", "back", "--dat-base", base]);
+        scene.prepare(&["import", "visemes", "moho", "out/mayor.dat", "-o", "back", "--dat-base", base]);
         assert!(fs::read_to_string(scene.path().join("back/mayor.lipz")).unwrap().contains("\"MA\""));
     }
 }
@@ -161,7 +183,7 @@ fn voices_of_other_languages_have_their_table() {
     let marks =
         "{\"time\":0,\"type\":\"viseme\",\"value\":\"B\"}\n{\"time\":500,\"type\":\"viseme\",\"value\":\"J\"}\n";
     scene.write("hola.marks", format!("{marks}{{\"time\":1000,\"type\":\"viseme\",\"value\":\"sil\"}}\n"));
-    let run = lipz(scene.path(), ["import", "polly", "hola.marks", "-o", "voices"]);
+    let run = lipz(scene.path(), ["import", "visemes", "polly", "hola.marks", "-o", "voices"]);
     assert!(run.code == 0 && run.stdout.contains("mapping table polly-languages 1"), "{run:?}");
 }
 
@@ -172,7 +194,7 @@ fn noise_of_computed_times_is_no_gap() {
         |start: &str, end: &str, value: &str| format!("{{\"start\":{start},\"end\":{end},\"value\":\"{value}\"}}");
     let cues = [cue("0", "28.849999999999998", "D"), cue("28.85", "30", "A")].join(",");
     scene.write("mayor.json", format!("{{\"mouthCues\":[{cues}]}}"));
-    let run = lipz(scene.path(), ["import", "rhubarb-json", "mayor.json", "-o", "voices"]);
+    let run = lipz(scene.path(), ["import", "visemes", "rhubarb-json", "mayor.json", "-o", "voices"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
 }
 
@@ -181,7 +203,19 @@ fn a_second_language_joins_the_first() {
     let mut scene = Scene::new();
     scene.write("eld_1.tsv", TSV);
     let import = |script: &'static str, locale: &'static str| {
-        ["import", "rhubarb-tsv", "eld_1.tsv", "-o", "voices", "--script", script, "--locale", locale, "--quiet"]
+        [
+            "import",
+            "visemes",
+            "rhubarb-tsv",
+            "eld_1.tsv",
+            "-o",
+            "voices",
+            "--script",
+            script,
+            "--locale",
+            locale,
+            "--quiet",
+        ]
     };
     scene.write("en.msg", "{1}{eld_1}{Greetings.}");
     scene.write("ru.msg", b"{1}{eld_1}{\xC4\xE0.}");
@@ -205,33 +239,34 @@ fn projects_in_the_encoding_of_their_system() {
     let pgo = fs::read_to_string(repository().join("fixtures/interop/papagayo/hello.pgo")).unwrap();
     let latin: Vec<u8> = pgo.replace("hello", "h\u{e9}llo").chars().map(|c| u8::try_from(c).unwrap()).collect();
     scene.write("hello.pgo", &latin);
-    let import = ["import", "papagayo", "hello.pgo", "-o", "voices", "--locale", "fr-fr"];
+    let import = ["import", "visemes", "papagayo", "hello.pgo", "-o", "voices", "--locale", "fr-fr"];
     let guessed = lipz(scene.path(), import);
     assert!(guessed.code == 0 && guessed.stderr.contains("is read as Windows-1252"), "{}", guessed.stderr);
-    let named = lipz(scene.path(), [&import[..], &["--encoding", "latin1", "--replace"]].concat());
+    let named = lipz(scene.path(), [&import[..], &["--encoding", "latin1", "--overwrite"]].concat());
     assert_eq!((named.code, named.stderr.as_str()), (0, ""));
 }
 
 #[test]
 fn standard_input_goes_to_standard_output() {
     let folder = repository();
-    let imported = with_input(&folder, &["import", "rhubarb-tsv", "-"], TSV.as_bytes());
+    let imported = with_input(&folder, &["import", "visemes", "rhubarb-tsv", "-"], TSV.as_bytes());
     assert!(imported.status.success(), "{imported:?}");
-    let exported = with_input(&folder, &["export", "rhubarb-tsv", "-"], &imported.stdout);
+    let exported = with_input(&folder, &["export", "visemes", "rhubarb-tsv", "-"], &imported.stdout);
     assert_eq!(String::from_utf8(exported.stdout).unwrap(), TSV);
 }
 
 #[test]
 fn maps_are_listed_and_one_is_a_file_to_start_from() {
     let scene = Scene::new();
-    let list = lipz(scene.path(), ["maps"]).stdout;
+    let list = lipz(scene.path(), ["print", "maps"]).stdout;
     assert!(list.lines().any(|line| line.starts_with("papagayo ") && line.ends_with(", lossless")), "{list}");
-    let table = lipz(scene.path(), ["maps", "rhubarb"]).stdout;
+    let table = lipz(scene.path(), ["print", "maps", "rhubarb"]).stdout;
     scene.write("ours.toml", table.replace("A = \"M\"", "A = \"-\"").replace("\"rhubarb\"", "\"ours\""));
     scene.write("mayor.tsv", TSV);
-    let run = lipz(scene.path(), ["import", "rhubarb-tsv", "mayor.tsv", "-o", "voices", "--map", "ours.toml"]);
+    let run =
+        lipz(scene.path(), ["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "voices", "--map", "ours.toml"]);
     assert!(run.stdout.contains("mapping table ours 1"), "{run:?}");
     let clip = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
     assert!(clip.contains("\"------AAAAAA------------\""), "{clip}");
-    assert_eq!(lipz(scene.path(), ["maps", "rubarb"]).code, 2);
+    assert_eq!(lipz(scene.path(), ["print", "maps", "rubarb"]).code, 2);
 }

@@ -1,4 +1,5 @@
-//! `lipz pack`, `lipz unpack`, `lipz sync` and others, interrupted at any moment, leave whole files and nothing else.
+//! `lipz pack`, `lipz unpack`, `lipz sync` and other commands leave complete files and no temporary ones when
+//! interrupted at any moment.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -10,7 +11,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use support::tree;
 
-/// Interrupts per test, spread evenly over the time that a whole run takes.
+/// Interrupts per test, spread evenly over the time of a full run.
 const INTERRUPTS: u32 = 20;
 /// The exit code of an interrupted run.
 const INTERRUPTED: i32 = 130;
@@ -20,7 +21,7 @@ fn lipz(folder: &Path, arguments: &[&str]) -> Child {
     command.args(arguments).current_dir(folder).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
-/// Runs the command once whole and then many times interrupted; `prepare` before each run, `look`
+/// Runs the command once to the end and then interrupts it many times. Calls `prepare` before each run, and `look`
 /// after it.
 fn interrupt(folder: &Path, arguments: &[&str], prepare: impl Fn(), look: impl Fn()) {
     prepare();
@@ -34,7 +35,7 @@ fn interrupt(folder: &Path, arguments: &[&str], prepare: impl Fn(), look: impl F
         let child = lipz(folder, arguments);
         std::thread::sleep(whole_run * number / INTERRUPTS);
         let signal = if number % 2 == 0 { "-INT" } else { "-TERM" };
-        // Fails where the run has ended already.
+        // Fails if the run has ended already.
         let _ = Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status();
         let output = child.wait_with_output().unwrap();
         match output.status.code() {
@@ -42,7 +43,7 @@ fn interrupt(folder: &Path, arguments: &[&str], prepare: impl Fn(), look: impl F
                 interrupted += 1;
                 assert_eq!(String::from_utf8(output.stderr).unwrap(), "interrupted\n");
             }
-            // Before the program started to listen, the signal itself ended it.
+            // Before the program handles signals, the signal itself ends it.
             ended => assert!(matches!(ended, Some(0) | None), "{ended:?}"),
         }
         look();
@@ -113,7 +114,7 @@ fn an_interrupted_sync_leaves_whole_files_and_goes_on_where_it_ended() {
         support::write(folder, &format!("rec/{clip}.wav"), sound);
         support::write(folder, &format!("rec/{clip}.txt"), "Who goes there?");
     }
-    let arguments = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--quiet", "--allow", "warnings"];
+    let arguments = ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--quiet", "--allow", "warnings"];
     let prepare = || {
         let _ = fs::remove_dir_all(folder.join("voices"));
     };
@@ -124,13 +125,15 @@ fn an_interrupted_sync_leaves_whole_files_and_goes_on_where_it_ended() {
             let checked = support::lipz(folder, ["check", "voices", "--allow", "warnings"]);
             assert_eq!((checked.code, checked.stderr.as_str()), (0, ""), "whole files");
         }
-        let rest =
-            support::lipz(folder, ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--allow", "warnings"]);
+        let rest = support::lipz(
+            folder,
+            ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--allow", "warnings"],
+        );
         assert!(rest.code == 0 && !rest.stdout.contains("kept"), "what was made is known: {}", rest.stdout);
     });
 }
 
-/// Checks that each file in `voices` is whole, the old one or the new one, and that there are no others.
+/// Checks that each file in `voices` is the complete old or new one, and that there are no further files.
 fn are_old_or_new(folder: &Path, names: &[String], (old, new): (&str, &str)) {
     assert_eq!(tree(&folder.join("voices")), names, "a file is lost, or a temporary one is left");
     for name in names {
@@ -153,7 +156,7 @@ fn an_interrupted_fmt_leaves_whole_files_and_no_others() {
     );
 }
 
-/// Several threads read and write: none ends the process while another one writes.
+/// Several threads read and write: no thread ends the process while another one writes.
 #[test]
 fn an_interrupted_import_leaves_whole_files_and_no_others() {
     let folder = tempfile::tempdir().unwrap();
@@ -165,13 +168,13 @@ fn an_interrupted_import_leaves_whole_files_and_no_others() {
     let (old, new) = ("{ \"text_en-us\": \"Aye.\" }\n", "{ \"text_en-us\": \"Aye.\", \"text_de-de\": \"Ja.\" }\n");
     interrupt(
         folder,
-        &["texts", "import", "de.csv", "--quiet"],
+        &["import", "texts", "de.csv", "--quiet"],
         || names.iter().for_each(|name| support::write(folder, &format!("voices/{name}"), old)),
         || are_old_or_new(folder, &names, (old, new)),
     );
 }
 
-/// Reading may take for ever: a pipe that nobody writes into, a network that hangs.
+/// Reading may block forever: a pipe without a writer, a network that hangs.
 #[test]
 fn a_pack_that_waits_for_a_file_ends_at_once() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,14 +1,14 @@
-//! `lipz pack`, killed at any moment, leaves the old bank whole.
+//! `lipz pack` leaves the old bank complete when killed at any moment.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Kills per run of the test, spread evenly over the time that a whole run takes.
+/// Kills per run of the test, spread evenly over the time of a full run.
 const KILLS: u32 = 60;
 
-/// Sources of a bank that takes a while to write: some megabytes of frames.
+/// Writes sources of a bank that takes a while to write: several megabytes of frames.
 fn write_sources(folder: &Path, code: &str) {
     std::fs::create_dir_all(folder).unwrap();
     for clip in 0..4 {
@@ -49,14 +49,15 @@ fn a_killed_pack_leaves_the_old_bank_or_the_new_one() {
         assert!(found == old || found == new, "killed after {:?}: neither bank", whole_run * kill / KILLS);
         replaced += u32::from(found == new);
     }
-    assert!(replaced < KILLS, "no run was killed before it ended: the test shows nothing");
-    // What is left of killed runs is a temporary file, and does not disturb the next run.
+    assert!(replaced < KILLS, "no run was killed before its end, so the test proves nothing");
+    // Killed runs leave a temporary file, which does not affect the next run.
     assert!(pack(&new_sources, &bank).status().unwrap().success());
     assert!(std::fs::read(&bank).unwrap() == new);
     assert!(whole_run > Duration::from_millis(1));
 }
 
-/// Files are brought to disk and renamed in groups: between the two, and in the middle of a group, each is whole.
+/// Files are flushed to disk and renamed in groups. Each file is complete between these steps, and in the middle of a
+/// group.
 #[test]
 fn a_killed_fmt_loses_no_source() {
     const FILES: usize = 300;
@@ -89,7 +90,7 @@ fn a_killed_fmt_loses_no_source() {
         };
         unfinished += usize::from((0..FILES).filter(|&number| is_old(number)).count() > 0);
     }
-    assert!(unfinished > 0, "no run was killed before it ended: the test shows nothing");
-    assert!(fmt().status().unwrap().success(), "temporary files of killed runs are hidden, and in nobody's way");
+    assert!(unfinished > 0, "no run was killed before its end, so the test proves nothing");
+    assert!(fmt().status().unwrap().success(), "temporary files of killed runs are hidden, and do not matter");
     assert!((0..FILES).all(|number| std::fs::read_to_string(path(number)).unwrap() == new(number)));
 }

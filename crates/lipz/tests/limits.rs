@@ -1,5 +1,5 @@
-//! What happens where the system gives less than usual: no threads, no room, no rights, no /proc. Each answer is a
-//! diagnostic with a code and a path, never a panic, and no file is lost or left half-written.
+//! Systems with fewer resources than usual: no threads, no disk space, no permissions, no /proc. Each failure is a
+//! diagnostic with a code and a path, never a panic, and no file is lost or incomplete.
 #![cfg(all(target_os = "linux", target_env = "gnu"))]
 #![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(unsafe_code, reason = "limits are set between fork and exec")]
@@ -14,19 +14,19 @@ use std::process::Command;
 use support::{Outcome, Scene, tree};
 use tempfile::TempDir;
 
-/// Somebody who owns nothing: limits and rights do not hold for root.
+/// A user without files: limits and permissions do not apply to root.
 const NOBODY: u32 = 65534;
 
-/// The command as somebody who is not root.
+/// A command that runs as a user other than root.
 struct Unprivileged {
     command: Command,
-    /// Where the program is, if its own folder is closed to others.
+    /// The folder with a copy of the program, if its own folder is not open to other users.
     _folder: Option<TempDir>,
 }
 
-/// The command in the folder of a scene, as somebody who is not root.
+/// Returns the command in the folder of a scene, as a user other than root.
 fn as_nobody(scene: &Scene, arguments: &[&str]) -> Unprivileged {
-    // SAFETY: the function takes nothing and only returns a number.
+    // SAFETY: the function does not take arguments and only returns a number.
     let is_root = unsafe { libc::geteuid() } == 0;
     let program = Path::new(env!("CARGO_BIN_EXE_lipz"));
     let folder = (is_root && !is_open_to_all(program)).then(|| tempfile::tempdir().unwrap());
@@ -38,12 +38,12 @@ fn as_nobody(scene: &Scene, arguments: &[&str]) -> Unprivileged {
     Unprivileged { command, _folder: folder }
 }
 
-/// Whether everybody may go to a file: a clone in a folder of `mktemp -d` is its owner's.
+/// Whether all users may access a file: a clone in a folder of `mktemp -d` is open only to its owner.
 fn is_open_to_all(file: &Path) -> bool {
     file.ancestors().skip(1).all(|folder| fs::metadata(folder).is_ok_and(|it| it.permissions().mode() & 0o001 != 0))
 }
 
-/// The same program in a folder that everybody may enter.
+/// Returns a copy of the program in a folder that all users may enter.
 fn beside(program: &Path, folder: &Path) -> PathBuf {
     fs::set_permissions(folder, fs::Permissions::from_mode(0o755)).unwrap();
     let place = folder.join("lipz");
@@ -51,10 +51,10 @@ fn beside(program: &Path, folder: &Path) -> PathBuf {
     place
 }
 
-/// Sets a limit of the command.
+/// Sets a resource limit of the command.
 fn limit(mut it: Unprivileged, resource: libc::__rlimit_resource_t, most: u64) -> Unprivileged {
     let limit = libc::rlimit { rlim_cur: most, rlim_max: most };
-    // SAFETY: nothing is done but a system call with a struct of numbers.
+    // SAFETY: the closure only makes a system call with a struct of numbers.
     unsafe {
         it.command.pre_exec(move || match libc::setrlimit(resource, &raw const limit) {
             0 => Ok(()),
@@ -68,7 +68,7 @@ fn run(mut it: Unprivileged) -> Outcome {
     Outcome::from(it.command.output().unwrap())
 }
 
-/// Gives everybody all rights to what is in the scene, so that each test takes away its own.
+/// Gives all users full access to the files in the scene, so that each test can restrict it.
 fn open_to_all(scene: &Scene) {
     fs::set_permissions(scene.path(), fs::Permissions::from_mode(0o777)).unwrap();
     for name in tree(scene.path()) {
@@ -95,16 +95,16 @@ fn without_threads_every_command_does_its_work() {
     let scene = scene();
     let commands: &[&[&str]] = &[
         &["check", "voices"],
-        &["check", "voices", "--fix", "--threads", "4"],
+        &["check", "voices", "--fix", "--jobs", "4"],
         &["pack", "voices", "-o", "new.lipzbank"],
-        &["pack", "voices", "-o", "cached.lipzbank", "--cache", "c.cache", "--threads", "8"],
-        &["pack", "voices", "-o", "split.lipzbank", "--split-locales"],
+        &["pack", "voices", "-o", "cached.lipzbank", "--cache", "c.cache", "--jobs", "8"],
+        &["pack", "voices", "-o", "split.lipzbank", "--config", "split-locales=true"],
         &["unpack", "old.lipzbank", "-o", "unpacked"],
         &["fmt", "voices"],
         &["convert", "voices", "--viseme-type", "toonboom", "--in-place"],
-        &["import", "rhubarb-tsv", "mouth.tsv", "-o", "imported"],
+        &["import", "visemes", "rhubarb-tsv", "mouth.tsv", "-o", "imported"],
         &["verify", "old.lipzbank"],
-        &["stats", "old.lipzbank"],
+        &["inspect", "--show", "stats", "old.lipzbank"],
         &["diff", "old.lipzbank", "new.lipzbank"],
         &["coverage", "voices"],
         &["inspect", "old.lipzbank"],
@@ -115,7 +115,7 @@ fn without_threads_every_command_does_its_work() {
     }
     let bank = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(bank("new.lipzbank") == bank("old.lipzbank") && bank("cached.lipzbank") == bank("old.lipzbank"));
-    // Only a thread hears of changes; without a word, nothing would ever be packed again.
+    // Changes are detected on a thread. Without an error message, nothing would ever be packed again.
     let watch = ["watch", "voices", "-o", "watched.lipzbank"];
     let outcome = run(limit(as_nobody(&scene, &watch), libc::RLIMIT_NPROC, 1));
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
@@ -133,7 +133,7 @@ fn files_that_may_not_grow_are_an_error_and_the_old_ones_stay() {
     let (before, files) = (fs::read(scene.path().join("old.lipzbank")).unwrap(), tree(scene.path()));
     let commands: &[(&[&str], &str)] = &[
         (&["pack", "voices", "-o", "old.lipzbank"], "old.lipzbank"),
-        (&["pack", "voices", "-o", "new.lipzbank", "--split-locales"], "new.en-us.lipztexts"),
+        (&["pack", "voices", "-o", "new.lipzbank", "--config", "split-locales=true"], "new.en-us.lipztexts"),
         (&["unpack", "old.lipzbank", "-o", "unpacked"], "unpacked/long.lipz"),
         (&["fmt", "voices"], "voices/long.lipz"),
     ];
@@ -142,7 +142,7 @@ fn files_that_may_not_grow_are_an_error_and_the_old_ones_stay() {
         assert_eq!(outcome.code, 2, "{arguments:?}: {}", outcome.stderr);
         let message = format!("error[LZ0904]: `{path}` cannot be written: ");
         assert!(outcome.stderr.starts_with(&message), "{arguments:?}: {}", outcome.stderr);
-        assert!(outcome.stderr.contains("how long a file may be"), "{arguments:?}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains("limit for the size of a file"), "{arguments:?}: {}", outcome.stderr);
     }
     assert!(fs::read(scene.path().join("old.lipzbank")).unwrap() == before);
     assert_eq!(fs::read_to_string(scene.path().join("voices/long.lipz")).unwrap(), long("Nay. "));
@@ -164,7 +164,7 @@ fn what_may_not_be_read_is_named() {
         &["fmt", "voices"],
         &["convert", "voices", "--viseme-type", "toonboom", "--in-place"],
         &["coverage", "voices"],
-        &["stats", "voices"],
+        &["inspect", "--show", "stats", "voices"],
         &["ids", "voices", "--lang", "c"],
     ];
     for arguments in over_sources {
@@ -182,7 +182,7 @@ fn what_may_not_be_read_is_named() {
         (&["verify", "old.lipzbank"], "old.lipzbank"),
         (&["inspect", "old.lipzbank"], "old.lipzbank"),
         (&["diff", "old.lipzbank", "old.lipzbank"], "old.lipzbank"),
-        (&["import", "rhubarb-tsv", "mouth.tsv", "-o", "out"], "mouth.tsv"),
+        (&["import", "visemes", "rhubarb-tsv", "mouth.tsv", "-o", "out"], "mouth.tsv"),
     ];
     for (arguments, path) in over_files {
         let outcome = run(as_nobody(&scene, arguments));
@@ -198,7 +198,7 @@ fn what_may_not_be_read_is_named() {
 fn what_may_not_be_written_is_named_and_stays() {
     let scene = scene();
     scene.write("closed/here", "");
-    // Files may be read, and none may be made or replaced.
+    // Files can be read, but not created or replaced.
     for name in ["closed", "voices", "voices/act1", "voices/act2"] {
         fs::set_permissions(scene.path().join(name), fs::Permissions::from_mode(0o555)).unwrap();
     }
@@ -207,13 +207,13 @@ fn what_may_not_be_written_is_named_and_stays() {
         (&["pack", "voices", "-o", "closed/b.lipzbank"], "closed/b.lipzbank"),
         (&["pack", "voices", "-o", "closed/new/b.lipzbank"], "closed/new/b.lipzbank"),
         (&["pack", "voices", "-o", "closed/b.lipzbank", "--cache", "closed/c.cache"], "closed/b.lipzbank"),
-        (&["pack", "voices", "-o", "closed/b.lipzbank", "--split-locales"], "closed/b.en-us.lipztexts"),
+        (&["pack", "voices", "-o", "closed/b.lipzbank", "--config", "split-locales=true"], "closed/b.en-us.lipztexts"),
         (&["unpack", "old.lipzbank", "-o", "closed"], "closed/act1/mayor.lipz"),
         (&["unpack", "old.lipzbank", "-o", "closed/new"], "closed/new"),
         (&["fmt", "voices"], "voices/act1/mayor.lipz"),
         (&["convert", "voices", "--viseme-type", "toonboom", "--in-place"], "voices/act1/mayor.lipz"),
-        (&["import", "rhubarb-tsv", "mouth.tsv", "-o", "closed"], "closed/mouth.lipz"),
-        (&["subtitles", "export", "srt", "voices", "-o", "closed"], "closed"),
+        (&["import", "visemes", "rhubarb-tsv", "mouth.tsv", "-o", "closed"], "closed/mouth.lipz"),
+        (&["export", "subtitles", "srt", "voices", "-o", "closed"], "closed"),
     ];
     for (arguments, path) in commands {
         let outcome = run(as_nobody(&scene, arguments));
@@ -226,7 +226,7 @@ fn what_may_not_be_written_is_named_and_stays() {
     assert_eq!(fs::read_to_string(scene.path().join("voices/act1/mayor.lipz")).unwrap(), CLIP);
 }
 
-/// Runs a shell script where `mount` works, as root in containers that allow it; `None` if it does not.
+/// Runs a shell script in which `mount` works, as root in containers that allow it; returns `None` elsewhere.
 fn where_mounts_work(folder: &Path, script: &str, arguments: &[&str]) -> Option<Outcome> {
     let unshared = |script: &str| {
         let mut command = Command::new("unshare");
@@ -256,23 +256,23 @@ fn unpacking_needs_no_proc() {
 fn a_full_disk_is_an_error_and_the_old_files_stay() {
     let scene = scene();
     scene.write("full/keep", "");
-    // 40 KB of files where 64 KB fit; what is written then is listed, and whether the sources are whole.
+    // 40 KB of files on a disk of 64 KB. The script lists the files after the command, and compares the sources.
     let script = r#"mount -t tmpfs -o size=64k none full && cp -r voices old.lipzbank full && head -c 100000 /dev/zero > full/filler 2>/dev/null
         cp old.lipzbank before; "$0" "$@"; code=$?
         cmp full/old.lipzbank before && diff -r voices full/voices && find full -name '.*' ; exit $code"#;
     let commands: &[&[&str]] = &[
         &["pack", "voices", "-o", "full/old.lipzbank"],
-        &["pack", "voices", "-o", "full/new/b.lipzbank", "--split-locales"],
+        &["pack", "voices", "-o", "full/new/b.lipzbank", "--config", "split-locales=true"],
         &["unpack", "old.lipzbank", "-o", "full/out"],
         &["fmt", "full/voices"],
         &["convert", "full/voices", "--viseme-type", "toonboom", "--in-place"],
-        &["import", "rhubarb-tsv", "mouth.tsv", "-o", "full/imported"],
+        &["import", "visemes", "rhubarb-tsv", "mouth.tsv", "-o", "full/imported"],
     ];
     for arguments in commands {
         let arguments = [*arguments, &["--quiet"]].concat();
         let Some(outcome) = where_mounts_work(scene.path(), script, &arguments) else { return };
         assert_eq!(outcome.code, 2, "{arguments:?}: {}{}", outcome.stdout, outcome.stderr);
-        for part in ["error[LZ0904]", "full/", "No space left on device", "make room"] {
+        for part in ["error[LZ0904]", "full/", "No space left on device", "free some space"] {
             assert!(outcome.stderr.contains(part), "{arguments:?}: no {part} in\n{}", outcome.stderr);
         }
         assert_eq!(outcome.stdout, "", "{arguments:?}: what is not whole, and temporary files");

@@ -1,4 +1,4 @@
-//! `lipz lsp` as an editor meets it: over its standard input and output, on real files.
+//! `lipz lsp` from the view of an editor: over standard input and output, on real files.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod support;
@@ -11,7 +11,7 @@ use support::editor::{Editor, uri};
 use support::{files, lipz, repository};
 use tempfile::TempDir;
 
-/// A copy of the drama, in which files may be written.
+/// Returns a copy of the drama in which a test may write files.
 fn drama() -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let root = folder.path().canonicalize().unwrap();
@@ -28,11 +28,11 @@ fn codes(diagnostics: &[Value]) -> Vec<&str> {
     diagnostics.iter().map(|diagnostic| diagnostic["code"].as_str().unwrap()).collect()
 }
 
-/// A diagnostic as both tell it: code, severity, and the line and the message of its place.
+/// A diagnostic in the form that both report: code, severity, line and message.
 type Told = (String, String, u64, String);
 
 fn told_by_check(folder: &Path, file: &str) -> Vec<Told> {
-    let outcome = lipz(folder, ["check", "--no-config", "--format", "json", file]);
+    let outcome = lipz(folder, ["check", "--no-config", "--output-format", "json", file]);
     let document: Value = serde_json::from_str(&outcome.stdout).unwrap();
     let told = |found: &Value| {
         let line = found["span"]["start"]["line"].as_u64();
@@ -56,7 +56,7 @@ fn told_by_server(diagnostics: &[Value]) -> Vec<Told> {
     told
 }
 
-/// Whether both tell the same; the server puts the remark under the characters behind the message.
+/// Whether both report the same. The server appends the remark about the marked characters to the message.
 fn are_same(server: &[Told], check: &[Told]) -> bool {
     let is_same = |(one, other): (&Told, &Told)| {
         (&one.0, &one.1, one.2) == (&other.0, &other.1, other.2) && one.3.starts_with(other.3.lines().next().unwrap())
@@ -74,7 +74,7 @@ fn each_bad_file_has_the_diagnostics_of_check() {
     for file in files("fixtures/bad", "lipz").into_iter().filter(|file| file.matches('/').count() == 2) {
         let path = repository.join(&file);
         let bytes = fs::read(&path).unwrap();
-        // What is no text, no editor opens; and it takes byte order marks off.
+        // An editor does not open files that are not text, and removes byte order marks.
         let Ok(text) = String::from_utf8(bytes) else { continue };
         if text.starts_with('\u{feff}') {
             continue;
@@ -102,7 +102,7 @@ fn a_project_is_checked_whole_and_its_files_while_they_are_typed() {
     let mut editor = Editor::in_folder(&root);
     editor.open(&path, text);
     editor.diagnostics(&path, <[Value]>::is_empty);
-    // Behind a character of two UTF-16 units.
+    // After a character of two UTF-16 units.
     editor.change(&path, [3, 21, 3, 23], "{Hi");
     let found = editor.diagnostics(&path, |found| !found.is_empty());
     assert_eq!(
@@ -111,7 +111,7 @@ fn a_project_is_checked_whole_and_its_files_while_they_are_typed() {
         "{found:?}"
     );
     assert_eq!(found[0]["range"]["end"]["character"], 22);
-    // What only the project knows: a second file with the same key, on systems that do not tell them apart.
+    // Problems that only the project shows: a second file with the same key on case-insensitive systems.
     editor.change(&path, [3, 21, 3, 22], "");
     fs::write(root.join("act1/MARA-hello.lipz"), text).unwrap();
     editor.tell("textDocument/didSave", &json!({ "textDocument": { "uri": uri(&path) } }));
@@ -119,7 +119,7 @@ fn a_project_is_checked_whole_and_its_files_while_they_are_typed() {
     fs::remove_file(root.join("act1/MARA-hello.lipz")).unwrap();
     editor.tell("textDocument/didSave", &json!({ "textDocument": { "uri": uri(&path) } }));
     editor.diagnostics(&path, <[Value]>::is_empty);
-    // Settings count from the moment at which they are saved.
+    // Settings apply once they are saved.
     let settings = fs::read_to_string(root.join("lipz.toml")).unwrap();
     fs::write(root.join("lipz.toml"), settings.replace("\"otto\", ", "")).unwrap();
     editor.tell(
@@ -172,7 +172,7 @@ fn fixes_formatting_completion_hover_symbols_and_links() {
     assert_eq!(editor.end(), 0);
 }
 
-/// Makes the edits of a rename on disk, as an editor does.
+/// Makes the edits of a rename on disk like an editor.
 fn apply(edit: &Value) -> usize {
     let changes = edit["documentChanges"].as_array().unwrap();
     for change in changes {
@@ -208,7 +208,7 @@ fn a_character_is_renamed_in_all_files_and_in_the_registry() {
     editor.diagnostics(&path, <[Value]>::is_empty);
     let found = editor.ask_at("textDocument/prepareRename", &path, 0, 57, &json!({}));
     assert_eq!(found["result"]["placeholder"], "otto");
-    for (name, why) in [("mara", "is in use"), ("two words", "a name is a word")] {
+    for (name, why) in [("mara", "is already in use"), ("two words", "a name is one word")] {
         let refused = editor.ask_at("textDocument/rename", &path, 0, 57, &json!({ "newName": name }));
         assert!(refused["error"]["message"].as_str().unwrap().contains(why), "{refused}");
     }
@@ -289,7 +289,7 @@ fn hostile_messages_have_answers_and_end_nothing() {
 fn conversations_that_break_off_end_the_server() {
     let mut editor = Editor::start();
     editor.tell("exit", &Value::Null);
-    assert_eq!(editor.exit_code(), 1, "without goodbye");
+    assert_eq!(editor.exit_code(), 1, "without `shutdown`");
     assert_eq!(Editor::start().exit_code(), 1, "the editor is gone");
     let mut editor = Editor::start();
     editor.send_bytes(b"Content-Length: 99999999999999999999\r\n\r\n");

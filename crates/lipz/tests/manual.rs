@@ -1,4 +1,4 @@
-//! Shell completions and manual pages know every command and option.
+//! Shell completions and manual pages contain every command and option.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -8,7 +8,7 @@ use std::fs;
 use std::process::{Command, Stdio};
 use support::{commands, lipz, repository, tree};
 
-/// The long options that `lipz COMMAND --help` lists.
+/// Returns the long options in `lipz COMMAND --help`.
 fn options(command: &str) -> BTreeSet<String> {
     let help = lipz(&repository(), [command, "--help"]).stdout;
     let list = help.split("Options:\n").nth(1).unwrap().to_owned();
@@ -19,7 +19,7 @@ fn options(command: &str) -> BTreeSet<String> {
 
 #[test]
 fn commands_that_make_no_bank_do_not_list_flags_about_banks() {
-    for flag in ["--locales", "--fallback", "--pseudo", "--min-coverage"] {
+    for flag in ["--over", "--keep-others", "--depfile", "--timings"] {
         assert!(options("pack").contains(flag), "{flag}");
         for command in ["check", "convert"] {
             assert!(!options(command).contains(flag), "{command} {flag}");
@@ -31,7 +31,7 @@ fn commands_that_make_no_bank_do_not_list_flags_about_banks() {
 fn completions_know_every_command_and_option() {
     assert!(commands().len() >= 9, "{:?}", commands());
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let script = lipz(&repository(), ["completions", shell]);
+        let script = lipz(&repository(), ["print", "completions", shell]);
         assert_eq!((script.code, script.stderr.as_str()), (0, ""), "{shell}");
         for command in commands() {
             assert!(script.stdout.contains(&command), "{shell}: {command}");
@@ -41,15 +41,15 @@ fn completions_know_every_command_and_option() {
             }
         }
     }
-    assert_eq!(lipz(&repository(), ["completions", "tcsh"]).code, 2);
+    assert_eq!(lipz(&repository(), ["print", "completions", "tcsh"]).code, 2);
 }
 
 #[test]
 fn the_completions_of_bash_are_bash() {
     let folder = tempfile::tempdir().unwrap();
     let script = folder.path().join("lipz.bash");
-    fs::write(&script, lipz(&repository(), ["completions", "bash"]).stdout).unwrap();
-    // Where there is no bash, there is nothing to see.
+    fs::write(&script, lipz(&repository(), ["print", "completions", "bash"]).stdout).unwrap();
+    // Without bash, there is nothing to check.
     if let Ok(status) = Command::new("bash").arg("-n").arg(&script).stderr(Stdio::inherit()).status() {
         assert!(status.success());
     }
@@ -59,13 +59,13 @@ fn the_completions_of_bash_are_bash() {
 fn every_command_has_a_manual_page_with_its_options() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let written = lipz(folder, ["man", "-o", "man/man1"]);
+    let written = lipz(folder, ["print", "man", "-o", "man/man1"]);
     let count = commands().len() + 1;
     assert_eq!((written.code, written.stdout), (0, format!("{count} pages written into man/man1\n")));
     let mut expected: Vec<String> = commands().iter().map(|name| format!("man/man1/lipz-{name}.1")).collect();
     expected.extend(["man", "man/man1", "man/man1/lipz.1"].map(String::from));
     expected.sort();
-    assert_eq!(tree(folder), expected, "these files and no others");
+    assert_eq!(tree(folder), expected, "exactly these files");
     for command in commands() {
         let page = fs::read_to_string(folder.join(format!("man/man1/lipz-{command}.1"))).unwrap();
         let page = page.replace("\\-", "-");
@@ -74,9 +74,9 @@ fn every_command_has_a_manual_page_with_its_options() {
             assert!(page.contains(&option), "{command} {option}: {page}");
         }
     }
-    let quiet = lipz(folder, ["man", "-o", "man/man1", "--quiet"]);
+    let quiet = lipz(folder, ["print", "man", "-o", "man/man1", "--quiet"]);
     assert_eq!((quiet.code, quiet.stdout.as_str(), quiet.stderr.as_str()), (0, "", ""));
     fs::write(folder.join("file"), "").unwrap();
-    let refused = lipz(folder, ["man", "-o", "file"]);
+    let refused = lipz(folder, ["print", "man", "-o", "file"]);
     assert_eq!((refused.code, refused.stderr.contains("error[LZ0904]")), (2, true), "{}", refused.stderr);
 }

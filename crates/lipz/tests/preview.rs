@@ -1,4 +1,4 @@
-//! `lipz preview` as its page and as pages of others see it: what is answered, and what is written into which file.
+//! `lipz preview` as its own page and foreign pages see it: its responses, and the files that it writes.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -14,14 +14,14 @@ use support::{Scene, lipz};
 const MAYOR: &str = "{\n  \"visemes\": \"MAAAEO--|MAAEEO--\",\n  \"text_en-us\": \"Mayor?|Mayor!\", \"note\": 1,\n  \
                      \"fps\": 24, \"viseme_type\": \"blair\"\n}\n";
 
-/// A preview that runs, until the test ends.
+/// A preview that runs until the end of the test.
 struct Running {
     process: Child,
     port: u16,
     token: String,
 }
 
-/// What a request got.
+/// The response to a request.
 struct Answer {
     status: u16,
     head: String,
@@ -40,7 +40,7 @@ impl Running {
         Running { process, port: port.parse().unwrap(), token: token.to_owned() }
     }
 
-    /// Sends a request with these headers, besides those of its length.
+    /// Sends a request with these headers, in addition to those for its length.
     fn send(&self, method: &str, path: &str, headers: &[(&str, &str)], body: &str) -> Answer {
         let headers: String = headers.iter().map(|(name, value)| format!("{name}: {value}\r\n")).collect();
         let length = body.len();
@@ -49,7 +49,7 @@ impl Running {
         ))
     }
 
-    /// Sends these bytes, and nothing else.
+    /// Sends exactly these bytes.
     fn say(&self, request: &str) -> Answer {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
@@ -101,12 +101,12 @@ fn project() -> Scene {
     scene
 }
 
-/// The file of the mayor's clip.
+/// Returns the file of the mayor's clip.
 fn mayor(scene: &Scene) -> String {
     fs::read_to_string(scene.path().join("voices/act1/mayor.lipz")).unwrap()
 }
 
-/// A change of the mayor's clip.
+/// Returns a change of the mayor's clip.
 fn change(source: &str, elements: &Value) -> Value {
     json!({ "key": "act1/mayor", "source": source, "elements": elements })
 }
@@ -134,7 +134,8 @@ fn the_page_gets_the_bank_that_a_game_gets() {
     assert_eq!(preview.get("web/lipz.wasm").body.get(..4), Some(&b"\0asm"[..]));
 }
 
-/// By events, by `{speaker: …}` of texts, by words of keys, and of dubs by their originals; also in a bank.
+/// Characters come from events, from `{speaker: …}` in texts, from words of keys, and for dubs from their originals.
+/// The same applies to a bank.
 #[test]
 fn the_list_knows_who_is_in_a_clip() {
     let scene = Scene::new();
@@ -172,7 +173,7 @@ fn the_list_knows_who_is_in_a_clip() {
     fs::remove_file(scene.path().join("voices/en/broken-mara.lipz")).unwrap();
     assert_eq!(lipz(scene.path(), ["pack", "-o", "a.lipzbank"]).code, 0);
     let of_bank = of(&Running::start(&scene, &["a.lipzbank"]));
-    assert_eq!(of_bank[0], r#"de/one ["Mara","otto"]"#, "nobody but the text spells her");
+    assert_eq!(of_bank[0], r#"de/one ["Mara","otto"]"#, "only the text spells her name");
 }
 
 #[test]
@@ -213,7 +214,7 @@ fn changes_are_written_as_the_file_is_laid_out() {
     let document: Value = serde_json::from_slice(&draft.body[4..4 + length]).unwrap();
     assert_eq!(document["result"], "draft", "{document}");
     assert!(lipz_bank::Bank::open(&draft.body[4 + length..]).unwrap().clip_by_key("act1/mayor").is_some());
-    assert_eq!(mayor(&scene), MAYOR, "a draft is no file");
+    assert_eq!(mayor(&scene), MAYOR, "a draft does not change the file");
     let before = preview.get("api/clips").json()["version"].as_u64().unwrap();
     let saved = preview.post("api/save", &edit).json();
     assert_eq!(saved["result"], "saved", "{saved}");
@@ -223,10 +224,10 @@ fn changes_are_written_as_the_file_is_laid_out() {
         .replace("\"Mayor?|Mayor!\",", "\"Mayor?|Mayor!\",\n  \"text_de-de\": \"Meister?|Meister!\",");
     assert_eq!(file, expected);
     let changed = preview.get(&format!("api/changes?since={before}")).json();
-    assert_ne!(changed["version"].as_u64(), Some(before), "the page hears of it");
+    assert_ne!(changed["version"].as_u64(), Some(before), "the page gets the change");
 }
 
-/// What a draft says, and its bank.
+/// Returns the JSON part of a draft's response, and its bank.
 fn drafted(answer: &Answer) -> (Value, &[u8]) {
     let length = u32::from_le_bytes(answer.body[..4].try_into().unwrap()) as usize;
     (serde_json::from_slice(&answer.body[4..4 + length]).unwrap(), &answer.body[4 + length..])
@@ -242,7 +243,7 @@ fn of_a_clip_with_errors_what_is_right_is_shown() {
     assert_eq!(document["diagnostics"][0]["code"], "LZ0601", "{document}");
     let bank = lipz_bank::Bank::open(bank).unwrap();
     let tags: Vec<&str> = bank.locales().map(|locale| bank.locale_tag(locale)).collect();
-    assert_eq!(tags, ["en-us", "fr-fr"], "a text with too few parts is left out");
+    assert_eq!(tags, ["en-us", "fr-fr"], "a text with too few segments is omitted");
     assert_eq!(bank.clip_by_key("act1/mayor").unwrap().segments().count(), 2);
     let answer = preview.post("api/draft", &change("{ \"visemes\": 1 ", &json!({})));
     assert_eq!(drafted(&answer).0["result"], "refused", "no document, no draft");
@@ -252,7 +253,7 @@ const DUBBED: &str = "sources = [\"v\"]\nroot = \"v\"\ndefault-locale = \"en-us\
                       de-de = \"de/{key}\"\n[lints]\nwarnings = \"deny\"\n";
 const DUB: &str = r#"{ "fps": 24, "viseme_type": "blair", "visemes": "AAA-" }"#;
 
-/// A project with a dub, whose original has this mouth.
+/// Returns a project with a dub whose original has these visemes.
 fn dubbed(visemes: &str) -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", DUBBED);
@@ -292,7 +293,7 @@ fn a_dub_is_not_to_blame_for_its_original() {
     assert_eq!(preview.post("api/save", &wrong).json()["diagnostics"][0]["code"], "LZ0401", "its own errors count");
     assert_eq!(preview.post("api/save", &edit).json()["result"], "saved");
     assert!(fs::read_to_string(scene.path().join("v/de/aye.lipz")).unwrap().contains("EAA-"));
-    // Nothing can be said of one that is no JSON.
+    // An original that is not valid JSON cannot be compared.
     scene.write("v/aye.lipz", "{ \"fps\": ");
     let source = fs::read_to_string(scene.path().join("v/de/aye.lipz")).unwrap();
     let edit = json!({ "key": "de/aye", "source": source, "elements": { "visemes": "OAA-" } });
@@ -305,15 +306,15 @@ fn texts_in_files_of_their_own_are_shown() {
     fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
     let file = MAYOR.replace("\"note\"", "\"text_de-de\": \"Meister?|Meister!\", \"note\"");
     scene.write("voices/act1/mayor.lipz", file);
-    scene.prepare(&["pack", "voices", "-o", "a.lipzbank", "--split-locales"]);
-    let preview = Running::start(&scene, &["a.lipzbank", "--texts", "a.*.lipztexts"]);
+    scene.prepare(&["pack", "voices", "-o", "a.lipzbank", "--config", "split-locales=true"]);
+    let preview = Running::start(&scene, &["a.lipzbank+a.*.lipztexts"]);
     assert_eq!(preview.get("api/clips").json()["locales"], json!(["de-de", "en-us"]));
     let bytes = preview.get("api/bank").body;
     let bank = lipz_bank::Bank::open(&bytes).unwrap().verify().unwrap();
     let segment = bank.clip_by_key("act1/mayor").unwrap().segment(1).unwrap();
     assert_eq!(segment.text(bank.locale("de-de").unwrap()).unwrap().as_str(), "Meister!");
-    let refused = lipz(scene.path(), ["preview", "voices", "--texts", "a.de-de.lipztexts"]);
-    assert!(refused.code == 2 && refused.stderr.contains("names texts of a bank"), "{refused:?}");
+    let refused = lipz(scene.path(), ["preview", "voices+a.de-de.lipztexts"]);
+    assert!(refused.code == 2 && refused.stderr.contains("`voices`"), "{refused:?}");
 }
 
 #[test]
@@ -324,8 +325,9 @@ fn of_one_file_the_rest_of_the_project_is_not_missed() {
         scene.write(&format!("recordings/act1/{name}.wav"), support::sound::wav(16_000, &samples));
     }
     let told = |source: &str| {
-        let preview = Running::start(&scene, &[source, "--root", "voices", "--audio", "recordings"]);
-        // The first version is 0; recordings may have been compared before anybody asks, and then nothing changes any more.
+        let preview = Running::start(&scene, &[source, "--config", "root=voices", "--audio", "recordings"]);
+        // The first version is 0. If the recordings have been compared before the first request, no later change
+        // follows.
         preview.get("api/changes?since=0");
         preview.get("api/clips").json()["diagnostics"].to_string()
     };
@@ -334,7 +336,7 @@ fn of_one_file_the_rest_of_the_project_is_not_missed() {
     assert!(!single.contains("LZ1702"), "{single}");
 }
 
-/// A project with a recording of a sentence.
+/// Returns a project with a recording of a sentence.
 fn recorded() -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n");
@@ -349,24 +351,24 @@ fn the_phones_of_a_synced_clip_are_known() {
     let preview = Running::start(&scene, &[]);
     assert_eq!(preview.get("api/phones?key=bobby").json(), json!([]), "nothing was synced");
     drop(preview);
-    scene.prepare(&["sync", "--textgrids", "grids", "--quiet"]);
+    scene.prepare(&["sync", "--config", "sync.textgrids=grids", "--quiet"]);
     let phones = |options: &[&str]| Running::start(&scene, options).get("api/phones?key=bobby").json();
     let heard = phones(&[]);
     let names: Vec<&str> = heard.as_array().unwrap().iter().map(|found| found["phone"].as_str().unwrap()).collect();
     assert!(names.starts_with(&["B", "AA"]) && names.contains(&"JH"), "{heard}");
     let grid = fs::read_to_string(scene.path().join("grids/bobby.TextGrid")).unwrap();
     let from_grid = grid.lines().filter(|line| line.trim() == "text = \"JH\"").count();
-    assert_eq!(names.iter().filter(|name| **name == "JH").count(), from_grid, "as the TextGrid has them");
-    // What somebody has corrected counts.
+    assert_eq!(names.iter().filter(|name| **name == "JH").count(), from_grid, "as in the TextGrid");
+    // Manual corrections take precedence.
     let settings = fs::read_to_string(scene.path().join("lipz.toml")).unwrap();
     scene.write("lipz.toml", settings + "[sync]\ntextgrids = \"grids\"\n");
     scene.write("grids/bobby.TextGrid", grid.replace("\"JH\"", "\"ZH\""));
     assert!(phones(&[]).to_string().contains("\"ZH\""));
-    // An exported page has them inside.
-    assert_eq!(lipz(scene.path(), ["preview", "--export", "site"]).code, 0);
+    // An exported page contains them.
+    assert_eq!(lipz(scene.path(), ["preview", "--output", "site"]).code, 0);
     let clip = fs::read_to_string(scene.path().join("site/data/clip-0.js")).unwrap();
     assert!(clip.contains(r#""phones":[{"phone":"B","#) && clip.contains("\"ZH\""), "{clip}");
-    // Another take: nobody has heard it yet.
+    // Another take, which lipz has not analysed yet.
     scene.write("rec/bobby.wav", support::sound::voice(&[(true, 900)], 2));
     assert_eq!(phones(&[]), json!([]));
 }
@@ -438,7 +440,7 @@ fn a_change_that_is_too_long_is_refused_with_a_word() {
     for length in [u64::from(u32::MAX), u64::MAX / 2] {
         let answer = preview.say(&format!("POST / HTTP/1.1\r\nContent-Length: {length}\r\n\r\n{{"));
         assert_eq!((answer.status, answer.head.contains("Content Too Large")), (413, true));
-        assert_eq!(String::from_utf8(answer.body).unwrap(), "The change is longer than a Lipz file may be.\n");
+        assert_eq!(String::from_utf8(answer.body).unwrap(), "The change exceeds the size limit of a Lipz file.\n");
     }
 }
 
@@ -449,7 +451,7 @@ fn what_cannot_be_served_is_told() {
     let port = taken.local_addr().unwrap().port().to_string();
     let outcome = lipz(scene.path(), ["preview", "voices", "--port", &port]);
     assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("name another port"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("name a different port"), "{}", outcome.stderr);
     assert_eq!(lipz(scene.path(), ["preview", "-"]).code, 2);
     let missing = lipz(scene.path(), ["preview", "missing.lipzbank"]);
     assert_eq!(missing.code, 2, "{}", missing.stderr);

@@ -1,5 +1,5 @@
-//! The page of `lipz preview` in Chromium: `preview_page/page.test.js` uses it as people do, and axe looks at it in
-//! `preview_page/accessibility.test.js`.
+//! The page of `lipz preview` in Chromium: `preview_page/page.test.js` uses it like a person, and
+//! `preview_page/accessibility.test.js` checks it with axe.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -12,7 +12,7 @@ fn has_program(name: &str) -> bool {
     Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok()
 }
 
-/// Runs these tests in node, if what they need is there.
+/// Runs these tests in node if the required programs are installed.
 fn pass(name: &str, is_there: bool, what_is_needed: &str) {
     if !is_there || !has_program("node") || !has_program("chromium") {
         assert!(std::env::var_os("LIPZ_TOOLS").is_none(), "needs {what_is_needed}");

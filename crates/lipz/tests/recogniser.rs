@@ -1,4 +1,4 @@
-//! `lipz recogniser`, and what `lipz sync` does with it. The network is tiny and hears nonsense, but hears.
+//! `lipz recogniser`, and its use in `lipz sync`. The network is tiny and recognises nonsense, but it works.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 #[path = "../../lipz-speech/tests/hama/mod.rs"]
@@ -14,7 +14,7 @@ use support::{Scene, lipz};
 
 const LINE: &[(bool, u32)] = &[(false, 300), (true, 1000), (false, 400), (true, 1000), (false, 200)];
 
-/// The package of the network as somebody unpacked it, and two recordings, one of them with a text.
+/// Returns a scene with the unpacked package of the network, and two recordings, one of them with a text.
 fn scene() -> Scene {
     let scene = Scene::new();
     scene.write("hama assets/asr_waveform.hama", hama(6));
@@ -25,9 +25,9 @@ fn scene() -> Scene {
     scene
 }
 
-/// Runs `lipz sync` and gives the first line that it printed.
+/// Runs `lipz sync` and returns the first line of its output.
 fn sync(scene: &Scene, arguments: &[&str]) -> String {
-    let always = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--allow", "warnings"];
+    let always = ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--allow", "warnings"];
     let run = lipz(scene.path(), always.iter().chain(arguments));
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     run.stdout.lines().next().unwrap().to_owned()
@@ -37,23 +37,24 @@ fn sync(scene: &Scene, arguments: &[&str]) -> String {
 fn recordings_without_a_text_get_the_phones_that_the_recogniser_hears() {
     let scene = scene();
     let mouths = || ["hum", "said"].map(|name| fs::read(scene.path().join(format!("voices/{name}.lipz"))).unwrap());
-    let converted = lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]);
+    let converted = lipz(scene.path(), ["import", "recogniser", "hama assets", "-o", "phones.lipznet"]);
     let told = "recogniser of 9 tokens written to phones.lipznet\n";
     assert_eq!((converted.code, converted.stdout.as_str(), converted.stderr.as_str()), (0, told, ""));
-    let again = lipz(scene.path(), ["recogniser", "hama assets/asr_waveform.hama", "-o", "again.lipznet", "--quiet"]);
+    let again =
+        lipz(scene.path(), ["import", "recogniser", "hama assets/asr_waveform.hama", "-o", "again.lipznet", "--quiet"]);
     assert_eq!((again.code, again.stdout.as_str()), (0, ""));
     let file = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(file("phones.lipznet") == file("again.lipznet"));
     assert_eq!(sync(&scene, &[]), "2 clips synced, in voices");
     let without = mouths();
-    let with = ["--recogniser", "phones.lipznet"];
-    assert_eq!(sync(&scene, &with), "1 clip synced, 1 unchanged, in voices", "the one that has no text");
+    let with = ["--config", "sync.recogniser=phones.lipznet"];
+    assert_eq!(sync(&scene, &with), "1 clip synced, 1 unchanged, in voices", "the recording without a text");
     assert_ne!(mouths()[0], without[0]);
     assert_eq!(mouths()[1], without[1]);
     assert_eq!(sync(&scene, &with), "0 clips synced, 2 unchanged, in voices");
-    // Another network hears something else; without one, it is as before.
+    // A different network recognises something else. Without a network, the result is as before.
     scene.write("hama assets/asr_waveform.hama", hama(5));
-    assert_eq!(lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
+    assert_eq!(lipz(scene.path(), ["import", "recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
     assert_eq!(sync(&scene, &with), "1 clip synced, 1 unchanged, in voices");
     assert_eq!(sync(&scene, &[]), "1 clip synced, 1 unchanged, in voices");
     assert_eq!(mouths(), without);
@@ -62,21 +63,22 @@ fn recordings_without_a_text_get_the_phones_that_the_recogniser_hears() {
 #[test]
 fn a_text_that_the_recogniser_does_not_hear_is_another_one() {
     let scene = scene();
-    assert_eq!(lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
-    let sync = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--recogniser", "phones.lipznet"];
+    assert_eq!(lipz(scene.path(), ["import", "recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
+    let sync =
+        ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--config", "sync.recogniser=phones.lipznet"];
     let run = lipz(scene.path(), sync);
-    // The network hears nothing but nonsense: from the first sound to the last, it is another text.
+    // The network recognises only nonsense, so the whole recording differs from the text.
     assert_eq!(run.stderr.matches("[LZ1707]").count(), 1, "{}", run.stderr);
-    assert!(run.stderr.contains("something else is said than `Who goes there`"), "{}", run.stderr);
+    assert!(run.stderr.contains("the recording differs from `Who goes there`"), "{}", run.stderr);
 }
 
-/// Frames of 100 in which two mouths are the same.
+/// Returns the percentage of frames that are equal in two viseme strings.
 fn same_frames_percent(one: &str, other: &str) -> usize {
     let same = one.chars().zip(other.chars()).filter(|(one, other)| one == other).count();
     100 * same / one.len().max(other.len())
 }
 
-/// What `cargo xtask recogniser` fetches is in no crate: the step of CI that follows it runs this.
+/// The network that `cargo xtask recogniser` fetches is not in any crate. The following step of CI runs this test.
 #[test]
 fn the_network_hears_what_is_said() {
     let network = Path::new(env!("CARGO_TARGET_TMPDIR")).join("../recogniser/phones.lipznet");
@@ -88,18 +90,18 @@ fn the_network_hears_what_is_said() {
     let recording = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/speech/bobby.wav");
     scene.write("rec/bobby.wav", fs::read(recording).unwrap());
     let mouth = |arguments: &[&str]| {
-        sync(&scene, &[arguments, &["--force"]].concat());
+        sync(&scene, &[arguments, &["--discard-edits"]].concat());
         let file = fs::read(scene.path().join("voices/bobby.lipz")).unwrap();
         let document = lipz_file::parse(&file).document.unwrap();
         let Some(Value::String(visemes)) = document.get("visemes").map(|element| &element.value) else { panic!() };
         visemes.text.to_string()
     };
-    let (without, heard) = (mouth(&[]), mouth(&["--recogniser", network.to_str().unwrap()]));
+    let (without, heard) = (mouth(&[]), mouth(&["--config", &format!("sync.recogniser={}", network.display())]));
     scene.write("lines.csv", "file,text\nbobby,\"Bobby ripped the ledger.\"\n");
     fs::remove_dir_all(scene.path().join("voices")).unwrap();
     let with_text = mouth(&["--script", "lines.csv"]);
     let [heard, without] = [heard, without].map(|mouth| same_frames_percent(&mouth, &with_text));
-    // Counted: 100 and 86.
+    // Measured: 100 and 86.
     assert!(
         heard >= 95 && heard > without,
         "{heard} % of the frames are those with the text; without the network {without} %"
@@ -119,7 +121,7 @@ fn what_is_no_recogniser_is_reported() {
     scene.write("odd/g2p_vocab.json", "[]");
     scene.write("hama assets/notes.hama", "my notes");
     let convert = |scene: &mut Scene, name: &str, source: &str| {
-        scene.expect(name, &["recogniser", source, "-o", "phones.lipznet"]);
+        scene.expect(name, &["import", "recogniser", source, "-o", "phones.lipznet"]);
     };
     convert(&mut scene, "LZ0001-unreadable-file-recogniser-tokens", "other");
     convert(&mut scene, "LZ1718-unusable-model-recogniser-broken", "broken");
@@ -127,17 +129,17 @@ fn what_is_no_recogniser_is_reported() {
     convert(&mut scene, "LZ1718-unusable-model-recogniser-odd-tokens", "odd");
     convert(&mut scene, "LZ1718-unusable-model-recogniser-other-file", "hama assets/notes.hama");
     assert!(!scene.path().join("phones.lipznet").exists());
-    let same = ["recogniser", "hama assets", "-o", "hama assets/g2p_vocab.json"];
+    let same = ["import", "recogniser", "hama assets", "-o", "hama assets/g2p_vocab.json"];
     scene.expect("LZ1601-usage-recogniser-same", &same);
-    let sync = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--recogniser"];
-    scene.expect("LZ1718-unusable-model-sync-recogniser-other-file", &[&sync[..], &["notes.txt"]].concat());
-    scene.expect("LZ1718-unusable-model-sync-recogniser-missing", &[&sync[..], &["nowhere.lipznet"]].concat());
-    assert_eq!(lipz(scene.path(), ["recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
+    let sync = |setting| ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--config", setting];
+    scene.expect("LZ1718-unusable-model-sync-recogniser-other-file", &sync("sync.recogniser=notes.txt"));
+    scene.expect("LZ1718-unusable-model-sync-recogniser-missing", &sync("sync.recogniser=nowhere.lipznet"));
+    assert_eq!(lipz(scene.path(), ["import", "recogniser", "hama assets", "-o", "phones.lipznet"]).code, 0);
     let mut file = fs::read(scene.path().join("phones.lipznet")).unwrap();
     let last = file.len() - 1;
     file[last] ^= 1;
     scene.write("phones.lipznet", file);
-    scene.expect("LZ1718-unusable-model-sync-recogniser-damaged", &[&sync[..], &["phones.lipznet"]].concat());
+    scene.expect("LZ1718-unusable-model-sync-recogniser-damaged", &sync("sync.recogniser=phones.lipznet"));
     assert!(!scene.path().join("voices").exists());
     scene.finish(9);
 }

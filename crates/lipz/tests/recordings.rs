@@ -1,4 +1,4 @@
-//! Clips and recordings that belong together: what `lipz check` compares, and what `lipz pack` puts into the bank.
+//! Clips and their recordings: the comparisons of `lipz check`, and the data that `lipz pack` stores in the bank.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -7,11 +7,11 @@ use std::fs;
 use support::sound::{RATE_HZ, voice_samples, wav};
 use support::{Scene, assert_sarif, lipz};
 
-/// A clip of 10 frames at 24 a second: 0.417 s.
+/// A clip of 10 frames at 24 fps: 0.417 s.
 const CLIP: &str = r#"{ "visemes": "MAAAEO----", "viseme_type": "blair", "fps": 24, "text_en-us": "Mayor!" }"#;
 
-/// A WAV file of this many samples, 8000 a second, in which somebody speaks while the mouth of [`CLIP`] moves. Files of
-/// other lengths differ in more than that.
+/// Returns a WAV file of this many samples at 8000 Hz, with speech while the mouth of [`CLIP`] moves. Files of other
+/// lengths differ in more than the length.
 fn sound(samples: u32) -> Vec<u8> {
     let voice = voice_samples(&[(true, 250), (false, 1750)], samples);
     let samples: Vec<_> = voice.into_iter().step_by(2).take(samples as usize).collect();
@@ -40,11 +40,11 @@ fn what_does_not_belong_together() {
     scene.write("recordings/act1/otto.wav", sound(3333));
     scene.write("recordings/act1/Mayor 2.wav", sound(3333));
     scene.expect("LZ1702-recording-without-clip", &check);
-    let one = ["check", "voices/act1/mayor.lipz", "--root", "voices", "--audio", "recordings", "--quiet"];
-    assert_eq!(lipz(scene.path(), one).stderr, "", "of the recordings of other clips, one clip knows nothing");
+    let one = ["check", "voices/act1/mayor.lipz", "--config", "root=voices", "--audio", "recordings", "--quiet"];
+    assert_eq!(lipz(scene.path(), one).stderr, "", "for a single clip, the recordings of other clips are ignored");
     scene.expect("LZ1702-recording-without-clip-denied", &[&check[..], &["--deny", "LZ1702"]].concat());
     scene.expect("LZ0001-unreadable-file-recordings", &["check", "voices", "--audio", "nowhere", "--quiet"]);
-    let sarif = lipz(scene.path(), check.into_iter().chain(["--format", "sarif"]));
+    let sarif = lipz(scene.path(), check.into_iter().chain(["--output-format", "sarif"]));
     let document = serde_json::from_str(&sarif.stdout).unwrap();
     assert_sarif(&document);
     assert!(sarif.stdout.contains("LZ1702"), "{}", sarif.stdout);
@@ -58,10 +58,10 @@ fn settings_say_where_recordings_are() {
     scene.write("voices/mayor.lipz", CLIP);
     scene.write("vo/en/mayor.wav", sound(3333));
     assert_eq!(lipz(scene.path(), ["check"]).stderr, "");
-    let other = lipz(scene.path(), ["check", "--audio-pattern", "de/{key}"]);
+    let other = lipz(scene.path(), ["check", "--config", "audio.pattern=de/{key}"]);
     assert!(other.stderr.contains("[LZ1701]") && other.stderr.contains("[LZ1702]"), "{}", other.stderr);
-    let refused = lipz(scene.path(), ["check", "--audio-pattern", "de/key"]);
-    assert!(refused.code == 2 && refused.stderr.contains("does not name {key} once"), "{}", refused.stderr);
+    let refused = lipz(scene.path(), ["check", "--config", "audio.pattern=de/key"]);
+    assert!(refused.code == 2 && refused.stderr.contains("does not contain {key} exactly once"), "{}", refused.stderr);
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn a_bank_says_which_recordings_its_clips_were_made_for() {
         assert_eq!(run.code, 0, "{}", run.stderr);
         fs::read(scene.path().join("b.lipzbank")).unwrap()
     };
-    let (without, with) = (pack(&[]), pack(&["--audio-in-bank"]));
+    let (without, with) = (pack(&[]), pack(&["--config", "audio.in-bank=true"]));
     assert!(!without.windows(4).any(|tag| tag == b"RCRD"));
     let bank = lipz_bank::Bank::open(&with).unwrap().verify().unwrap();
     let recording = bank.clip_by_key("mayor").unwrap().recording().unwrap();
@@ -84,33 +84,45 @@ fn a_bank_says_which_recordings_its_clips_were_made_for() {
     assert_eq!(bank.clip_by_key("otto").unwrap().recording(), None);
     let shown = lipz(scene.path(), ["inspect", "b.lipzbank", "mayor"]).stdout;
     assert!(shown.contains(&format!("recording 0.417 s, content {:016x}\n", recording.content_hash())), "{shown}");
-    assert!(lipz(scene.path(), ["stats", "b.lipzbank"]).stdout.contains("1 recording, 0.4 s\n"));
-    // A retake of the same length is another recording.
+    assert!(lipz(scene.path(), ["inspect", "--show", "stats", "b.lipzbank"]).stdout.contains("1 recording, 0.4 s\n"));
+    // A retake of the same length is a different recording.
     let mut retake = sound(3333);
     *retake.last_mut().unwrap() ^= 1;
     scene.write("recordings/mayor.wav", retake);
     fs::write(scene.path().join("old.lipzbank"), &with).unwrap();
-    let cached = pack(&["--audio-in-bank", "--cache", "c.cache"]);
-    assert_eq!(cached, pack(&["--audio-in-bank"]));
-    assert_eq!(cached, pack(&["--audio-in-bank", "--cache", "c.cache"]));
+    let cached = pack(&["--config", "audio.in-bank=true", "--cache", "c.cache"]);
+    assert_eq!(cached, pack(&["--config", "audio.in-bank=true"]));
+    assert_eq!(cached, pack(&["--config", "audio.in-bank=true", "--cache", "c.cache"]));
     let differences = lipz(scene.path(), ["diff", "old.lipzbank", "b.lipzbank"]);
     assert!(
         differences.code == 1 && differences.stdout.contains("    recording    0.417 s, content "),
         "{}",
         differences.stdout
     );
-    // Unpacking gives the Lipz files; with the recordings, packing gives the same bank.
+    // Unpacking restores the Lipz files. With the recordings, packing makes the same bank.
     scene.prepare(&["unpack", "b.lipzbank", "-o", "out", "--quiet"]);
-    scene.prepare(&["pack", "out", "-o", "again.lipzbank", "--audio", "recordings", "--audio-in-bank", "--quiet"]);
+    scene.prepare(&[
+        "pack",
+        "out",
+        "-o",
+        "again.lipzbank",
+        "--audio",
+        "recordings",
+        "--config",
+        "audio.in-bank=true",
+        "--quiet",
+    ]);
     assert_eq!(fs::read(scene.path().join("again.lipzbank")).unwrap(), cached);
     scene.write("recordings/otto.wav", "RIFF");
-    let refused =
-        lipz(scene.path(), ["pack", "voices", "-o", "b.lipzbank", "--audio", "recordings", "--audio-in-bank"]);
+    let refused = lipz(
+        scene.path(),
+        ["pack", "voices", "-o", "b.lipzbank", "--audio", "recordings", "--config", "audio.in-bank=true"],
+    );
     assert!(refused.code == 1 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
-    assert_eq!(fs::read(scene.path().join("b.lipzbank")).unwrap(), cached, "the bank is left alone");
+    assert_eq!(fs::read(scene.path().join("b.lipzbank")).unwrap(), cached, "the bank is unchanged");
 }
 
-/// A project of three clips, one of which has a recording.
+/// Returns a project of three clips, one of which has a recording.
 fn project() -> Scene {
     let scene = Scene::new();
     let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n";
@@ -127,16 +139,16 @@ fn statistics_of_a_project_count_its_recordings() {
     let scene = project();
     scene.write("rec/mayor.ogg", "");
     scene.write("rec/take 2.wav", sound(3333));
-    let shown = lipz(scene.path(), ["stats"]).stdout;
-    assert!(shown.contains("  1 recording of 1 clip, 2.0 s; 1 clip without, 2 not used\n"), "{shown}");
-    // What the run says of its words is what the statistics count.
+    let shown = lipz(scene.path(), ["inspect", "--show", "stats"]).stdout;
+    assert!(shown.contains("  1 recording of 1 clip, 2.0 s; 1 clip without a recording, 2 unused\n"), "{shown}");
+    // The statistics have the same number of words as the output of the run.
     let synced = lipz(scene.path(), ["sync", "--allow", "warnings"]);
     assert_eq!(synced.code, 0, "{}", synced.stderr);
     let record = fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
     let doubtful =
         record.lines().filter(|line| !line.starts_with('#')).map(|line| line.matches('?').count()).sum::<usize>();
-    assert!(doubtful > 0, "a buzz is no good evening: {record}");
-    let json = lipz(scene.path(), ["stats", "--json"]);
+    assert!(doubtful > 0, "a buzz does not match the text: {record}");
+    let json = lipz(scene.path(), ["inspect", "--show", "stats", "--output-format", "json"]);
     let stats: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
     let expected = serde_json::json!({
         "clips": 1, "recordings": 1, "length_us": 2_000_000, "missing": 1, "unused": 2, "synced": 1,
@@ -144,7 +156,7 @@ fn statistics_of_a_project_count_its_recordings() {
     });
     assert_eq!((&stats["recorded"], &stats["clips"]), (&expected, &serde_json::json!(3)));
     scene.write("rec/otto.wav", "RIFF");
-    let refused = lipz(scene.path(), ["stats"]);
+    let refused = lipz(scene.path(), ["inspect", "--show", "stats"]);
     assert!(refused.code == 1 && refused.stderr.contains("[LZ1704]"), "{}", refused.stderr);
 }
 
@@ -154,23 +166,23 @@ fn a_clip_is_shown_with_its_recording() {
     scene.write("rec/otto.wav", sound(3333));
     let shown = |key: &str| lipz(scene.path(), ["inspect", "voices", key]).stdout;
     let states = |key: &str| {
-        let json = lipz(scene.path(), ["inspect", "voices", key, "--json"]);
+        let json = lipz(scene.path(), ["inspect", "voices", key, "--output-format", "json"]);
         let clip: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
         assert_eq!(clip["key"], key);
         (clip["recorded"]["state"].clone(), clip["recorded"]["doubtful"].as_array().map(Vec::len))
     };
     assert!(
-        shown("mayor").contains("\nrecording rec/mayor.wav, 2.000 s\n  the clip has no mouth yet\n"),
+        shown("mayor").contains("\nrecording rec/mayor.wav, 2.000 s\n  the clip has no visemes yet\n"),
         "{}",
         shown("mayor")
     );
-    assert!(shown("otto").contains("  the mouth was drawn by hand, or made by another tool\n"), "{}", shown("otto"));
+    assert!(shown("otto").contains("  the visemes were made by hand or by another tool\n"), "{}", shown("otto"));
     assert!(!shown("title").contains("recording"));
     assert_eq!(states("title").0, serde_json::Value::Null);
     assert_eq!(lipz(scene.path(), ["sync", "--allow", "warnings"]).code, 0);
     let text = shown("mayor");
     assert!(
-        text.contains("  the mouth was made of it\n  doubtful words (listen there)\n"),
+        text.contains("  the visemes were made from it\n  uncertain words (listen and check)\n"),
         "a buzz is no good evening: {text}"
     );
     let (state, doubtful) = states("mayor");

@@ -1,4 +1,4 @@
-//! What happens to a Lipz file that exists when a command writes there: the work of people stays, or is named.
+//! Commands that write to an existing Lipz file: manual work stays, or is reported.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -18,11 +18,10 @@ fn a_retake_changes_the_mouth_and_nothing_else() {
     let scene = Scene::new();
     scene.write("mayor.tsv", TSV);
     scene.write("voices/mayor.lipz", CLIP);
-    for force in [&[][..], &["--force"]] {
-        let import = ["import", "rhubarb-tsv", "mayor.tsv", "-o", "voices"];
-        let run = lipz(scene.path(), [&import, force].concat());
+    for _ in 0..2 {
+        let run = lipz(scene.path(), ["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "voices"]);
         assert_eq!((run.code, run.stderr.as_str()), (0, ""));
-        assert!(run.stdout.ends_with("1 file existed: only its mouth is new\n"), "{}", run.stdout);
+        assert!(run.stdout.ends_with("1 existing file: only its visemes are new\n"), "{}", run.stdout);
         let visemes = "------AAAAAA------------|MMMMMMEEEEEE------";
         let events = "\"events\": \"nods|\"";
         let expected = CLIP.replace("MA---|MEE", visemes);
@@ -36,7 +35,7 @@ fn a_clip_keeps_its_rate_and_type_unless_others_are_named() {
     let scene = Scene::new();
     scene.write("mayor.tsv", TSV);
     scene.write("voices/mayor.lipz", r#"{ "fps": 4, "viseme_type": "toonboom", "visemes": "" }"#);
-    let import = ["import", "rhubarb-tsv", "mayor.tsv", "-o", "voices"];
+    let import = ["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "voices"];
     scene.prepare(&import);
     assert_eq!(clip(&scene), r#"{ "fps": 4, "viseme_type": "toonboom", "visemes": "-D--AC-" }"#);
     scene.prepare(&[&import[..], &["--fps", "8", "--viseme-type", "blair"]].concat());
@@ -52,10 +51,10 @@ fn a_formatted_file_stays_formatted() {
     scene.write("mayor.tsv", TSV);
     scene.write("voices/mayor.lipz", CLIP);
     scene.prepare(&["fmt", "voices", "--quiet"]);
-    scene.prepare(&["import", "rhubarb-tsv", "mayor.tsv", "-o", "voices"]);
+    scene.prepare(&["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "voices"]);
     assert_eq!(lipz(scene.path(), ["fmt", "voices", "--check"]).code, 0, "{}", clip(&scene));
     scene.write("mayor.de-de.srt", "1\n00:00:00,000 --> 00:00:01,000\nDoch!\n");
-    scene.prepare(&["subtitles", "import", "mayor.de-de.srt", "-o", "voices"]);
+    scene.prepare(&["import", "subtitles", "mayor.de-de.srt", "-o", "voices"]);
     assert!(clip(&scene).contains("Doch!"), "{}", clip(&scene));
     assert_eq!(lipz(scene.path(), ["fmt", "voices", "--check"]).code, 0, "{}", clip(&scene));
 }
@@ -68,7 +67,7 @@ fn subtitles_change_one_text_and_nothing_else() {
         "mayor.de-de.srt",
         "1\n00:00:00,000 --> 00:00:00,200\nDoch!\n\n2\n00:00:00,208 --> 00:00:00,333\nIch.\n",
     );
-    let import = |file: &'static str| ["subtitles", "import", file, "-o", "voices", "--quiet"];
+    let import = |file: &'static str| ["import", "subtitles", file, "-o", "voices", "--quiet"];
     let run = lipz(scene.path(), import("mayor.de-de.srt"));
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     assert_eq!(clip(&scene), CLIP.replace("Ah!|Ich.", "Doch!|Ich."));
@@ -82,14 +81,15 @@ fn what_is_not_taken_and_what_is_lost() {
     let mut scene = Scene::new();
     scene.write("mayor.tsv", TSV);
     scene.write("voices/mayor.lipz", CLIP.replace("\r\n", "\n"));
-    let import = ["import", "rhubarb-tsv", "mayor.tsv", "-o", "voices", "--quiet"];
-    let text = [&import[..], &["--text", "Oh! Me.", "--locale", "en-us"]].concat();
+    let import = ["import", "visemes", "rhubarb-tsv", "mayor.tsv", "-o", "voices", "--quiet"];
+    scene.write("mayor.txt", "Oh! Me.");
+    let text = [&import[..], &["--script", "mayor.txt", "--locale", "en-us"]].concat();
     scene.expect("LZ1114-import-kept", &text);
     scene.expect("LZ1114-import-kept-denied", &[&text[..], &["--deny", "import-kept"]].concat());
     scene.write("mayor.tsv", "0.00\tD\n0.30\tX\n0.50\tC\n9.00\tX\n");
     scene.expect("LZ1109-segment-guessed-retake", &import);
     let before = clip(&scene);
-    let replace = [&import[..], &["--replace"]].concat();
+    let replace = [&import[..], &["--overwrite"]].concat();
     scene.expect("LZ1115-clip-replaced-denied", &[&replace[..], &["--deny", "clip-replaced"]].concat());
     assert_eq!(clip(&scene), before);
     scene.expect("LZ1115-clip-replaced", &replace);
@@ -105,10 +105,10 @@ fn a_bank_that_replaces_newer_files_tells() {
     let mut scene = Scene::new();
     scene.write("voices/mayor.lipz", CLIP);
     scene.prepare(&["pack", "voices", "-o", "voices.lipzbank", "--quiet"]);
-    let unpack = ["unpack", "voices.lipzbank", "-o", "voices", "--force", "--quiet"];
+    let unpack = ["unpack", "voices.lipzbank", "-o", "voices", "--overwrite", "--quiet"];
     scene.prepare(&unpack);
     let exact = lipz(scene.path(), unpack);
-    assert_eq!(exact.stderr, "", "the bank has all of it");
+    assert_eq!(exact.stderr, "", "the bank contains everything");
     scene.write("voices/mayor.lipz", CLIP.replace("Ich.", "Icke."));
     scene.expect("LZ1115-clip-replaced-unpack", &unpack);
     scene.finish(1);

@@ -19,7 +19,7 @@ fn formatted_files() {
     comparison.finish(4);
 }
 
-/// What `lipz fmt -` makes of a file.
+/// Returns the output of `lipz fmt -` for a file.
 fn through_standard_input(bytes: &[u8]) -> String {
     String::from_utf8(with_input(&repository(), &["fmt", "-"], bytes).stdout).unwrap()
 }
@@ -190,6 +190,35 @@ fn converting_into_a_folder_writes_all_files_under_their_keys() {
 }
 
 #[test]
+fn converting_is_shown_before_anything_is_written() {
+    let scene = Scene::new();
+    let blair = "{\n  \"visemes\": \"MAEO-\",\n  \"viseme_type\": \"blair\"\n}\n";
+    scene.write("voices/a.lipz", blair);
+    scene.write("voices/b.lipz", "{ \"visemes\": \"ADCE-\", \"viseme_type\": \"toonboom\" }");
+    let convert = |arguments: &[&str]| {
+        let run = lipz(scene.path(), [&["convert", "voices", "--viseme-type", "toonboom"], arguments].concat());
+        (run.code, run.stdout, run.stderr)
+    };
+    let remark = "1 file would be converted to toonboom, 1 unchanged\n";
+    assert_eq!(convert(&["--check"]), (1, "voices/a.lipz\n".into(), remark.into()));
+    let (code, diff, said) = convert(&["--diff"]);
+    assert!(diff.starts_with("--- voices/a.lipz\n+++ voices/a.lipz\n@@ "), "{diff}");
+    assert!(
+        diff.contains("\n-  \"visemes\": \"MAEO-\",\n") && diff.contains("\n+  \"visemes\": \"ADCE-\",\n"),
+        "{diff}"
+    );
+    assert_eq!((code, said.as_str()), (1, remark));
+    assert_eq!(convert(&["--diff", "--quiet"]), (1, diff, String::new()));
+    assert_eq!(fs::read_to_string(scene.path().join("voices/a.lipz")).unwrap(), blair);
+    for other in [&["--check", "--in-place"][..], &["--diff", "-o", "out"]] {
+        assert_eq!(convert(other).0, 2, "{other:?}");
+    }
+    let in_place = (0, "1 file converted to toonboom, 1 unchanged\n".into(), String::new());
+    assert_eq!(convert(&["--in-place"]), in_place);
+    assert_eq!(convert(&["--check", "--quiet"]), (0, String::new(), String::new()));
+}
+
+#[test]
 fn files_that_are_locked_stay() {
     let mut scene = Scene::new();
     scene.write("a.lipz", ROUGH);
@@ -202,7 +231,7 @@ fn files_that_are_locked_stay() {
     scene.finish(1);
 }
 
-/// GitHub takes each line that starts with `::` for a command, and `patch` each header line for a header.
+/// GitHub reads each line that starts with `::` as a command, and `patch` reads each header line as a header.
 #[cfg(unix)]
 #[test]
 fn a_name_with_line_breaks_stays_in_its_line() {
@@ -210,7 +239,7 @@ fn a_name_with_line_breaks_stays_in_its_line() {
     scene.write("b\n::error file=x::no.lipz", r#"{"text_en-us": "Aye."}"#);
     for command in [&["fmt", ".", "--diff"][..], &["check", ".", "--fix", "--diff"]] {
         for format in ["human", "github"] {
-            let outcome = lipz(scene.path(), command.iter().chain(&["--format", format]));
+            let outcome = lipz(scene.path(), command.iter().chain(&["--output-format", format]));
             for line in outcome.stdout.lines().chain(outcome.stderr.lines()) {
                 let is_about_it = line.starts_with("::error file=./b%0A");
                 assert!(is_about_it || !line.starts_with("::error"), "{command:?} {format}: {line}");

@@ -1,4 +1,4 @@
-//! Sets of banks from the command line: linked, verified, inspected, unpacked; whole whatever happens meanwhile.
+//! Sets of banks on the command line: linked, verified, inspected, unpacked. They stay complete at any time.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 use support::{Scene, lipz};
 
-/// A project with dubs, two locales, and what it is packed into in one go.
+/// Returns a project with dubs and two locales, and its bank from a single run.
 fn scene() -> Scene {
     let scene = Scene::new();
     let settings = "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[voices]\nde-de = \"de/{key}\"\n";
@@ -27,16 +27,16 @@ fn scene() -> Scene {
 
 /// Plans the project in four shards, and packs them.
 fn pack(scene: &Scene) {
-    scene.prepare(&["shard", "plan", "--shards", "4", "-o", "build/plan.json", "--quiet"]);
+    scene.prepare(&["shard", "plan", "pack", "--shards", "4", "-o", "build/plan.json", "--quiet"]);
     for shard in ["0", "1", "2", "3"] {
         let object = format!("build/{shard}-of-4.lipzobj");
-        scene.prepare(&["pack", "--plan", "build/plan.json", "--shard", shard, "-o", &object, "--quiet"]);
+        scene.prepare(&["shard", "pack", "build/plan.json", shard, "-o", &object, "--quiet"]);
     }
 }
 
-const LINK: [&str; 5] = ["link", "build/*-of-4.lipzobj", "-o", "out/dialogue.lipzset", "--quiet"];
+const LINK: [&str; 6] = ["shard", "link", "build/*-of-4.lipzobj", "-o", "out/dialogue.lipzset", "--quiet"];
 
-/// The banks of the set.
+/// Returns the banks of the set.
 fn banks(scene: &Scene) -> Vec<PathBuf> {
     let files = fs::read_dir(scene.path().join("out")).unwrap().map(|file| file.unwrap().path());
     let mut banks: Vec<_> = files.filter(|path| path.extension().is_some_and(|kind| kind == "lipzbank")).collect();
@@ -48,7 +48,7 @@ fn banks(scene: &Scene) -> Vec<PathBuf> {
 fn a_set_is_linked_verified_inspected_and_unpacked() {
     let scene = scene();
     pack(&scene);
-    let linked = lipz(scene.path(), &LINK[..4]);
+    let linked = lipz(scene.path(), &LINK[..5]);
     assert!(
         linked.code == 0 && linked.stdout.starts_with("4 banks linked into the set out/dialogue.lipzset (25 clips")
     );
@@ -57,7 +57,7 @@ fn a_set_is_linked_verified_inspected_and_unpacked() {
     assert!(verified.stdout.contains("no fault (4 banks, 25 clips, "), "{verified:?}");
     let summary = lipz(scene.path(), ["inspect", "out/dialogue.lipzset"]);
     assert!(summary.stdout.contains("set of 4 banks") && summary.stdout.contains("in the bank of their line"));
-    let json = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--json"]);
+    let json = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--output-format", "json"]);
     let json: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
     assert_eq!((json["clips"].as_u64(), json["banks"].as_array().map(Vec::len)), (Some(25), Some(4)));
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
@@ -66,27 +66,30 @@ fn a_set_is_linked_verified_inspected_and_unpacked() {
             ["out/dialogue.lipzset", "whole.lipzbank"].map(|bank| lipz(scene.path(), ["inspect", bank, key]));
         assert_eq!((one.code, &one.stdout), (0, &other.stdout), "{key}");
     }
-    for (flag, value) in [("--locale", "de-de"), ("--texts", "de-de.lipztexts")] {
-        let refused = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", flag, value]);
-        assert!(refused.code == 2 && refused.stderr.contains(flag), "not passed over in silence: {refused:?}");
+    let refused = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--locale", "de-de"]);
+    assert!(refused.code == 2 && refused.stderr.contains("--locale"), "not silently ignored: {refused:?}");
+    for more in [&[][..], &["act/line-3"], &["--show", "clips"], &["--show", "stats"]] {
+        let options = ["--config", "strip=true"];
+        let refused = lipz(scene.path(), [&["inspect", "out/dialogue.lipzset"], more, &options].concat());
+        assert!(refused.code == 2 && refused.stderr.contains("is a bank"), "{more:?}: {refused:?}");
     }
-    let listed = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--list", "de/"]);
+    let listed = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "de/", "--show", "clips"]);
     assert_eq!(listed.stdout.lines().count(), 5, "{listed:?}");
-    let listed = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--list", "--json"]);
+    let listed = lipz(scene.path(), ["inspect", "out/dialogue.lipzset", "--show", "clips", "--output-format", "json"]);
     let listed: serde_json::Value = serde_json::from_str(&listed.stdout).unwrap();
     assert_eq!(listed.as_array().map(Vec::len), Some(25));
     scene.prepare(&["unpack", "out/dialogue.lipzset", "-o", "again", "--quiet"]);
     for path in ["act/line-3.lipz", "de/act/line-8.lipz"] {
         assert!(scene.path().join("again").join(path).is_file(), "{path}");
     }
-    scene.prepare(&["pack", "again", "--root", "again", "-o", "again.lipzbank", "--quiet"]);
+    scene.prepare(&["pack", "again", "--config", "root=again", "-o", "again.lipzbank", "--quiet"]);
     let [one, other] = ["again.lipzbank", "whole.lipzbank"].map(|bank| fs::read(scene.path().join(bank)).unwrap());
-    assert!(one == other, "what is unpacked is the project");
+    assert!(one == other, "unpacking restores the project");
 }
 
 const SET: &str = "out/dialogue.lipzset";
 
-/// What a command prints about a set and about the bank of all, the same but for the name.
+/// Checks that a command prints the same about a set and the whole bank, except for the name.
 fn prints_the_same(scene: &Scene, set: &str, command: &[&str]) {
     let of = |bank: &str| {
         let arguments: Vec<&str> = command.iter().map(|word| if *word == "BANK" { bank } else { word }).collect();
@@ -106,11 +109,11 @@ fn tools_read_a_set_as_the_bank_of_all() {
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
     for command in [
         &["coverage", "BANK"][..],
-        &["coverage", "BANK", "--json"],
-        &["coverage", "BANK", "--voices"],
-        &["coverage", "BANK", "--missing", "de-de"],
-        &["inspect", "BANK", "--list"],
-        &["inspect", "BANK", "--list", "de/", "--json"],
+        &["coverage", "BANK", "--output-format", "json"],
+        &["coverage", "BANK", "--show", "voices"],
+        &["coverage", "BANK", "--show", "missing", "--locale", "de-de"],
+        &["inspect", "BANK", "--show", "clips"],
+        &["inspect", "BANK", "de/", "--show", "clips", "--output-format", "json"],
         &["ids", "BANK", "--lang", "json"],
         &["ids", "BANK", "--lang", "rust"],
         &["diff", "BANK", "whole.lipzbank", "--quiet"],
@@ -119,7 +122,10 @@ fn tools_read_a_set_as_the_bank_of_all() {
         prints_the_same(&scene, SET, command);
     }
     let json = |bank: &str| -> serde_json::Value {
-        serde_json::from_str(&lipz(scene.path(), ["stats", bank, "--json"]).stdout).unwrap()
+        serde_json::from_str(
+            &lipz(scene.path(), ["inspect", "--show", "stats", bank, "--output-format", "json"]).stdout,
+        )
+        .unwrap()
     };
     let (mut one, mut other) = (json(SET), json("whole.lipzbank"));
     let of_files = |json: &mut serde_json::Value| {
@@ -139,8 +145,8 @@ fn tools_read_a_set_as_the_bank_of_all() {
     let unpacked = lipz(scene.path(), ["unpack", SET, "-o", "again"]);
     assert_eq!(unpacked.stdout, "25 files unpacked into again\n", "one summary: {unpacked:?}");
     let refused = lipz(scene.path(), ["unpack", SET, "-o", "again"]);
-    assert!(refused.code == 1 && refused.stderr.contains("exists already"), "{refused:?}");
-    scene.prepare(&["preview", SET, "--export", "site"]);
+    assert!(refused.code == 1 && refused.stderr.contains("already exists"), "{refused:?}");
+    scene.prepare(&["preview", SET, "--output", "site"]);
     assert!(scene.path().join("site/data/clips.js").is_file());
 }
 
@@ -161,16 +167,16 @@ fn a_set_is_patched() {
     let read = |name: &str| fs::read(scene.path().join(name)).unwrap();
     scene.prepare(&["merge", SET, "patch.lipzbank", "-o", "merged.lipzbank", "--quiet"]);
     assert!(read("merged.lipzbank") == read("whole.lipzbank"));
-    // The patch knows the set by its index.
+    // The patch refers to the set by its index.
     let json = |arguments: &[&str]| -> serde_json::Value {
         serde_json::from_str(&lipz(scene.path(), arguments).stdout).unwrap()
     };
-    let over = json(&["inspect", "patch.lipzbank", "--json"])["layer"]["over"].clone();
-    assert_eq!(over, serde_json::json!([json(&["inspect", SET, "--json"])["checksum"]]));
+    let over = json(&["inspect", "patch.lipzbank", "--output-format", "json"])["layer"]["over"].clone();
+    assert_eq!(over, serde_json::json!([json(&["inspect", SET, "--output-format", "json"])["checksum"]]));
     let stack = &format!("{SET}+patch.lipzbank");
     for command in [
         &["coverage", "BANK"][..],
-        &["inspect", "BANK", "--list"],
+        &["inspect", "BANK", "--show", "clips"],
         &["inspect", "BANK", "act/line-3"],
         &["inspect", "BANK", "de/act/line-8"],
         &["ids", "BANK", "--lang", "c"],
@@ -182,7 +188,7 @@ fn a_set_is_patched() {
     assert_eq!(lipz(scene.path(), ["diff", SET, stack]).code, 1);
     scene.prepare(&["unpack", stack, "-o", "again", "--quiet"]);
     assert_eq!(support::tree(&scene.path().join("again")), support::tree(&scene.path().join("voices")));
-    // The next patch goes over both.
+    // The next patch is packed over both.
     scene.write("voices/act/line-4.lipz", r#"{ "fps": 24, "visemes": "AA-", "text_en-us": "Aye, 4." }"#);
     scene.write("voices/de/act/line-4.lipz", r#"{ "fps": 24, "visemes": "AA-" }"#);
     scene.prepare(&["pack", "--over", SET, "--over", "patch.lipzbank", "-o", "next.lipzbank", "--quiet"]);
@@ -193,8 +199,7 @@ fn a_set_is_patched() {
     assert!(alone.code == 1 && alone.stderr.contains("LZ2102") && alone.stderr.contains("next.lipzbank"), "{alone:?}");
 }
 
-/// The set of the fixtures is what is linked now, byte for byte.
-/// The banks of a set are inputs, too, although only the index is named.
+/// The banks of a set are inputs, too, although the command names only the index.
 #[test]
 fn no_bank_of_a_set_is_overwritten_by_what_is_made_of_it() {
     let scene = scene();
@@ -205,11 +210,11 @@ fn no_bank_of_a_set_is_overwritten_by_what_is_made_of_it() {
     let output = bank.to_str().unwrap();
     for made in [&["merge"][..], &["pack", "--over"], &["ids", "--lang", "c"]] {
         let merged = lipz(scene.path(), made.iter().copied().chain(["out/dialogue.lipzset", "-o", output]));
-        assert_eq!((merged.code, merged.stderr.contains("are one file")), (2, true), "{}", merged.stderr);
+        assert_eq!((merged.code, merged.stderr.contains("are the same file")), (2, true), "{}", merged.stderr);
     }
     let arguments = ["pack", "--over", "out/dialogue.lipzset", "-o", "new.lipzbank", "--depfile", output];
     let packed = lipz(scene.path(), arguments);
-    assert_eq!((packed.code, packed.stderr.contains("are one file")), (2, true), "{}", packed.stderr);
+    assert_eq!((packed.code, packed.stderr.contains("are the same file")), (2, true), "{}", packed.stderr);
     assert!(fs::read(&bank).unwrap() == before);
 }
 
@@ -231,6 +236,7 @@ fn a_summary_looks_at_every_bank() {
     assert_eq!((absent.code, absent.stderr.contains("does not exist")), (2, true), "{}", absent.stderr);
 }
 
+/// The set of the fixtures equals a newly linked one, byte for byte.
 #[test]
 fn the_golden_set_is_linked_again() {
     let scene = Scene::new();
@@ -241,20 +247,12 @@ fn the_golden_set_is_linked_again() {
     }
     let voices = "[voices]\nen-us = \"{key}\"\nde-de = \"de/{key}\"\nde-at = \"at/{key}\"\n";
     scene.write("lipz.toml", format!("sources = [\"voices\"]\ndefault-locale = \"en-us\"\n{voices}"));
-    scene.prepare(&["shard", "plan", "--shards", "2", "-o", "plan.json", "--quiet"]);
+    scene.prepare(&["shard", "plan", "pack", "--shards", "2", "-o", "plan.json", "--quiet"]);
     for shard in ["0", "1"] {
-        scene.prepare(&[
-            "pack",
-            "--plan",
-            "plan.json",
-            "--shard",
-            shard,
-            "-o",
-            &format!("{shard}-of-2.lipzobj"),
-            "--quiet",
-        ]);
+        let object = format!("{shard}-of-2.lipzobj");
+        scene.prepare(&["shard", "pack", "plan.json", shard, "-o", &object, "--quiet"]);
     }
-    scene.prepare(&["link", "0-of-2.lipzobj", "1-of-2.lipzobj", "-o", "out/dubbed.lipzset", "--quiet"]);
+    scene.prepare(&["shard", "link", "0-of-2.lipzobj", "1-of-2.lipzobj", "-o", "out/dubbed.lipzset", "--quiet"]);
     let golden: Vec<_> = fs::read_dir(fixtures.join("sets")).unwrap().map(|file| file.unwrap().file_name()).collect();
     assert_eq!(golden.len(), 3);
     for name in golden {
@@ -269,7 +267,7 @@ fn what_is_wrong_with_a_set_is_reported() {
     pack(&scene);
     scene.prepare(&LINK);
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
-    scene.expect("LZ0902-bank-refused-set", &["stats", "whole.lipzbank+out/dialogue.lipzset"]);
+    scene.expect("LZ0902-bank-refused-set", &["inspect", "--show", "stats", "whole.lipzbank+out/dialogue.lipzset"]);
     let files = banks(&scene);
     let whole = fs::read(&files[1]).unwrap();
     let verify = ["verify", "out/dialogue.lipzset"];
@@ -278,10 +276,10 @@ fn what_is_wrong_with_a_set_is_reported() {
     fs::write(&files[1], &whole[..100]).unwrap();
     assert_eq!(lipz(scene.path(), verify).code, 1);
     fs::remove_file(&files[1]).unwrap();
-    for asked in [verify, ["stats", "out/dialogue.lipzset"]] {
+    for asked in [&verify[..], &["inspect", "--show", "stats", "out/dialogue.lipzset"]] {
         let missing = lipz(scene.path(), asked);
         assert_eq!(missing.code, 2);
-        assert!(missing.stderr.contains("names it: copy a set with all of its banks"), "{}", missing.stderr);
+        assert!(missing.stderr.contains("copy all banks of `"), "{}", missing.stderr);
     }
     fs::write(&files[1], &whole).unwrap();
     let index = scene.path().join("out/dialogue.lipzset");
@@ -303,10 +301,10 @@ fn the_banks_of_a_set_are_not_split_by_locale() {
     scene.write("lipz.toml", "sources = [\"voices\"]\nsplit-locales = true\n");
     pack(&scene);
     let refused = lipz(scene.path(), LINK);
-    assert!(refused.code == 2 && refused.stderr.contains("not split by locale"), "{refused:?}");
+    assert!(refused.code == 2 && refused.stderr.contains("cannot be split by locale"), "{refused:?}");
 }
 
-/// Whenever it is killed, the old set or the new one is there, and the next run finishes and tidies up.
+/// Whenever a link is killed, the old or the new set is complete. The next run finishes and removes leftovers.
 #[test]
 fn a_link_that_is_killed_leaves_a_whole_set() {
     let scene = scene();
@@ -319,7 +317,7 @@ fn a_link_that_is_killed_leaves_a_whole_set() {
     };
     let (mut killed, mut is_there) = (0, false);
     for turn in 0..40 {
-        // Another text each time, so that there is something to write.
+        // A different text each time, so that there is something to write.
         scene.write("voices/act/line-3.lipz", format!(r#"{{ "text_en-us": "Turn {turn}." }}"#));
         if turn % 10 == 0 {
             pack(&scene);
@@ -334,5 +332,5 @@ fn a_link_that_is_killed_leaves_a_whole_set() {
     pack(&scene);
     scene.prepare(&LINK);
     assert_eq!(lipz(scene.path(), ["verify", "out/dialogue.lipzset"]).code, 0);
-    assert_eq!(banks(&scene).len(), 4, "nothing is left of the runs before");
+    assert_eq!(banks(&scene).len(), 4, "earlier runs leave no files");
 }

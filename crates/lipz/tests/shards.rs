@@ -1,4 +1,4 @@
-//! Packing in shards from the command line: plan, objects, link; what is refused, and what is found in a store.
+//! Packing in shards on the command line: plan, objects, link; refused cases, and results in a store.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 use support::{Scene, lipz};
 
-/// A project with settings, two locales, a warning in a file, and what it is packed into in one go.
+/// Returns a project with settings, two locales and a warning in a file, and its bank from a single run.
 fn scene() -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", "sources = [\"voices\"]\noutput = \"dialogue.lipzbank\"\ndefault-locale = \"en-us\"\n");
@@ -22,12 +22,12 @@ fn scene() -> Scene {
 }
 
 fn plan(scene: &Scene, shards: &str) {
-    scene.prepare(&["shard", "plan", "--shards", shards, "-o", "build/plan.json", "--quiet"]);
+    scene.prepare(&["shard", "plan", "pack", "--shards", shards, "-o", "build/plan.json", "--quiet"]);
 }
 
 fn pack(scene: &Scene, shard: u16, shards: u16) -> support::Outcome {
     let (number, object) = (shard.to_string(), format!("build/{shard}-of-{shards}.lipzobj"));
-    lipz(scene.path(), ["pack", "--plan", "build/plan.json", "--shard", &number, "-o", &object, "--store", "store"])
+    lipz(scene.path(), ["shard", "pack", "build/plan.json", &number, "-o", &object, "--store", "store"])
 }
 
 #[test]
@@ -39,10 +39,10 @@ fn objects_are_linked_to_the_bank_that_is_packed_in_one_go() {
         let of_shards: Vec<_> = (0..shards).map(|shard| pack(&scene, shard, shards)).collect();
         assert!(of_shards.iter().all(|outcome| outcome.code == 0), "{of_shards:?}");
         let objects = format!("build/*-of-{shards}.lipzobj");
-        let linked = lipz(scene.path(), ["link", &objects, "-o", "dialogue.lipzbank"]);
+        let linked = lipz(scene.path(), ["shard", "link", &objects, "-o", "dialogue.lipzbank"]);
         let said = if shards == 1 { "1 object linked" } else { &format!("{shards} objects linked") };
         assert!(linked.code == 0 && linked.stdout.starts_with(said), "{linked:?}");
-        assert_eq!(linked.stderr, packed.stderr, "the same diagnostics, with their places");
+        assert_eq!(linked.stderr, packed.stderr, "the same diagnostics, with their positions");
         let [one, other] =
             ["dialogue.lipzbank", "whole.lipzbank"].map(|bank| fs::read(scene.path().join(bank)).unwrap());
         assert!(one == other, "{shards} shards");
@@ -66,7 +66,7 @@ fn what_did_not_change_is_taken_from_the_store() {
     (0..4).for_each(|shard| fs::remove_file(scene.path().join(format!("build/{shard}-of-4.lipzobj"))).unwrap());
     let again: Vec<_> = (0..4).map(|shard| pack(&scene, shard, 4)).collect();
     let anew = again.iter().filter(|outcome| outcome.stdout.contains("packed into")).count();
-    let stored = again.iter().filter(|outcome| outcome.stdout.contains("taken from the store into")).count();
+    let stored = again.iter().filter(|outcome| outcome.stdout.contains("copied from the store to")).count();
     assert_eq!((anew, stored), (1, 3), "{again:?}");
     assert_eq!(std::iter::zip(before, objects()).filter(|(one, other)| one != other).count(), 1);
     // A damaged result is made again.
@@ -82,7 +82,7 @@ fn plans_that_cannot_be_read() {
     plan(&scene, "2");
     let plan = fs::read_to_string(scene.path().join("build/plan.json")).unwrap();
     let of_shard = fs::read_to_string(scene.path().join("build/plan.shards/0-of-2.json")).unwrap();
-    let pack = ["pack", "--plan", "build/plan.json", "--shard", "0", "-o", "0.lipzobj"];
+    let pack = ["shard", "pack", "build/plan.json", "0", "-o", "0.lipzobj"];
     scene.write("build/plan.json", plan.replacen("\"version\": 1", "\"version\": 9", 1));
     scene.expect("LZ2201-plan-unreadable-version", &pack);
     scene.write("build/plan.json", plan.replacen("\"makes\":", "\"makes\"", 1));
@@ -104,7 +104,7 @@ fn files_that_are_not_those_of_the_plan() {
     plan(&scene, "1");
     scene.write("voices/line-3.lipz", r#"{ "text_en-us": "Nay." }"#);
     fs::remove_file(scene.path().join("voices/line-4.lipz")).unwrap();
-    scene.expect("LZ2202-plan-outdated", &["pack", "--plan", "build/plan.json", "--shard", "0", "-o", "0.lipzobj"]);
+    scene.expect("LZ2202-plan-outdated", &["shard", "pack", "build/plan.json", "0", "-o", "0.lipzobj"]);
     assert!(!scene.path().join("0.lipzobj").exists());
     scene.finish(1);
 }
@@ -116,7 +116,7 @@ fn objects_that_are_none_or_do_not_belong_together() {
     (0..4).for_each(|shard| drop(pack(&scene, shard, 4)));
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
     let out = ["-o", "out.lipzbank"];
-    let link = |objects: &[&'static str]| [&["link"], objects, &out].concat();
+    let link = |objects: &[&'static str]| [&["shard", "link"], objects, &out].concat();
     let [o0, o1, o3] = ["build/0-of-4.lipzobj", "build/1-of-4.lipzobj", "build/3-of-4.lipzobj"];
     scene.expect("LZ2203-no-object", &link(&["whole.lipzbank"]));
     scene.expect("LZ2205-object-missing", &link(&[o0, o3]));
@@ -136,21 +136,29 @@ fn objects_that_are_none_or_do_not_belong_together() {
 fn flags_that_a_plan_decides_are_refused() {
     let scene = scene();
     plan(&scene, "2");
-    let pack = ["pack", "--plan", "build/plan.json", "--shard", "0", "-o", "0.lipzobj"];
+    let pack = ["shard", "pack", "build/plan.json", "0", "-o", "0.lipzobj"];
     let refused: [&[&str]; 6] = [
         &["voices"],
-        &["--default-locale", "de-de"],
+        &["--config", "default-locale=de-de"],
         &["--allow", "LZ0203"],
         &["--audio", "recordings"],
-        &["--strip"],
-        &["--root", "voices"],
+        &["--config", "strip=true"],
+        &["--config", "root=voices"],
     ];
     for flags in refused {
         let outcome = lipz(scene.path(), pack.iter().chain(flags));
         assert!(outcome.code == 2 && outcome.stderr.contains("LZ1601"), "{flags:?}: {outcome:?}");
     }
-    let none = lipz(scene.path(), ["pack", "--plan", "build/plan.json", "--shard", "2", "-o", "2.lipzobj"]);
-    assert!(none.code == 2 && none.stderr.contains("there is no shard 2"), "{none:?}");
+    // Steps read their settings from the settings file. They would not have settings that only the plan gets.
+    let plan = ["shard", "plan", "pack", "--shards", "2", "-o", "build/plan.json"];
+    for setting in ["strip=true", "default-locale=de-de", "audio.folder=recordings"] {
+        let outcome = lipz(scene.path(), plan.iter().chain(&["--config", setting]));
+        assert!(outcome.code == 2 && outcome.stderr.contains("steps"), "{setting}: {outcome:?}");
+    }
+    scene.prepare(&[&plan[..], &["--config", "output=other.lipzbank", "--config", "root=voices"]].concat());
+    assert!(fs::read_to_string(scene.path().join("build/plan.json")).unwrap().contains("other.lipzbank"));
+    let none = lipz(scene.path(), ["shard", "pack", "build/plan.json", "2", "-o", "2.lipzobj"]);
+    assert!(none.code == 2 && none.stderr.contains("shard 2 is not in the plan"), "{none:?}");
 }
 
 #[test]
@@ -167,9 +175,9 @@ fn steps_that_are_killed_are_done_again() {
         child.wait().unwrap().success()
     };
     let steps: [&[&str]; 3] = [
-        &["pack", "--plan", "build/plan.json", "--shard", "0", "-o", "build/0-of-2.lipzobj", "--store", "store", "-q"],
-        &["pack", "--plan", "build/plan.json", "--shard", "1", "-o", "build/1-of-2.lipzobj", "--store", "store", "-q"],
-        &["link", "build/*-of-2.lipzobj", "-o", "dialogue.lipzbank", "-q"],
+        &["shard", "pack", "build/plan.json", "0", "-o", "build/0-of-2.lipzobj", "--store", "store", "-q"],
+        &["shard", "pack", "build/plan.json", "1", "-o", "build/1-of-2.lipzobj", "--store", "store", "-q"],
+        &["shard", "link", "build/*-of-2.lipzobj", "-o", "dialogue.lipzbank", "-q"],
     ];
     let outputs =
         ["build/0-of-2.lipzobj", "build/1-of-2.lipzobj", "dialogue.lipzbank"].map(|name| scene.path().join(name));
@@ -180,7 +188,7 @@ fn steps_that_are_killed_are_done_again() {
             let _ = fs::remove_dir_all(scene.path().join("store"));
             killed += usize::from(!killed_after(step, delay_us));
             if output.exists() {
-                assert_eq!(lipz(scene.path(), ["verify".as_ref(), output.as_os_str()]).code, 0, "whole, or not there");
+                assert_eq!(lipz(scene.path(), ["verify".as_ref(), output.as_os_str()]).code, 0, "complete, or missing");
             }
         }
         scene.prepare(step);

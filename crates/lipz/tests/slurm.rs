@@ -1,5 +1,5 @@
-//! The script for Slurm, run by Slurm itself on one node: an array job, and the link that depends on it. Left out with a word
-//! where the daemons are missing (Debian: slurmctld, slurmd, slurm-client, munge) or do not start.
+//! The script for Slurm, run by Slurm itself on one node: an array job, and the link that depends on it. The test is
+//! skipped with a message if the daemons are missing (Debian: slurmctld, slurmd, slurm-client, munge) or do not start.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -14,14 +14,15 @@ use support::Scene;
 
 const SHARDS: usize = 8;
 
-/// A cluster of this machine, which ends with the test.
+/// A cluster on this machine, which ends with the test.
 struct Cluster {
     folder: tempfile::TempDir,
     daemons: Vec<Child>,
 }
 
 impl Cluster {
-    /// Starts the daemons; `None` if they are not there, or do not start: they need root, and much of the machine.
+    /// Starts the daemons. Returns `None` if they are missing or do not start, because they need root and many
+    /// resources.
     fn start() -> Option<Cluster> {
         let is_there = |program: &str| {
             let found = Command::new("sh").args(["-c", &format!("command -v {program}")]).output().unwrap();
@@ -59,27 +60,29 @@ impl Cluster {
         self.daemons.push(daemon);
     }
 
-    /// What a program of Slurm prints.
+    /// Returns the output of a Slurm program.
     fn ask(&self, program: &str, arguments: &[&str]) -> String {
         let mut command = Command::new(program);
         let output = command.args(arguments).env("SLURM_CONF", self.folder.path().join("slurm.conf")).output().unwrap();
         String::from_utf8_lossy(&output.stdout).into_owned()
     }
 
-    /// Whether no job waits or runs.
+    /// Whether no job is waiting or running.
     fn is_idle(&self) -> bool {
-        // With the heads of its columns, so that a program that fails says nothing of the kind.
+        // The output includes column headings, which distinguishes it from that of a failed program.
         let jobs = self.ask("squeue", &[]);
         jobs.contains("JOBID") && jobs.lines().count() == 1
     }
 
-    /// Runs the script of a project, and waits until nothing is left to do.
+    /// Runs the script of a project, and waits until all jobs have ended.
     fn submit(&self, scene: &Scene) {
         let mut script = Command::new("sh");
         script.args(["build/submit.sh", "--partition=short", "--output=slurm-%A-%a.out"]);
+        // Jobs inherit the environment of the user who submits them.
+        script.env("PATH", support::path_with_lipz(scene));
         script.env("SLURM_CONF", self.folder.path().join("slurm.conf")).current_dir(scene.path());
         said(&script.output().unwrap());
-        assert!(comes(|| self.is_idle()), "jobs wait for ever");
+        assert!(comes(|| self.is_idle()), "jobs wait forever");
     }
 }
 
@@ -114,7 +117,7 @@ fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// Waits up to a minute for something; whether it has come.
+/// Waits up to a minute for a condition. Returns whether it is met.
 fn comes(is_there: impl Fn() -> bool) -> bool {
     let end = Instant::now() + Duration::from_secs(60);
     while Instant::now() < end {
@@ -135,10 +138,8 @@ fn slurm_itself_runs_the_array_and_the_link() {
         scene.write(&format!("voices/{line}.lipz"), format!(r#"{{ "text_en-us": "Line {line}." }}"#));
     }
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
-    scene.prepare(&["shard", "plan", "--shards", &SHARDS.to_string(), "-o", "build/plan.json", "--quiet"]);
-    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_lipz"), scene.path().join("lipz")).unwrap();
-    let emit = "shard emit slurm build/plan.json -o build/submit.sh --lipz ./lipz --quiet";
-    scene.prepare(&emit.split(' ').collect::<Vec<_>>());
+    scene.prepare(&["shard", "plan", "pack", "--shards", &SHARDS.to_string(), "-o", "build/plan.json", "--quiet"]);
+    scene.prepare(&["shard", "emit", "slurm", "build/plan.json", "-o", "build/submit.sh", "--quiet"]);
     let bank = || fs::read(scene.path().join("dialogue.lipzbank"));
     let whole = fs::read(scene.path().join("whole.lipzbank")).unwrap();
     cluster.submit(&scene);
@@ -147,7 +148,7 @@ fn slurm_itself_runs_the_array_and_the_link() {
         let files = fs::read_dir(scene.path().join("build")).unwrap().map(|file| file.unwrap().path());
         files.filter(|file| file.extension().is_some_and(|name| name == "lipzobj")).collect::<Vec<_>>()
     };
-    // A file that is not that of the plan: its task fails, the others are done, and the link does not run.
+    // A file that differs from the plan: its task fails, the other tasks succeed, and the link does not run.
     fs::remove_file(scene.path().join("dialogue.lipzbank")).unwrap();
     fs::remove_dir_all(scene.path().join("build/store")).unwrap();
     assert_eq!(objects().len(), SHARDS);
@@ -155,7 +156,7 @@ fn slurm_itself_runs_the_array_and_the_link() {
     scene.write("voices/41.lipz", r#"{ "text_en-us": "Another line." }"#);
     cluster.submit(&scene);
     assert!(bank().is_err() && objects().len() == SHARDS - 1, "{:?}", objects());
-    scene.prepare(&["shard", "plan", "--shards", &SHARDS.to_string(), "-o", "build/plan.json", "--quiet"]);
+    scene.prepare(&["shard", "plan", "pack", "--shards", &SHARDS.to_string(), "-o", "build/plan.json", "--quiet"]);
     scene.prepare(&["pack", "-o", "whole.lipzbank", "--quiet"]);
     cluster.submit(&scene);
     assert!(bank().unwrap() == fs::read(scene.path().join("whole.lipzbank")).unwrap());

@@ -1,8 +1,8 @@
-//! Diagnostics about sources and keys, with inputs that cannot lie in the repository: names that some
-//! systems refuse, links, files that cannot be read.
+//! Diagnostics about sources and keys, with inputs that cannot be in the repository: names that some systems refuse,
+//! links, files that cannot be read.
 //!
-//! The systems word their own errors and refuse different names, so most of this runs on Unix and
-//! some of it on Linux only.
+//! Systems have different error messages and refuse different names, so most of this runs only on Unix, and some of it
+//! only on Linux.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -33,7 +33,7 @@ fn sources_that_cannot_be_read() {
     scene.write("voices/aye.lipz", CLIP);
     scene.write("voices/empty.lipz", "");
     symlink("../recordings/no.lipz", scene.path().join("voices/no.lipz")).unwrap();
-    // The other files of the folder are checked all the same.
+    // The other files of the folder are still checked.
     scene.expect("LZ0001-unreadable-file-dangling-link", &["check", "voices"]);
     fs::remove_file(scene.path().join("voices/no.lipz")).unwrap();
     fs::remove_file(scene.path().join("voices/empty.lipz")).unwrap();
@@ -43,7 +43,7 @@ fn sources_that_cannot_be_read() {
     scene.finish(3);
 }
 
-/// A file whose first page cannot be read, for the superuser either.
+/// A file whose first page cannot be read, not even by root.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_opens_and_cannot_be_read() {
@@ -86,8 +86,8 @@ fn keys_that_cannot_be_file_names_everywhere() {
     scene.write("voices/日本/はい .lipz", CLIP);
     scene.expect("LZ0803-refused-key", &["check", "voices"]);
     scene.write("more/aye.lipz", CLIP);
-    scene.expect("LZ0803-refused-key-not-below-root", &["check", "more", "--root", "voices"]);
-    scene.expect("LZ0803-refused-key-parent-folder", &["check", "more/../more/aye.lipz", "--root", "more"]);
+    scene.expect("LZ0803-refused-key-not-below-root", &["check", "more", "--config", "root=voices"]);
+    scene.expect("LZ0803-refused-key-parent-folder", &["check", "more/../more/aye.lipz", "--config", "root=more"]);
     scene.finish(3);
 }
 
@@ -103,7 +103,7 @@ fn a_name_that_is_not_unicode() {
     scene.finish(1);
 }
 
-/// Names that macOS and Windows take for one file, so that only Linux can hold both.
+/// Names that macOS and Windows treat as one file, so that only Linux can have both.
 #[cfg(target_os = "linux")]
 #[test]
 fn keys_that_are_one_file_on_some_systems() {
@@ -129,8 +129,8 @@ fn the_same_key_from_two_sources() {
     scene.write("act1/otto/aye.lipz", CLIP);
     scene.write("act2/otto/aye.lipz", CLIP);
     scene.expect("LZ0802-duplicate-key", &["check", "act1", "act2"]);
-    // A common root tells them apart, as the help says.
-    assert_eq!(support::lipz(scene.path(), ["check", "act1", "act2", "--root", "."]).code, 0);
+    // A common root distinguishes them, as stated in the help.
+    assert_eq!(support::lipz(scene.path(), ["check", "act1", "act2", "--config", "root=."]).code, 0);
     scene.finish(1);
 }
 
@@ -144,7 +144,7 @@ fn a_file_named_by_several_sources_counts_once() {
         &["voices", "./voices"],
         &["voices/", "voices"],
         &["voices", "voices/**/*.lipz"],
-        &["voices", "voices/act1", "--root", "voices"],
+        &["voices", "voices/act1", "--config", "root=voices"],
         &["voices", "voices/act1"],
         &["voices/act1", "voices"],
     ] {
@@ -162,18 +162,18 @@ fn the_first_source_gives_a_file_its_key() {
     for (sources, keys) in [(["voices", "voices/act1"], ["act1/aye", "no"]), (["voices/act1", "voices"], ["aye", "no"])]
     {
         scene.prepare(&["pack", sources[0], sources[1], "-o", "b.lipzbank"]);
-        let list = support::lipz(scene.path(), ["inspect", "b.lipzbank", "--list"]);
+        let list = support::lipz(scene.path(), ["inspect", "b.lipzbank", "--show", "clips"]);
         let listed: Vec<&str> = list.stdout.lines().filter_map(|line| line.split(' ').next()).collect();
         assert_eq!(listed, keys, "{sources:?}");
     }
 }
 
-/// Two keys made to have the same id: both are two words of eight bytes, and the second word undoes
-/// the difference that the first one makes (`ClipId::from_key`).
+/// Two keys with the same id by design: both have two words of eight bytes, and the second word cancels the difference
+/// from the first one (`ClipId::from_key`).
 #[test]
 fn keys_with_the_same_id() {
     let keys = ["act1-ott-goodbye", "acjbelgad764-2ne"];
-    assert_eq!(lipz_bank::ClipId::from_key(keys[0]), lipz_bank::ClipId::from_key(keys[1]), "find another pair");
+    assert_eq!(lipz_bank::ClipId::from_key(keys[0]), lipz_bank::ClipId::from_key(keys[1]), "find a different pair");
     let mut scene = Scene::new();
     for key in keys {
         scene.write(&format!("voices/{key}.lipz"), CLIP);

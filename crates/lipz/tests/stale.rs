@@ -1,4 +1,4 @@
-//! Translations and what they were made from: the record, `lipz check`, `lipz accept`.
+//! Translations and their sources: the record, `lipz check`, `lipz accept`.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -16,7 +16,7 @@ const MAYOR: &str = r#"{
 }
 "#;
 
-/// A project with one clip, whose translation is accepted.
+/// Returns a project with one clip, whose translation is accepted.
 fn project() -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
@@ -26,7 +26,7 @@ fn project() -> Scene {
 
 fn accepted() -> Scene {
     let scene = project();
-    assert_eq!(lipz(scene.path(), ["accept", "--all", "--quiet"]).code, 0);
+    assert_eq!(lipz(scene.path(), ["approve", "--all", "--quiet"]).code, 0);
     scene
 }
 
@@ -35,7 +35,7 @@ fn record(folder: &Path) -> String {
     text.lines().filter(|line| !line.starts_with('#')).map(|line| line.to_owned() + "\n").collect()
 }
 
-/// The codes that `lipz check` reports.
+/// Returns the codes that `lipz check` reports.
 fn codes(folder: &Path) -> Vec<String> {
     let outcome = lipz(folder, ["check", "--quiet"]);
     let lines = outcome.stderr.lines().filter_map(|line| line.strip_prefix("warning[")?.split(']').next());
@@ -56,9 +56,9 @@ fn a_file_that_would_be_fixed_has_its_record_all_the_same() {
 fn a_changed_source_is_told_until_somebody_accepts_it() {
     let mut scene = project();
     assert_eq!(codes(scene.path()), [""; 0], "a project without a record works as before");
-    let first = lipz(scene.path(), ["accept", "--all"]);
-    let expected = "accepted: 0 texts with another source before, 2 texts of which nothing was known\n\
-                    lipz-texts.txt is new: ";
+    let first = lipz(scene.path(), ["approve", "--all"]);
+    let expected = "approved: 0 stale texts, 2 texts without a recorded source text\n\
+                    lipz-texts.txt is new. ";
     assert!(first.code == 0 && first.stdout.starts_with(expected), "{first:?}");
     let line = "voices/mayor.lipz\ten-us\tde-de:3dd5d0bd,68686a10\tGood evening, {name}. | Who goes there?\n";
     assert_eq!(record(scene.path()), line);
@@ -69,30 +69,28 @@ fn a_changed_source_is_told_until_somebody_accepts_it() {
     scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning").replace("Abend", "Tag"));
     scene.expect("LZ1911-stale-translation-both", &["check", "--quiet"]);
     scene.write("voices/mayor.lipz", MAYOR.replace("Abend", "Tag"));
-    assert_eq!(codes(scene.path()), [""; 0], "a translation may change by itself");
+    assert_eq!(codes(scene.path()), [""; 0], "a translation may change without its source");
 
     scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
-    let check = lipz(scene.path(), ["accept", "--all", "--check"]);
-    let expected = "mayor de-de: `Guten Abend, {name}.` for `Good morning, {name}.`, before for `Good evening, {name}.`\n\
-                    to be accepted: 1 text with another source before, 0 texts of which nothing was known\n";
+    let check = lipz(scene.path(), ["approve", "--all", "--check"]);
+    let expected = "mayor de-de: `Guten Abend, {name}.` (source was `Good evening, {name}.`, is now `Good morning, {name}.`)\n\
+                    to approve: 1 stale text, 0 texts without a recorded source text\n";
     assert_eq!((check.code, check.stdout.as_str()), (1, expected));
     assert_eq!(record(scene.path()), line, "nothing is written");
     for (slip, said) in [
-        (&["accept", "voices", "--locale", "fr-fr"][..], "no clip has a text in `fr-fr`"),
-        (&["accept", "--key", "majo*"], "no clip has a key like `majo*`"),
-        (&["accept", "--all", "voices"], "some of it is named"),
+        (&["approve", "voices", "--locale", "fr-fr"][..], "no clip has a text in `fr-fr`"),
+        (&["approve", "voices/majo*"], "no Lipz files in `voices/majo*`"),
+        (&["approve", "--all", "voices"], "cannot be combined with files"),
     ] {
         let refused = lipz(scene.path(), slip);
         assert!(refused.code == 2 && refused.stderr.contains(said), "{refused:?}");
     }
-    let by_key = lipz(scene.path(), ["accept", "--key", "may*", "--locale", "de-de"]);
-    assert!(
-        by_key.stdout.ends_with("accepted: 1 text with another source before, 0 texts of which nothing was known\n")
-    );
+    let by_pattern = lipz(scene.path(), ["approve", "voices/may*", "--locale", "de-de"]);
+    assert!(by_pattern.stdout.ends_with("approved: 1 stale text, 0 texts without a recorded source text\n"));
     assert_eq!(codes(scene.path()), [""; 0]);
-    assert_eq!(lipz(scene.path(), ["accept", "--all", "--check"]).code, 0);
-    let nothing = lipz(scene.path(), ["accept"]);
-    assert!(nothing.code == 2 && nothing.stderr.contains("nothing is named"), "{nothing:?}");
+    assert_eq!(lipz(scene.path(), ["approve", "--all", "--check"]).code, 0);
+    let nothing = lipz(scene.path(), ["approve"]);
+    assert!(nothing.code == 2 && nothing.stderr.contains("no clips are named"), "{nothing:?}");
 }
 
 #[test]
@@ -100,51 +98,54 @@ fn an_import_says_what_translations_were_made_from() {
     let scene = accepted();
     let folder = scene.path();
     scene.write("voices/mayor.lipz", MAYOR.replace("evening", "morning"));
-    lipz(folder, ["texts", "export", "po", "-o", "de.po"]);
+    lipz(folder, ["export", "texts", "po", "-o", "de.po"]);
     let po = fs::read_to_string(folder.join("de.po")).unwrap();
     assert!(
         po.contains("#, fuzzy, python-brace-format\n#| msgid \"Good evening, {name}. | Who goes there?\"\n"),
         "{po}"
     );
-    lipz(folder, ["texts", "import", "de.po"]);
-    assert_eq!(codes(folder), ["LZ1911"], "nobody has looked at it");
-    // A translator who finds that it still fits takes the mark away.
+    lipz(folder, ["import", "texts", "de.po"]);
+    assert_eq!(codes(folder), ["LZ1911"], "the translation has not been reviewed");
+    // A translator who considers the text still valid removes the mark.
     scene.write("de.po", po.replace("fuzzy, ", ""));
-    lipz(folder, ["texts", "import", "de.po"]);
+    lipz(folder, ["import", "texts", "de.po"]);
     assert_eq!(codes(folder), [""; 0]);
     scene.write("voices/mayor.lipz", MAYOR.replace("evening", "night"));
     for format in ["csv", "xliff", "xliff-1.2", "json", "xlsx"] {
         let name = format!("texts.{}", format.split('-').next().unwrap().replace("xliff", "xlf"));
-        lipz(folder, ["texts", "export", format, "-o", &name, "--force"]);
-        lipz(folder, ["texts", "import", &name]);
+        lipz(folder, ["export", "texts", format, "-o", &name, "--overwrite"]);
+        lipz(folder, ["import", "texts", &name]);
         assert_eq!(codes(folder), ["LZ1911"], "{format}: as it was");
     }
     let csv = fs::read_to_string(folder.join("texts.csv")).unwrap().replace("Guten Abend", "Gute Nacht");
     scene.write("texts.csv", csv);
-    let import = lipz(folder, ["texts", "import", "texts.csv"]);
+    let import = lipz(folder, ["import", "texts", "texts.csv"]);
     assert_eq!((import.stdout.as_str(), codes(folder)), ("texts imported: 0 new, 1 changed\n", vec![]));
-    let xliff = lipz(folder, ["texts", "export", "xliff", "-o", "-"]).stdout;
+    let xliff = lipz(folder, ["export", "texts", "xliff", "-o", "-"]).stdout;
     scene.write("de.xlf", xliff.replacen("state=\"translated\"", "state=\"final\"", 1));
-    lipz(folder, ["texts", "import", "de.xlf"]);
+    lipz(folder, ["import", "texts", "de.xlf"]);
     assert!(record(folder).contains("f,68686a10\t"), "{}", record(folder));
-    let again = lipz(folder, ["texts", "export", "xliff", "-o", "-"]).stdout;
+    let again = lipz(folder, ["export", "texts", "xliff", "-o", "-"]).stdout;
     assert!(
         again.contains("state=\"translated\"") && !again.contains("state=\"final\""),
         "of the clip, the earliest state counts"
     );
 }
 
-/// Without a record nothing can be out of date, and nobody may believe that all is well.
+/// Without a record, no translation can be reported as stale, so a hint must warn about this.
 #[test]
 fn translations_of_which_nothing_is_known() {
     let scene = project();
     let folder = scene.path();
-    let unknown = "unknown: 2 of 2 translated segments, of which nobody knows the source text";
-    let hint =
-        |arguments: &[&str]| lipz(folder, [&["check"], arguments].concat()).stdout.contains("nobody knows what the");
-    assert!(hint(&[]) && !hint(&["--allow", "stale-translation"]) && !hint(&["--quiet"]) && !hint(&["--statistics"]));
+    let unknown = "unknown: 2 of 2 translated segments without a recorded source text";
+    let hint = |arguments: &[&str]| {
+        lipz(folder, [&["check"], arguments].concat()).stdout.contains("cannot detect stale translations")
+    };
+    assert!(
+        hint(&[]) && !hint(&["--allow", "stale-translation"]) && !hint(&["--quiet"]) && !hint(&["--show", "stats"])
+    );
     let settings = fs::read_to_string(folder.join("lipz.toml")).unwrap();
-    // As the hint itself says.
+    // As stated in the hint.
     scene.write("lipz.toml", format!("{settings}\n[lints]\nstale-translation = \"allow\"\n"));
     assert!(!hint(&[]));
     scene.write("lipz.toml", settings);
@@ -152,33 +153,36 @@ fn translations_of_which_nothing_is_known() {
     assert!(!hint(&[]), "there is other work to do");
     fs::remove_file(folder.join("voices/broken.lipz")).unwrap();
     assert!(lipz(folder, ["coverage"]).stdout.contains(unknown));
-    assert!(lipz(folder, ["coverage", "--csv"]).stdout.contains(",0,0,2,5,0\r\n"));
-    let json: serde_json::Value = serde_json::from_str(&lipz(folder, ["coverage", "--json"]).stdout).unwrap();
+    assert!(lipz(folder, ["coverage", "--as", "csv"]).stdout.contains(",0,0,2,5,0\r\n"));
+    let json: serde_json::Value =
+        serde_json::from_str(&lipz(folder, ["coverage", "--output-format", "json"]).stdout).unwrap();
     let german = json.as_array().unwrap().iter().find(|locale| locale["locale"] == "de-de").unwrap();
     assert_eq!(german["work"]["unknown"], serde_json::json!({ "segments": 2, "words": 5 }));
     assert!(
-        lipz(folder, ["coverage", "--html"]).stdout.contains("of 2 translated segments nobody knows the source text")
+        lipz(folder, ["coverage", "--as", "html"])
+            .stdout
+            .contains("the source text of 2 translated segments is not recorded")
     );
-    lipz(folder, ["accept", "--all"]);
+    lipz(folder, ["approve", "--all"]);
     assert!(!hint(&[]));
-    assert!(!lipz(folder, ["coverage"]).stdout.contains("nobody knows"));
-    // Added by hand, after the record began.
+    assert!(!lipz(folder, ["coverage"]).stdout.contains("unknown:"));
+    // Added by hand, after the record was created.
     scene.write("voices/new.lipz", r#"{ "visemes": "M", "text_en-us": "Halt!", "text_de-de": "Halt!" }"#);
-    assert!(lipz(folder, ["coverage"]).stdout.contains("unknown: 1 of 3 translated segments, of which nobody"));
+    assert!(lipz(folder, ["coverage"]).stdout.contains("unknown: 1 of 3 translated segments without"));
 }
 
-/// The file says what its translation was made from, also where somebody insists on it.
+/// The file names the source of its translation, which also applies to a forced import.
 #[test]
 fn a_forced_import_of_an_older_text_is_out_of_date() {
     for recorded in [false, true] {
         let scene = if recorded { accepted() } else { project() };
         let folder = scene.path();
-        lipz(folder, ["texts", "export", "po", "-o", "de.po"]);
+        lipz(folder, ["export", "texts", "po", "-o", "de.po"]);
         let changed = MAYOR.replace("evening", "morning");
         scene.write("voices/mayor.lipz", &changed);
         let po = fs::read_to_string(folder.join("de.po")).unwrap();
         scene.write("de.po", po.replace("Guten Abend", "Schönen Abend"));
-        let import = lipz(folder, ["texts", "import", "de.po", "--force"]);
+        let import = lipz(folder, ["import", "texts", "de.po", "--discard-edits"]);
         assert!(import.code == 0 && import.stderr.contains("warning[LZ1904]"), "{import:?}");
         let check = lipz(folder, ["check", "--quiet"]);
         assert_eq!(check.stderr.matches("LZ1911").count(), 1, "{recorded}: {check:?}");
@@ -195,14 +199,14 @@ fn a_renamed_clip_keeps_what_is_known() {
     assert_eq!(codes(folder), ["LZ1911"]);
     let inner = lipz(&folder.join("voices"), ["check", "act1", "--quiet"]);
     assert!(inner.stderr.contains("[LZ1911]"), "{}", inner.stderr);
-    let accept = lipz(folder, ["accept", "--all"]);
-    assert!(accept.stdout.starts_with("voices/mayor.lipz is voices/act1/mayor.lipz now\n"), "{}", accept.stdout);
+    let accept = lipz(folder, ["approve", "--all"]);
+    assert!(accept.stdout.starts_with("renamed: voices/mayor.lipz -> voices/act1/mayor.lipz\n"), "{}", accept.stdout);
     fs::remove_file(folder.join("voices/act1/mayor.lipz")).unwrap();
     scene.write("voices/other.lipz", "{ \"visemes\": \"MA\" }");
-    lipz(folder, ["accept", "voices"]);
-    assert_ne!(record(folder), "", "only all of a project forgets");
-    let accept = lipz(folder, ["accept", "--all"]);
-    assert!(accept.stdout.starts_with("voices/act1/mayor.lipz is no more\n"), "{}", accept.stdout);
+    lipz(folder, ["approve", "voices"]);
+    assert_ne!(record(folder), "", "only a run on the whole project removes entries");
+    let accept = lipz(folder, ["approve", "--all"]);
+    assert!(accept.stdout.starts_with("deleted: voices/act1/mayor.lipz\n"), "{}", accept.stdout);
     assert_eq!(record(folder), "");
 }
 
@@ -214,7 +218,7 @@ fn records_that_cannot_be_read() {
     scene.write("lipz-texts.txt", &conflict);
     scene.expect("LZ1910-text-record-line", &["check", "--quiet"]);
     scene.write("lipz-texts.txt", "my notes");
-    for arguments in [&["check"][..], &["accept", "--all"], &["texts", "export", "po", "-o", "x.po"]] {
+    for arguments in [&["check"][..], &["approve", "--all"], &["export", "texts", "po", "-o", "x.po"]] {
         let outcome = lipz(scene.path(), arguments);
         assert!(outcome.code == 2 && outcome.stderr.contains("is not a record of translations"), "{outcome:?}");
     }
@@ -230,48 +234,77 @@ fn coverage_says_what_is_to_be_done() {
     scene.write("voices/=new.lipz", "{ \"text_en-us\": \"Halt!\", \"text_fr-fr\": \"Halte !\" }");
     let coverage = |arguments: &[&str]| lipz(folder, [&["coverage", "--quiet"], arguments].concat());
     let table = coverage(&["--cost-per-word", "0.5"]).stdout;
-    let work = table.split_once("\n\nto be translated from en-us: 3 segments with 6 words\n").unwrap().1;
+    let work = table.split_once("\n\nto translate from en-us: 3 segments with 6 words\n").unwrap().1;
     let rows: Vec<String> = work.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
     let head = "locale words missing stale translated reviewed final words to do cost";
     assert_eq!(rows[1..4], [head, "de-de 0.0 % 2 1 0 0 0 6 3.00", "fr-fr 16.6 % 2 0 1 0 0 5 2.50"]);
-    assert_eq!(coverage(&["--missing", "de-de"]).stdout, "=new\nmayor\n");
-    assert_eq!(coverage(&["--stale", "de-de"]).stdout, "mayor\n");
-    assert_eq!(coverage(&["--missing", "sw-ke"]).stdout, "=new\nmayor\n", "nobody has begun");
-    let list = coverage(&["--missing", "de-de", "--stale", "de-de", "--csv"]).stdout;
+    let listed =
+        |what: &str, locale: &str, more: &[&str]| coverage(&[&["--show", what, "--locale", locale], more].concat());
+    assert_eq!(listed("missing", "de-de", &[]).stdout, "=new\nmayor\n");
+    assert_eq!(listed("stale", "de-de", &[]).stdout, "mayor\n");
+    assert_eq!(listed("missing,stale", "de-de", &[]).stdout, "=new\nmayor\n");
+    assert_eq!(listed("missing", "sw-ke", &[]).stdout, "=new\nmayor\n", "no translation exists");
+    let list = listed("missing,stale", "de-de", &["--as", "csv"]).stdout;
     let expected = "key,segment,locale,state,source,translated from,translation,words\r\n\
                     '=new,,de-de,missing,Halt!,,,1\r\n\
                     mayor,1,de-de,stale,\"Good morning, {name}.\",\"Good evening, {name}.\",\"Guten Abend, {name}.\",2\r\n\
                     mayor,2,de-de,missing,Who goes there?,,,3\r\n";
     assert_eq!(list, expected);
-    let json = coverage(&["--missing", "de-de", "--stale", "de-de", "--json", "--cost-per-word", "0.5"]).stdout;
+    let json = ["--output-format", "json", "--cost-per-word", "0.5"];
+    let json = listed("missing,stale", "de-de", &json).stdout;
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let stale = serde_json::json!({
         "key": "mayor", "segment": 1, "locale": "de-de", "state": "stale", "source": "Good morning, {name}.",
         "translated_from": "Good evening, {name}.", "translation": "Guten Abend, {name}.", "words": 2, "cost": 1.0,
     });
     assert_eq!((json.as_array().unwrap().len(), &json[1]), (3, &stale));
-    for look in ["--json", "--csv"] {
-        let source = coverage(&["--missing", "en-us", look]);
-        let said = "nothing is translated into en-us: the texts of the others are made from it\n";
-        assert!(source.code == 0 && source.stderr.ends_with(said), "{look}: {source:?}");
-        let none = coverage(&["--stale", "fr-fr", look]);
-        assert!(none.code == 0 && none.stderr.ends_with("no text is known to be older than its source\n"), "{none:?}");
+    for look in [&[][..], &["--as", "csv"]] {
+        let source = listed("missing", "en-us", look);
+        let said = "en-us is the source locale of the translations\n";
+        assert!(source.code == 0 && source.stderr.ends_with(said), "{look:?}: {source:?}");
+        let none = listed("stale", "fr-fr", look);
+        assert!(none.code == 0 && none.stderr.ends_with("no text is stale\n"), "{none:?}");
     }
-    let csv = coverage(&["--csv"]).stdout;
+    for (what, locale) in [("missing", "en-us"), ("stale", "fr-fr")] {
+        let none = listed(what, locale, &["--output-format", "json"]);
+        assert_eq!((none.code, none.stdout.trim()), (0, "[]"), "{what}");
+    }
+    let csv = coverage(&["--as", "csv"]).stdout;
     let columns = |line: &str| line.split(',').count();
     assert!(csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap())), "{csv}");
     assert!(csv.contains("\r\nde-de,2,50.0,1,0,1,0,3,6,2,4,1,2,0,0,0,0,0,0,0,0,6\r\n"), "{csv}");
-    let json = coverage(&["--json", "--cost-per-word", "0.5"]).stdout;
+    let json = coverage(&["--output-format", "json", "--cost-per-word", "0.5"]).stdout;
     assert!(json.contains("\"words_to_do\": 6,\n      \"cost\": 3.0"), "{json}");
-    let page = coverage(&["--html"]).stdout;
+    let page = coverage(&["--as", "html"]).stdout;
     assert!(page.contains("<del>evening</del><ins>morning</ins>") && page.ends_with("</html>\n"), "{page}");
     let wanted = coverage(&["--min-coverage", "sw-ke=100"]);
     assert!(wanted.code == 1 && wanted.stdout.contains("sw-ke"), "{wanted:?}");
 
     lipz(folder, ["pack", "voices", "-o", "b.lipzbank"]);
-    for refused in [["--stale", "de-de"], ["--html", "--quiet"]] {
-        let outcome = lipz(folder, [&["coverage", "b.lipzbank"], &refused[..]].concat());
-        assert!(outcome.code == 2 && outcome.stderr.contains("not known here"), "{outcome:?}");
+    for refused in [&["--show", "stale", "--locale", "de-de"][..], &["--as", "html"]] {
+        let outcome = lipz(folder, [&["coverage", "b.lipzbank"], refused].concat());
+        assert!(
+            outcome.code == 2 && outcome.stderr.contains("the source texts of the translations are missing"),
+            "{outcome:?}"
+        );
+    }
+    refuses_contradictions(coverage);
+}
+
+/// Options that exclude each other are refused, so that none of them is silently ignored.
+fn refuses_contradictions(coverage: impl Fn(&[&str]) -> support::Outcome) {
+    let contradictions: [&[&str]; 6] = [
+        &["--show", "missing"],
+        &["--locale", "de-de"],
+        &["--show", "stale,voices", "--locale", "de-de"],
+        &["--show", "voices", "--locale", "de-de"],
+        &["--as", "html", "--show", "missing", "--locale", "de-de"],
+        &["--as", "csv", "--output-format", "json"],
+    ];
+    for refused in contradictions {
+        let outcome = coverage(refused);
+        let said = outcome.stderr + &outcome.stdout;
+        assert!(outcome.code == 2 && said.contains("LZ1601"), "{refused:?}: {said}");
     }
 }
 
@@ -284,8 +317,18 @@ fn exports_of_what_is_to_be_done() {
         lipz(
             folder,
             [
-                "texts", "export", format, "--locale", "de-de", "--locale", "fr-fr", "--state", states, "-o", "out",
-                "--force",
+                "export",
+                "texts",
+                format,
+                "--locale",
+                "de-de",
+                "--locale",
+                "fr-fr",
+                "--state",
+                states,
+                "-o",
+                "out",
+                "--overwrite",
             ],
         )
     };
@@ -306,34 +349,32 @@ fn exports_of_what_is_to_be_done() {
     assert_eq!(export("csv", "translated").code, 0);
     assert!(read("texts.csv").contains("\r\ndone,"), "{}", read("texts.csv"));
 
-    let template = lipz(folder, ["texts", "export", "pot", "-o", "texts.pot"]);
+    let template = lipz(folder, ["export", "texts", "pot", "-o", "texts.pot"]);
     assert_eq!(template.stdout, "texts of 2 clips for any locale written into texts.pot\n", "{template:?}");
     let template = fs::read_to_string(folder.join("texts.pot")).unwrap();
     assert!(template.contains("\"Language: \\n\"") && !template.contains("Guten"), "{template}");
-    // Any tool may have made a translation of it.
+    // Any tool may have made a translation from the template.
     let po = template
         .replace("Language: ", "Language: sw_KE")
         .replace("msgid \"Go.\"\nmsgstr \"\"", "msgid \"Go.\"\nmsgstr \"Nenda.\"");
-    let import = with_input(folder, &["texts", "import", "-", "--text-format", "po"], po.as_bytes());
+    let import = with_input(folder, &["import", "texts", "-", "--stdin-filename", "sw-ke.po"], po.as_bytes());
     assert!(import.stdout.starts_with(b"texts imported: 1 new"), "{import:?}");
     assert!(fs::read_to_string(folder.join("voices/done.lipz")).unwrap().contains("\"text_sw-ke\": \"Nenda.\""));
-    let unknown = with_input(folder, &["texts", "import", "-"], b"");
+    let unknown = with_input(folder, &["import", "texts", "-"], b"");
     assert_eq!(unknown.status.code(), Some(2), "{unknown:?}");
 }
 
 #[test]
 fn what_is_missing_is_not_called_translated() {
     let scene = accepted();
-    for (flag, locale, said) in [
-        ("--stale", "fr-fr", "no text is known to be older than its source\n"),
-        ("--missing", "de-de", "no text is missing\n"),
-    ] {
-        let listed = lipz(scene.path(), ["coverage", flag, locale]);
-        assert_eq!((listed.code, listed.stdout.as_str(), listed.stderr.as_str()), (0, "", said), "{flag}");
+    for (what, locale, said) in [("stale", "fr-fr", "no text is stale\n"), ("missing", "de-de", "no text is missing\n")]
+    {
+        let listed = lipz(scene.path(), ["coverage", "--show", what, "--locale", locale]);
+        assert_eq!((listed.code, listed.stdout.as_str(), listed.stderr.as_str()), (0, "", said), "{what}");
     }
-    assert_eq!(lipz(scene.path(), ["coverage", "--missing", "fr-fr"]).stdout, "mayor\n");
+    assert_eq!(lipz(scene.path(), ["coverage", "--show", "missing", "--locale", "fr-fr"]).stdout, "mayor\n");
     assert_eq!(lipz(scene.path(), ["pack", "-o", "a.lipzbank", "--quiet"]).code, 0);
-    for useless in [&["--cost-per-word", "0.1"][..], &["--missing", "de-de", "--csv"]] {
+    for useless in [&["--cost-per-word", "0.1"][..], &["--show", "missing", "--locale", "de-de", "--as", "csv"]] {
         assert_eq!(lipz(scene.path(), [&["coverage", "a.lipzbank"], useless].concat()).code, 2, "{useless:?}");
     }
 }
@@ -353,16 +394,17 @@ fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
     let told = || -> Vec<String> {
         codes(scene.path()).into_iter().filter(|code| ["LZ1915", "LZ2006"].contains(&code.as_str())).collect()
     };
-    let accept = |arguments: &[&str]| lipz(scene.path(), [&["accept"], arguments].concat());
+    let accept = |arguments: &[&str]| lipz(scene.path(), [&["approve"], arguments].concat());
     let check = accept(&["--all", "--check"]);
-    let unknown = "\n0 recordings with another text before, 2 recordings of which nothing was known\n";
+    let unknown = "\nto approve: 0 recordings with a changed text, 2 new recordings\n";
     assert!(check.code == 1 && check.stdout.ends_with(unknown), "{check:?}");
     assert!(!scene.path().join("lipz-sync.txt").exists() && !scene.path().join("voices/lipz-sync.txt").exists());
     assert_eq!(accept(&["--all", "--quiet"]).code, 0);
     let again = accept(&["--all", "--check"]);
     assert!(again.code == 0 && !again.stdout.contains("recording"), "{again:?}");
     assert_eq!(told(), [""; 0]);
-    // Both texts change: the original says the old words, and so does the dub, of which the original is another, too.
+    // Both texts change: the recordings of the original and the dub have the old words, and the original of the dub has
+    // changed.
     let changed = MAYOR.replace("evening", "morning").replace("Abend", "Morgen");
     scene.write("voices/mayor.lipz", &changed);
     assert_eq!(told(), ["LZ1915", "LZ2006", "LZ1915"]);
@@ -373,10 +415,12 @@ fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
     assert_eq!(accept(&["--all", "--quiet"]).code, 0);
     scene.write("voices/mayor.lipz", changed.replace("Morgen", "morgen"));
     assert_eq!(told(), ["LZ1915"]);
-    let one = accept(&["--key", "de/mayor"]);
+    let below = lipz(&scene.path().join("voices/de"), ["approve", "mayor.lipz", "--check"]);
     assert!(
-        one.stdout.starts_with("de/mayor: rec/de/mayor.wav says the text of today, before another one\n"),
-        "{one:?}"
+        below.code == 1 && below.stdout.starts_with("de/mayor: "),
+        "by the key that it has in the project: {below:?}"
     );
+    let one = accept(&["voices/de/*"]);
+    assert!(one.stdout.starts_with("de/mayor: rec/de/mayor.wav (its text has changed)\n"), "{one:?}");
     assert_eq!(told(), [""; 0]);
 }

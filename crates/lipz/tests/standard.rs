@@ -1,4 +1,4 @@
-//! Standard input and output in place of files, and when there are colours.
+//! Standard input and output in place of files, and the conditions for colours.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -27,19 +27,19 @@ fn a_lipz_file_is_checked_from_standard_input() {
 #[test]
 fn banks_go_through_pipes() {
     let folder = repository();
-    let packed = with_input(&folder, &["pack", "fixtures/drama", "--default-locale", "en-us", "-o", "-"], b"");
+    let packed = with_input(&folder, &["pack", "fixtures/drama", "--config", "default-locale=en-us", "-o", "-"], b"");
     let summary = String::from_utf8(packed.stderr.clone()).unwrap();
     assert!(summary.contains("\n48 clips packed into standard output ("), "{summary}");
     let file = tempfile::tempdir().unwrap();
     let path = file.path().join("drama.lipzbank");
-    let arguments = ["pack", "fixtures/drama", "--default-locale", "en-us", "-q", "-o", path.to_str().unwrap()];
+    let arguments = ["pack", "fixtures/drama", "--config", "default-locale=en-us", "-q", "-o", path.to_str().unwrap()];
     let (code, stdout, _) = printed(&with_input(&folder, &arguments, b""));
     assert_eq!((code, stdout.as_str()), (0, ""));
     assert!(fs::read(&path).unwrap() == packed.stdout, "the same bank, and nothing else");
 
     let (code, verified, _) = printed(&with_input(&folder, &["verify", "-"], &packed.stdout));
     assert_eq!((code, verified.starts_with("<stdin>: no fault (48 clips, ")), (0, true), "{verified}");
-    let (code, listed, _) = printed(&with_input(&folder, &["inspect", "-", "--list"], &packed.stdout));
+    let (code, listed, _) = printed(&with_input(&folder, &["inspect", "-", "--show", "clips"], &packed.stdout));
     assert_eq!((code, listed.lines().count()), (0, 48));
     let (code, _, refused) = printed(&with_input(&folder, &["verify", "-"], b"no bank"));
     assert_eq!((code, refused.contains("error[LZ0902]")), (1, true), "{refused}");
@@ -73,7 +73,7 @@ fn colours_are_asked_for_or_not() {
     assert!(!has_colours(&["--color", "auto"], &[]));
 }
 
-/// An editor's text of a file, which is not saved, is checked as the file: by its settings, with its name and key.
+/// An editor's unsaved text of a file is checked like the file: with its settings, its name and its key.
 #[test]
 fn standard_input_is_the_text_of_a_file() {
     let scene = Scene::new();
@@ -90,15 +90,15 @@ fn standard_input_is_the_text_of_a_file() {
     assert!(checked.2.contains("--> project/voices/act1/aye.lipz:1:"), "{}", checked.2);
     let packed = with_text(&["pack", "-", "-o", "one.lipzbank", "--allow", "LZ0203"]);
     assert_eq!(packed.0, 0, "{}", packed.2);
-    assert!(lipz(scene.path(), ["inspect", "one.lipzbank", "--list"]).stdout.contains("act1/aye"));
+    assert!(lipz(scene.path(), ["inspect", "one.lipzbank", "--show", "clips"]).stdout.contains("act1/aye"));
     let formatted = with_text(&["fmt", "-"]);
     assert!(formatted.1.find("text_de-de") < formatted.1.find("text_en-us"), "{}", formatted.1);
     let different = with_text(&["fmt", "-", "--diff"]);
     assert!(different.1.contains("project/voices/act1/aye.lipz"), "{}", different.1);
-    // Settings of the current folder do not hold for the file, nor does the name hold for other files.
+    // The settings of the current folder do not apply to the file, and the name does not affect other files.
     let alone = printed(&with_input(scene.path(), &["check", "-"], text.as_bytes()));
     assert!(alone.2.contains("--> <stdin>:1:") && alone.0 == 0, "{}", alone.2);
     let unread = lipz(scene.path(), ["check", "project/voices", "--stdin-filename", "a.lipz"]);
     assert_eq!(unread.code, 2);
-    assert!(unread.stderr.contains("standard input is not read"), "{}", unread.stderr);
+    assert!(unread.stderr.contains("needs standard input, which is not read"), "{}", unread.stderr);
 }

@@ -1,4 +1,4 @@
-//! `lipz subtitles`: what is written, what is read, and what is said about it.
+//! `lipz subtitles`: the files that are written and read, and the diagnostics.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -17,12 +17,12 @@ fn the_drama_returns() {
     for format in ["srt", "vtt"] {
         let folder = format!("{format}-files");
         scene.prepare(&["unpack", &drama(&scene), "-o", format, "--quiet"]);
-        scene.prepare(&["subtitles", "export", format, voices, "-o", &folder, "--default-fps", "24", "--quiet"]);
-        // The speakers and times of all are there, and give the texts back.
+        scene.prepare(&["export", "subtitles", format, voices, "-o", &folder, "--config", "default-fps=24", "--quiet"]);
+        // The files contain all speakers and times, and restore the texts.
         let before = bank(&scene, format);
-        scene.prepare(&["subtitles", "import", &folder, "-o", format, "--fps", "24", "--quiet"]);
+        scene.prepare(&["import", "subtitles", &folder, "-o", format, "--fps", "24", "--quiet"]);
         let diff = lipz(scene.path(), ["diff", &before, format]);
-        assert!(diff.code == 0 && diff.stdout.contains("no difference in 48 clips"), "{diff:?}");
+        assert!(diff.code == 0 && diff.stdout.contains("no differences in 48 clips"), "{diff:?}");
     }
 }
 
@@ -42,15 +42,15 @@ fn bank(scene: &Scene, folder: &str) -> String {
 fn files_have_key_and_locale_in_their_names() {
     let scene = Scene::new();
     scene.write("voices/act1/mayor.lipz", CLIP);
-    scene.prepare(&["subtitles", "export", "vtt", "voices", "-o", "out"]);
+    scene.prepare(&["export", "subtitles", "vtt", "voices", "-o", "out"]);
     let vtt = fs::read_to_string(scene.path().join("out/act1/mayor.en-us.vtt")).unwrap();
     assert_eq!(vtt, "WEBVTT\n\n00:00:00.167 --> 00:00:00.333\n<v Mara>Hello &amp; bye.\n");
-    scene.prepare(&["subtitles", "export", "srt", "voices", "-o", "out"]);
+    scene.prepare(&["export", "subtitles", "srt", "voices", "-o", "out"]);
     let srt = fs::read_to_string(scene.path().join("out/act1/mayor.en-us.srt")).unwrap();
     assert_eq!(srt, "1\n00:00:00,167 --> 00:00:00,333\nHello & bye.\n\n");
-    let again = lipz(scene.path(), ["subtitles", "export", "srt", "voices", "-o", "out"]);
-    assert!(again.code == 1 && again.stderr.contains("exists already"), "{again:?}");
-    let other = lipz(scene.path(), ["subtitles", "export", "srt", "voices", "-o", "other", "--locale", "de_DE"]);
+    let again = lipz(scene.path(), ["export", "subtitles", "srt", "voices", "-o", "out"]);
+    assert!(again.code == 1 && again.stderr.contains("already exists"), "{again:?}");
+    let other = lipz(scene.path(), ["export", "subtitles", "srt", "voices", "-o", "other", "--locale", "de_DE"]);
     assert_eq!((other.code, scene.path().join("other").exists()), (0, false));
 }
 
@@ -59,10 +59,10 @@ fn a_clip_that_is_not_there_is_made() {
     let scene = Scene::new();
     scene.write("in/mayor.de-de.srt", "1\n00:00:00,500 --> 00:00:01,000\nGuten Abend.\n");
     scene.write("in/readme.txt", "not a subtitle");
-    scene.prepare(&["subtitles", "import", "in", "-o", "voices", "--fps", "4"]);
+    scene.prepare(&["import", "subtitles", "in", "-o", "voices", "--fps", "4"]);
     let made = fs::read_to_string(scene.path().join("voices/mayor.lipz")).unwrap();
     assert!(made.contains("--|--") && made.contains("Guten Abend."), "{made}");
-    let nowhere = lipz(scene.path(), ["subtitles", "import", "in/readme.txt", "-o", "voices"]);
+    let nowhere = lipz(scene.path(), ["import", "subtitles", "in/readme.txt", "-o", "voices"]);
     assert_eq!(nowhere.code, 2);
 }
 
@@ -70,7 +70,7 @@ fn a_clip_that_is_not_there_is_made() {
 fn folders_without_subtitles_and_files_that_are_missing() {
     let scene = Scene::new();
     scene.write("empty/readme.txt", "not a subtitle");
-    let import = |named| lipz(scene.path(), ["subtitles", "import", named, "-o", "voices"]);
+    let import = |named| lipz(scene.path(), ["import", "subtitles", named, "-o", "voices"]);
     let empty = import("empty");
     assert_eq!((empty.code, empty.stdout.as_str()), (2, ""));
     assert!(empty.stderr.contains("error[LZ0805]: no subtitle files in `empty`"), "{empty:?}");
@@ -83,7 +83,7 @@ fn folders_without_subtitles_and_files_that_are_missing() {
 fn diagnostics() {
     let mut scene = Scene::new();
     scene.write("voices/mayor.lipz", r#"{ "fps": 24, "visemes": "MAAA|EEOO|", "text_en-us": "Yes.|a --> b|Gone." }"#);
-    let import = |file| ["subtitles", "import", file, "-o", "voices", "--quiet"];
+    let import = |file| ["import", "subtitles", file, "-o", "voices", "--quiet"];
     let files = [
         ("LZ1301-subtitle-syntax", "a.en-us.srt", "Who?\n\n1\n00:00:01,000 --> 00:00:0x\nGood evening.\n"),
         ("LZ1301-subtitle-syntax-vtt", "b.en-us.vtt", "1\n00:01.000 --> 00:02.000\nGood evening.\n"),
@@ -102,13 +102,13 @@ fn diagnostics() {
         scene.write(file, content);
         scene.expect(name, &import(file));
     }
-    scene.expect("LZ1305-subtitle-loss", &["subtitles", "export", "srt", "voices", "-o", "out", "--quiet"]);
+    scene.expect("LZ1305-subtitle-loss", &["export", "subtitles", "srt", "voices", "-o", "out", "--quiet"]);
     scene.write("f.srt", "1\n00:00:01,000 --> 00:00:02,000\nGood evening.\n");
     scene.expect("LZ1110-text-left-out-subtitles", &import("f.srt"));
     scene.write("f.de.srt", "1\n00:00:01,000 --> 00:00:02,000\nGuten Abend.\n");
     scene.expect("LZ1110-text-left-out-language", &[&import("f.de.srt")[..], &["--locale", "en-us"]].concat());
     scene.write("more/lines.lipz", r#"{ "fps": 24, "visemes": "MA", "text_en-us": "Good \n \n evening." }"#);
-    let export = ["subtitles", "export", "vtt", "more", "-o", "out", "--quiet"];
+    let export = ["export", "subtitles", "vtt", "more", "-o", "out", "--quiet"];
     scene.expect("LZ1305-subtitle-loss-lines", &export);
     scene.finish(12);
 }
@@ -122,7 +122,7 @@ fn files_of_other_systems_and_times() {
     scene.write("a.de-de.srt", srt);
     scene.write("b.de-de.srt", latin);
     scene.write("c.de-de.srt", utf16);
-    let import = |file: &str| ["subtitles", "import", file, "-o", "voices", "--quiet"].map(str::to_owned);
+    let import = |file: &str| ["import", "subtitles", file, "-o", "voices", "--quiet"].map(str::to_owned);
     scene.prepare(&import("a.de-de.srt").each_ref().map(String::as_str));
     let guessed = lipz(scene.path(), import("b.de-de.srt"));
     assert!(guessed.code == 0 && guessed.stderr.contains("is read as Windows-1252"), "{}", guessed.stderr);
@@ -141,9 +141,9 @@ fn white_space_and_speakers_return() {
     for format in ["srt", "vtt"] {
         scene.write("new/a.lipz", r#"{ "fps": 24, "visemes": "MA|EO" }"#);
         scene.prepare(&["pack", "voices", "-o", "old.lipzbank", "--quiet"]);
-        let export = lipz(scene.path(), ["subtitles", "export", format, "voices", "-o", format, "--quiet"]);
+        let export = lipz(scene.path(), ["export", "subtitles", format, "voices", "-o", format, "--quiet"]);
         assert_eq!((export.code, export.stderr.as_str()), (0, ""));
-        scene.prepare(&["subtitles", "import", format, "-o", "new", "--quiet"]);
+        scene.prepare(&["import", "subtitles", format, "-o", "new", "--quiet"]);
         let diff = lipz(scene.path(), ["diff", "old.lipzbank", "new"]);
         assert_eq!(diff.code, 0, "{diff:?}");
     }

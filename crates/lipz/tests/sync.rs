@@ -1,4 +1,4 @@
-//! `lipz sync`: what becomes of recordings and of the files that they belong to, run after run.
+//! `lipz sync` on recordings and their files, in several runs.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -7,20 +7,20 @@ use std::fs;
 use support::sound::{RATE_HZ, voice, wav};
 use support::{Scene, lipz, tree};
 
-/// Silence, a second of voice, a pause, another one, silence: 2.9 s, 70 frames.
+/// Silence, a second of voice, a pause, another second of voice, silence: 2.9 s, 70 frames.
 const LINE: &[(bool, u32)] = &[(false, 300), (true, 1000), (false, 400), (true, 1000), (false, 200)];
 
 fn read(scene: &Scene, name: &str) -> String {
     fs::read_to_string(scene.path().join(name)).unwrap()
 }
 
-/// The value of a string element, as it is spelled.
+/// Returns the value of a string element as written.
 fn element(text: &str, name: &str) -> String {
     let (_, rest) = text.split_once(&format!("\"{name}\"")).unwrap();
     rest.split('"').nth(1).unwrap().to_owned()
 }
 
-/// Runs `lipz sync` and gives its exit code and the first line that it printed.
+/// Runs `lipz sync`. Returns its exit code, the first line of its output, and its diagnostics.
 fn sync(scene: &Scene, arguments: &[&str]) -> (i32, String, String) {
     let run = lipz(scene.path(), ["sync"].iter().chain(arguments));
     (run.code, run.stdout.lines().next().unwrap_or_default().to_owned(), run.stderr)
@@ -34,7 +34,7 @@ fn recordings_become_lipz_files() {
     scene.write("rec/hum.wav", voice(LINE, 3));
     scene.write("rec/otto.txt", "Good evening,| mayor.\n");
     scene.write("lines.csv", "file,text\nmara,\"Who goes there?\"\n");
-    let arguments = ["rec", "-o", "voices", "--script", "lines.csv", "--audio-locale", "en-us"];
+    let arguments = ["rec", "-o", "voices", "--script", "lines.csv", "--config", "audio.locale=en-us"];
     let (code, told, found) = sync(&scene, &arguments);
     assert_eq!((code, told.as_str()), (0, "3 clips synced, in voices"), "{found}");
     assert_eq!(found.matches("warning[LZ1708]").count(), 1, "{found}");
@@ -46,21 +46,29 @@ fn recordings_become_lipz_files() {
     assert_eq!((element(&otto, "visemes").matches('|').count(), element(&otto, "visemes").len()), (1, 71));
     assert!(otto.contains("\"viseme_type\" : \"blair\"") && otto.contains("\"fps\" :"), "{otto}");
     let hum = element(&read(&scene, "voices/hum.lipz"), "visemes");
-    assert!(hum.bytes().any(|code| code != b'-') && hum.starts_with("---"), "without a text, what is heard: {hum}");
+    assert!(
+        hum.bytes().any(|code| code != b'-') && hum.starts_with("---"),
+        "without a text, the recognised phones: {hum}"
+    );
     let checked = lipz(scene.path(), ["check", "voices", "--audio", "rec", "--allow", "LZ1715,LZ1707"]);
-    assert_eq!((checked.code, checked.stderr.as_str()), (0, ""), "a buzz is not that text, but all else fits");
-    // Again: nothing changes, no file is touched.
+    assert_eq!(
+        (checked.code, checked.stderr.as_str()),
+        (0, ""),
+        "a buzz does not match the text, but everything else does"
+    );
+    // The second run does not change or touch a file.
     let before = tree(scene.path());
     let record = read(&scene, "voices/lipz-sync.txt");
     assert_eq!(record.lines().filter(|line| !line.starts_with('#')).count(), 3);
     assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 3 unchanged, in voices");
     assert_eq!(
-        sync(&scene, &["voices", "--audio", "rec", "--audio-locale", "en-us"]).1,
+        sync(&scene, &["voices", "--audio", "rec", "--config", "audio.locale=en-us"]).1,
         "0 clips synced, 3 unchanged, in voices"
     );
     assert_eq!((tree(scene.path()), read(&scene, "voices/lipz-sync.txt")), (before, record));
     assert_eq!(
-        sync(&scene, &["rec", "-o", "rms", "--viseme-type", "rms", "--fps", "12", "--default-locale", "en-us"]).1,
+        sync(&scene, &["rec", "-o", "rms", "--viseme-type", "rms", "--fps", "12", "--config", "default-locale=en-us"])
+            .1,
         "3 clips synced, in rms"
     );
     let rms = element(&read(&scene, "rms/hum.lipz"), "visemes");
@@ -74,7 +82,10 @@ fn everything_but_the_mouth_stays() {
     let scene = Scene::new();
     scene.write("voices/a.lipz", WRITTEN);
     scene.write("rec/a.wav", voice(LINE, 1));
-    assert_eq!(sync(&scene, &["voices", "--audio", "rec", "--default-locale", "en-us"]).1, "1 clip synced, in voices");
+    assert_eq!(
+        sync(&scene, &["voices", "--audio", "rec", "--config", "default-locale=en-us"]).1,
+        "1 clip synced, in voices"
+    );
     let text = read(&scene, "voices/a.lipz");
     let visemes = element(&text, "visemes");
     assert_eq!(visemes.matches('|').count(), 1, "{visemes}");
@@ -94,7 +105,7 @@ fn hand_work_is_kept() {
     let (_, told, found) = sync(&scene, &arguments);
     assert_eq!(told, "3 clips synced, 1 kept, in voices");
     assert!(
-        found.contains("warning[LZ1706]: the mouth was drawn by hand, or made by another tool: it is kept"),
+        found.contains("warning[LZ1706]: the visemes were made by hand or by another tool, so they are kept"),
         "{found}"
     );
     let edit = |name: &str, change: &dyn Fn(&str) -> String| {
@@ -107,54 +118,52 @@ fn hand_work_is_kept() {
     edit("moved", &|visemes| format!("-|{}", visemes.replace('|', "").strip_prefix('-').unwrap()));
     let (code, told, found) = sync(&scene, &[&arguments[..], &["--allow", "LZ1706"]].concat());
     assert_eq!((code, told.as_str(), found.as_str()), (0, "0 clips synced, 2 unchanged, 2 kept, in voices", ""));
-    // A retake of all of them.
+    // A retake of all recordings.
     let drawn = read(&scene, "voices/drawn.lipz");
     let edited = read(&scene, "voices/edited.lipz");
     for name in ["edited", "moved", "drawn", "synced"] {
         scene.write(&format!("rec/{name}.wav"), voice(LINE, 2));
     }
     let stale = lipz(scene.path(), ["check", "voices", "--audio", "rec"]).stderr;
-    assert_eq!(stale.matches("[LZ1705]: the mouth was made from another recording").count(), 3, "{stale}");
+    assert_eq!(stale.matches("[LZ1705]: the visemes were made from a different recording").count(), 3, "{stale}");
     let (_, told, found) = sync(&scene, &arguments);
     assert_eq!(told, "2 clips synced, 2 kept, in voices");
-    assert!(found.contains("the mouth was changed by hand, and its recording or text is another one now"), "{found}");
+    assert!(found.contains("the visemes were edited by hand, and their recording or text has changed"), "{found}");
     assert_eq!((read(&scene, "voices/drawn.lipz"), read(&scene, "voices/edited.lipz")), (drawn, edited));
-    assert_eq!(sync(&scene, &[&arguments[..], &["--force"]].concat()).1, "2 clips synced, 2 unchanged, in voices");
+    let forced = [&arguments[..], &["--discard-edits"]].concat();
+    assert_eq!(sync(&scene, &forced).1, "2 clips synced, 2 unchanged, in voices");
     assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 4 unchanged, in voices");
-    // Another text, and another setting.
+    // A different text, and a different setting.
     edit("synced", &|visemes| visemes.to_owned());
     let text = read(&scene, "voices/synced.lipz");
     scene.write("voices/synced.lipz", text.replace("there?", "here?"));
     let text = read(&scene, "voices/synced.lipz");
-    // What is shown does not depend on the mouth.
+    // The displayed text does not depend on the visemes.
     scene.write("voices/synced.lipz", text.replace(&element(&text, "visemes"), "MA|EO"));
     let allow = "LZ1702,LZ1703,LZ1714,LZ1715";
-    let check = ["check", "voices/synced.lipz", "--root", "voices", "--audio", "rec", "--quiet", "--allow", allow];
+    let check =
+        ["check", "voices/synced.lipz", "--config", "root=voices", "--audio", "rec", "--quiet", "--allow", allow];
     scene.expect("LZ1915-outdated-recording", &check);
     scene.write("voices/synced.lipz", &text);
-    // From now on, the mouth counts as made for the new text; the recording does not, whatever becomes of the mouth.
+    // From now on, the visemes count as made for the new text. The recording does not, for any change of the visemes.
     let told = lipz(scene.path(), ["sync"].iter().chain(&arguments)).stdout;
     assert!(told.starts_with("1 clip synced, 3 unchanged, in voices\n"), "{told}");
-    assert!(
-        told.contains(
-            "\nrecordings older than their texts (record these lines again, or `lipz accept` them)\n  synced\n"
-        ),
-        "{told}"
-    );
-    let told = lipz(scene.path(), ["sync"].iter().chain(&arguments).chain(&["--lead-ms", "0"])).stdout;
+    let older = "\nrecordings older than their texts (record these lines again, or `lipz approve` them)\n  synced\n";
+    assert!(told.contains(older), "{told}");
+    let told = lipz(scene.path(), ["sync"].iter().chain(&arguments).chain(&["--config", "sync.lead-ms=0"])).stdout;
     assert!(told.starts_with("4 clips synced, in voices\n") && !told.contains("older than"), "{told}");
     let is_told = || lipz(scene.path(), check).stderr.contains("LZ1915");
-    assert!(is_told(), "nobody has recorded it");
+    assert!(is_told(), "it has not been recorded again");
     let recorded = fs::read(scene.path().join("rec/synced.wav")).unwrap();
     scene.write("rec/synced.wav", voice(LINE, 4));
-    assert!(!is_told(), "somebody has");
+    assert!(!is_told(), "it has been recorded again");
     scene.write("rec/synced.wav", recorded);
     let (text, old) = (read(&scene, "voices/synced.lipz"), "here?");
     scene.write("voices/synced.lipz", text.replace(old, "there?"));
-    assert!(!is_told(), "it says what it said");
+    assert!(!is_told(), "the text is the recorded one again");
     scene.write("voices/synced.lipz", text);
     assert!(is_told());
-    // Without the record, nobody knows who made a mouth.
+    // Without the record, the origin of visemes is unknown.
     fs::remove_file(scene.path().join("voices/lipz-sync.txt")).unwrap();
     assert_eq!(sync(&scene, &arguments).1, "0 clips synced, 4 kept, in voices");
 }
@@ -178,11 +187,11 @@ fn one_bad_file_keeps_no_other_from_its_mouth() {
     assert_eq!(found.matches("error[LZ1704]").count(), 2, "{found}");
     assert_eq!(read(&scene, "voices/broken.lipz"), r#"{ "text_en-us": "Who?", "fps": 24, }"#);
     assert!(read(&scene, "voices/good.lipz").contains("visemes"));
-    // The record is in the way, or is none.
+    // A file at the path of the record that is not a record.
     scene.write("notes.txt", "my notes");
-    let refused = lipz(scene.path(), ["sync", "voices", "--audio", "rec", "--audio-record", "notes.txt"]);
+    let refused = lipz(scene.path(), ["sync", "voices", "--audio", "rec", "--config", "audio.record=notes.txt"]);
     assert!(
-        refused.code == 2 && refused.stderr.contains("is not a record of mouths and their recordings"),
+        refused.code == 2 && refused.stderr.contains("is not a record of visemes and their recordings"),
         "{}",
         refused.stderr
     );
@@ -209,7 +218,7 @@ fn what_is_odd_is_reported() {
     let clip = |visemes: &str| format!("{{ \"visemes\": \"{visemes}\", \"viseme_type\": \"blair\", \"fps\": 8 }}");
     scene.write("voices/a.lipz", clip("AEAEAE|AEAEAEAEAEAEAE"));
     scene.write("voices/b.lipz", clip("------------A|-------"));
-    let check = ["check", "voices", "--audio", "rec", "--quiet", "--audio-cache", "rec.cache"];
+    let check = ["check", "voices", "--audio", "rec", "--quiet", "--config", "audio.cache=rec.cache"];
     scene.expect("LZ1714-moving-in-silence", &check);
     let cached = read(&scene, "rec.cache");
     assert_eq!(cached.lines().count(), 3, "{cached}");
@@ -218,7 +227,8 @@ fn what_is_odd_is_reported() {
     scene.write("voices/b.lipz", r#"{ "text_en-us": "Li'sar{say: L IX}" }"#);
     scene.write("voices/a.lipz", r#"{ "mood": 1 }"#);
     scene.write("lexicon.txt", "WESNOTH  W EX S\n");
-    let sync = ["sync", "voices", "--audio", "rec", "--quiet", "--lexicon", "lexicon.txt", "--allow", "LZ0203"];
+    let sync =
+        ["sync", "voices", "--audio", "rec", "--quiet", "--config", "sync.lexicon=lexicon.txt", "--allow", "LZ0203"];
     scene.expect("LZ1710-pronunciation", &sync);
     scene.write("drawn/a.lipz", clip("AEAEAEAEAEAEAEAEAE--"));
     scene.expect("LZ1706-mouth-kept", &["sync", "drawn", "--audio", "rec", "--quiet"]);
@@ -234,10 +244,11 @@ fn what_is_odd_is_reported() {
     );
     scene.write("new/a.lipz", r#"{ "text_en-us": "Aye." }"#);
     scene.write("lines.csv", "file,text\na,No.\nz,Never.\nb,\"She sees, six fish.\"\n");
-    let of_script = ["sync", "rec", "-o", "new", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
+    let of_script = ["sync", "rec", "-o", "new", "--script", "lines.csv", "--config", "audio.locale=en-us", "--quiet"];
     scene.expect("LZ1709-other-text", &[&of_script[..], &["--allow", "LZ1707,LZ1713"]].concat());
     scene.expect("LZ1713-script-without-recording", &[&of_script[..], &["--allow", "LZ1707,LZ1709"]].concat());
-    let of_b = ["sync", "rec/b.wav", "-o", "doubtful", "--script", "lines.csv", "--audio-locale", "en-us", "--quiet"];
+    let of_b =
+        ["sync", "rec/b.wav", "-o", "doubtful", "--script", "lines.csv", "--config", "audio.locale=en-us", "--quiet"];
     scene.expect("LZ1707-text-mismatch", &[&of_b[..], &["--allow", "LZ1713"]].concat());
     scene.expect("LZ1708-no-script", &["sync", "rec/a.wav", "-o", "mute", "--quiet"]);
     scene.write("rec/a.wav", wav(RATE_HZ, &[0; 20_000]));

@@ -1,4 +1,4 @@
-//! `lipz sync`, run after run: only what changed is made again, and threads and order make no difference.
+//! Repeated runs of `lipz sync`: only changed clips are made again, and threads and order do not matter.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -10,7 +10,7 @@ use support::{Scene, lipz, tree};
 
 const LINE: &[(bool, u32)] = &[(false, 200), (true, 700), (false, 300), (true, 400), (false, 100)];
 
-/// The contents of the files in a folder.
+/// Returns the contents of the files in a folder.
 fn files(scene: &Scene, folder: &str) -> BTreeMap<String, String> {
     let read = |name: &String| fs::read_to_string(scene.path().join(folder).join(name)).unwrap();
     tree(&scene.path().join(folder)).into_iter().map(|name| (name.clone(), read(&name))).collect()
@@ -32,7 +32,7 @@ fn threads_and_order_make_no_difference() {
     ];
     let mut printed = Vec::new();
     for (folder, threads, sources) in &runs {
-        let arguments = ["-o", folder, "--audio-locale", "en-us", "--jobs", threads];
+        let arguments = ["-o", folder, "--config", "audio.locale=en-us", "--jobs", threads];
         let run = lipz(scene.path(), ["sync"].into_iter().chain(sources.iter().map(String::as_str)).chain(arguments));
         assert_eq!(run.code, 0, "{}", run.stderr);
         printed.push((run.stdout + &run.stderr).replace(folder, "FOLDER"));
@@ -45,7 +45,8 @@ fn threads_and_order_make_no_difference() {
     }
 }
 
-/// Four clips: one with a word of the lexicon, one without, one of the loudness alone, and one without a text.
+/// Returns a project of four clips: one with a word of the lexicon, one without, one with loudness only, and one
+/// without a text.
 fn project() -> Scene {
     let scene = Scene::new();
     let settings = "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[audio]\nfolder = \"rec\"\n\
@@ -62,7 +63,7 @@ fn project() -> Scene {
     scene
 }
 
-/// Runs `lipz sync` and gives the names of the clips that were made again, by the lines of the record that changed.
+/// Runs `lipz sync`. Returns the keys of the clips that were made again, based on the changed lines of the record.
 fn made(scene: &Scene, arguments: &[&str]) -> Vec<String> {
     let lines = |text: String| text.lines().map(str::to_owned).collect::<Vec<_>>();
     let record = || lines(fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap_or_default());
@@ -72,7 +73,7 @@ fn made(scene: &Scene, arguments: &[&str]) -> Vec<String> {
     let changed = record().into_iter().filter(|line| !line.starts_with('#') && !before.contains(line));
     let mut names: Vec<String> = changed.filter_map(|line| Some(line.rsplit_once(' ')?.1.to_owned())).collect();
     names.iter_mut().for_each(|name| *name = name.trim_end_matches(".lipz").to_owned());
-    // A clip may have two lines: of its mouth, and of what was said in its recording.
+    // A clip may have two lines: one for its visemes, and one for the text of its recording.
     names.sort();
     names.dedup();
     let told = format!("{} clip{} synced", names.len(), if names.len() == 1 { "" } else { "s" });
@@ -91,35 +92,38 @@ fn what_changed_and_nothing_else_is_made_again() {
     let all = ["lexicon", "loud", "mute", "plain"];
     assert_eq!(made(&scene, &[]), all);
     assert_eq!(made(&scene, &[]), [""; 0]);
-    // The sound.
+    // The recording.
     scene.write("rec/plain.wav", voice(LINE, 7));
     assert_eq!(made(&scene, &[]), ["plain"]);
-    // The text that is spoken, and one that is not.
+    // The spoken text, and a text that is not spoken.
     change("voices/plain.lipz", "Wer da?", "Wer ist da?");
     assert_eq!(made(&scene, &[]), [""; 0]);
     change("voices/plain.lipz", "goes there?", "is there?");
     assert_eq!(made(&scene, &[]), ["plain"]);
-    // A pronunciation that one clip needs, one that none needs, and one for a single place.
+    // A pronunciation that one clip needs, an unused one, and one for a single occurrence.
     change("lexicon.txt", "N AO TH", "N OW TH");
     assert_eq!(made(&scene, &[]), ["lexicon"]);
     change("lexicon.txt", "WESNOTH", "CASTLE  K AE S AH L\nWESNOTH");
     assert_eq!(made(&scene, &[]), [""; 0]);
     change("voices/plain.lipz", "Who is", "Who{say: W UW} is");
     assert_eq!(made(&scene, &[]), ["plain"]);
-    // Settings: of all mouths, of those with phones, of those of the loudness alone.
-    assert_eq!(made(&scene, &["--lead-ms", "0"]), all);
-    assert_eq!(made(&scene, &["--lead-ms", "0"]), [""; 0]);
+    // Settings for all visemes, for visemes from phones, and for visemes from loudness.
+    assert_eq!(made(&scene, &["--config", "sync.lead-ms=0"]), all);
+    assert_eq!(made(&scene, &["--config", "sync.lead-ms=0"]), [""; 0]);
     assert_eq!(made(&scene, &[]), all);
-    assert_eq!(made(&scene, &["--hold-ms", "0"]), ["lexicon", "mute", "plain"]);
+    assert_eq!(made(&scene, &["--config", "sync.hold-ms=0"]), ["lexicon", "mute", "plain"]);
     assert_eq!(made(&scene, &[]), ["lexicon", "mute", "plain"]);
-    assert_eq!(made(&scene, &["--rms-exponent", "1"]), ["loud"]);
+    assert_eq!(made(&scene, &["--config", "sync.rms-exponent=1"]), ["loud"]);
     assert_eq!(made(&scene, &[]), ["loud"]);
-    // Settings that have nothing to do with mouths, and defaults that no file needs.
+    // Settings that do not affect visemes, and defaults that no file needs.
     assert_eq!(
-        made(&scene, &["--default-fps", "12", "--default-viseme-type", "toonboom", "--max-lines", "2"]),
+        made(
+            &scene,
+            &["--config", "default-fps=12", "--config", "default-viseme-type=toonboom", "--config", "text.lines=2"]
+        ),
         [""; 0]
     );
-    // The language, by which words are pronounced.
+    // The language, which determines the pronunciation.
     change("voices/plain.lipz", "text_en-us", "text_xx-xx");
     change("voices/plain.lipz", "text_de-de", "text_en-us");
     change("voices/plain.lipz", "text_xx-xx", "text_de-de");
@@ -137,12 +141,13 @@ fn what_makes_no_other_mouth_makes_none_again() {
         text.replace("calm", "angry")
     });
     assert_eq!(made(&scene, &[]), [""; 0]);
-    // A copy of a recording, and one that was written again with the same bytes.
+    // A copy of a recording, and one that was rewritten with the same bytes.
     scene.write("rec/plain.wav", fs::read(scene.path().join("rec/plain.wav")).unwrap());
     assert_eq!(made(&scene, &[]), [""; 0]);
 }
 
-/// The record says when words are said. One of an older version does not: its mouths are made again, and are the same.
+/// The record has the times of words. A record of an older version does not, so its visemes are made again, with the
+/// same result.
 #[test]
 fn faces_change_at_the_words_of_the_record() {
     let scene = Scene::new();
@@ -162,7 +167,7 @@ fn faces_change_at_the_words_of_the_record() {
         assert_eq!(run.code, 0, "{}", run.stderr);
         lipz(scene.path(), ["inspect", "a.lipzbank", "a"]).stdout
     };
-    // Before the lead of the mouth: the word is heard at this frame.
+    // Before the lead of the visemes: the word is spoken at this frame.
     let at = start_ms / 10;
     assert!(curves().contains(&format!("{}:0 {at}:2", at - 1)), "{at}: {}", curves());
     let mouth = fs::read(scene.path().join("voices/a.lipz")).unwrap();

@@ -1,4 +1,4 @@
-//! Lip sync in shards: the Lipz files, the record, the TextGrids and the diagnostics of `lipz sync` in one go.
+//! Lip sync in shards makes the same Lipz files, record, TextGrids and diagnostics as a single run of `lipz sync`.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -10,7 +10,7 @@ use std::time::Duration;
 use support::sound::voice;
 use support::{Scene, lipz, tree};
 
-/// When somebody speaks in a recording, and when not, in milliseconds.
+/// Speech and silence in a recording, in milliseconds.
 const LINE: &[(bool, u32)] = &[(false, 200), (true, 500), (false, 100), (true, 300), (false, 200)];
 
 const SETTINGS: &str = "sources = [\"voices\"]
@@ -28,8 +28,8 @@ lexicon = \"words.txt\"
 textgrids = \"grids\"
 ";
 
-/// Originals with a text of two segments, one with a mouth by hand, one without a text, one with an error; dubs with a
-/// file, and without one.
+/// Returns a project of originals (with a text of two segments, with visemes made by hand, without a text, with an
+/// error) and dubs (with and without a file).
 fn scene() -> Scene {
     let scene = Scene::new();
     scene.write("lipz.toml", SETTINGS);
@@ -51,7 +51,7 @@ fn scene() -> Scene {
     scene
 }
 
-/// The files that lip sync writes, with what is in them.
+/// Returns the files that lip sync writes, with their contents.
 fn made(scene: &Scene) -> BTreeMap<String, Vec<u8>> {
     let is_made = |name: &String| name.starts_with("voices/") || name.starts_with("grids/");
     let files = tree(scene.path()).into_iter().filter(is_made).filter(|name| scene.path().join(name).is_file());
@@ -59,12 +59,12 @@ fn made(scene: &Scene) -> BTreeMap<String, Vec<u8>> {
 }
 
 fn plan(scene: &Scene, shards: usize) {
-    scene.prepare(&["shard", "plan", "--sync", "--shards", &shards.to_string(), "-o", "build/sync.json", "--quiet"]);
+    scene.prepare(&["shard", "plan", "sync", "--shards", &shards.to_string(), "-o", "build/sync.json", "--quiet"]);
 }
 
 fn arguments(shard: usize, shards: usize) -> Vec<String> {
     let (number, output) = (shard.to_string(), format!("build/{shard}-of-{shards}.lipzmouths"));
-    let words = ["sync", "--plan", "build/sync.json", "--shard", &number, "-o", &output, "--store", "store"];
+    let words = ["shard", "sync", "build/sync.json", &number, "-o", &output, "--store", "store"];
     words.map(str::to_owned).to_vec()
 }
 
@@ -75,7 +75,7 @@ fn step(scene: &Scene, shard: usize, shards: usize) -> support::Outcome {
 }
 
 fn merge(scene: &Scene, shards: usize) -> support::Outcome {
-    lipz(scene.path(), ["sync", "--from", &format!("build/*-of-{shards}.lipzmouths")])
+    lipz(scene.path(), ["shard", "merge", &format!("build/*-of-{shards}.lipzmouths")])
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn shards_make_what_is_made_in_one_go() {
         let before = made(&scene);
         let order: Vec<usize> = if is_reversed { (0..shards).rev().collect() } else { (0..shards).collect() };
         order.iter().for_each(|shard| drop(step(&scene, *shard, shards)));
-        assert!(made(&scene) == before, "steps write nothing but their results");
+        assert!(made(&scene) == before, "steps write only their results");
         let merged = merge(&scene, shards);
         let files = made(&scene);
         for (name, bytes) in &expected_files {
@@ -103,7 +103,7 @@ fn shards_make_what_is_made_in_one_go() {
         }
         assert_eq!(files.len(), expected_files.len());
         assert_eq!((merged.code, &merged.stderr), (expected.code, &expected.stderr), "{shards} shards");
-        // All of it again: everything is as it is after a second run in one go.
+        // A second merge has the same result as a second single run.
         let again = merge(&scene, shards);
         assert!(made(&scene) == files && again.code == merged.code, "{again:?}");
         plan(&scene, shards);
@@ -121,7 +121,7 @@ fn mouths_are_pure_functions_of_their_inputs() {
         plan(scene, 2);
         (0..2)
             .map(|shard| {
-                let more = ["--threads", threads].map(str::to_owned);
+                let more = ["--jobs", threads].map(str::to_owned);
                 let outcome = lipz(scene.path(), arguments(shard, 2).into_iter().chain(more));
                 assert_eq!(outcome.code, 0, "{outcome:?}");
                 fs::read(scene.path().join(format!("build/{shard}-of-2.lipzmouths"))).unwrap()
@@ -130,12 +130,12 @@ fn mouths_are_pure_functions_of_their_inputs() {
     };
     let first = results(&one, "1");
     assert!(first == results(&other, "7"));
-    // A text changes one shard; the other one is taken from the store.
+    // A text changes one shard. The other one comes from the store.
     one.write("voices/en/line-2.lipz", r#"{ "text_en-us": "Good night." }"#);
     plan(&one, 2);
     let again: Vec<String> = (0..2).map(|shard| step(&one, shard, 2).stdout).collect();
     assert_eq!(again.iter().filter(|said| said.contains("unchanged in")).count(), 1, "{again:?}");
-    // What is not in the plan is not looked at, or the step does not run.
+    // Files that are not in the plan are ignored, or prevent the step from running.
     one.write("recordings/de/line-2.wav", voice(LINE, 9));
     fs::remove_dir_all(one.path().join("store")).unwrap();
     let before: Vec<Vec<u8>> =
@@ -173,12 +173,12 @@ fn what_somebody_changed_meanwhile_is_kept() {
     let files = made(&scene);
     assert!(
         String::from_utf8_lossy(&files["voices/en/line-2.lipz"]).contains("visemes"),
-        "the others have their mouths"
+        "the other clips have their visemes"
     );
     assert!(!String::from_utf8_lossy(&files["voices/lipz-sync.txt"]).contains(" en/line-0.lipz"));
 }
 
-/// What is known of recordings and mouths since the plan was made is not undone by what was made before.
+/// Old results do not undo newer data about recordings and visemes, which was recorded after the plan.
 #[test]
 fn newer_records_recordings_and_settings_are_not_undone() {
     let scene = scene();
@@ -193,30 +193,30 @@ fn newer_records_recordings_and_settings_are_not_undone() {
         (0..shards).for_each(|shard| drop(step(&scene, shard, shards)));
     };
     let record = || fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
-    // Whether the recording of a clip is told to say something else than its text.
+    // Whether the recording of a clip is reported to differ from its text.
     let is_outdated = || lipz(scene.path(), ["check"]).stderr.contains("LZ1915");
     steps(2);
     assert_eq!((merge(&scene, 2).code, is_outdated()), (0, false));
-    // Other words for the same recording: the mouth is made for them, and what the recording says is remembered.
+    // A different text for the same recording: the visemes follow it, and the text of the recording is remembered.
     let file = "voices/en/line-2.lipz";
     let text = fs::read_to_string(scene.path().join(file)).unwrap();
     scene.write(file, text.replace("Zwogg", "Zwack"));
     steps(2);
     assert_eq!((merge(&scene, 2).code, is_outdated()), (0, true));
-    // Accepted: merging again leaves it so.
-    scene.prepare(&["accept", "--all", "--quiet"]);
+    // The text is accepted, and merging again keeps this.
+    scene.prepare(&["approve", "--all", "--quiet"]);
     let accepted = record();
     assert_eq!((merge(&scene, 2).code, record(), is_outdated()), (0, accepted, false));
-    // Accepted between step and merge: the mouth is refused.
+    // Accepted between step and merge: the visemes are refused.
     let text = fs::read_to_string(scene.path().join(file)).unwrap();
     scene.write(file, text.replace("Zwack", "Zweck"));
     steps(2);
-    scene.prepare(&["accept", "--all", "--quiet"]);
+    scene.prepare(&["approve", "--all", "--quiet"]);
     let accepted = record();
     let merged = merge(&scene, 2);
-    assert!(merged.code == 1 && merged.stderr.contains("the record says something else"), "{merged:?}");
+    assert!(merged.code == 1 && merged.stderr.contains("has changed since the plan was made"), "{merged:?}");
     assert_eq!(record(), accepted);
-    // Planned again, it is no result of before acceptance that comes from the store.
+    // In a new plan, the store does not return results from before the acceptance.
     steps(2);
     assert_eq!((merge(&scene, 2).code, is_outdated()), (0, false));
     // Another take.
@@ -228,23 +228,26 @@ fn newer_records_recordings_and_settings_are_not_undone() {
     longer.extend([0, 0]);
     fs::write(&recording, &longer).unwrap();
     let merged = merge(&scene, 2);
-    assert!(merged.code == 1 && merged.stderr.contains("line-3.wav` is not what it was"), "{merged:?}");
+    assert!(
+        merged.code == 1 && merged.stderr.contains("line-3.wav` has changed since the plan was made"),
+        "{merged:?}"
+    );
     fs::write(&recording, &take).unwrap();
     assert_eq!(merge(&scene, 2).code, 0);
-    // What is done stays done, whatever becomes of the recording.
+    // Finished work stays, for any change of the recording.
     fs::write(&recording, &longer).unwrap();
     let done = merge(&scene, 2);
-    assert!(done.code == 0 && !done.stderr.contains("is not what it was"), "{done:?}");
+    assert!(done.code == 0 && !done.stderr.contains("has changed since"), "{done:?}");
     fs::write(&recording, &take).unwrap();
-    // One shard with other settings than the other.
+    // One shard has different settings from the other.
     scene.write("lipz.toml", SETTINGS.replace("[sync]", "[sync]\nlead-ms = 80"));
     plan(&scene, 2);
     step(&scene, 0, 2);
     let merged = merge(&scene, 2);
-    assert!(merged.code != 0 && merged.stderr.contains("with other settings"), "{merged:?}");
+    assert!(merged.code != 0 && merged.stderr.contains("with different settings"), "{merged:?}");
 }
 
-/// Steps and merges that are killed are done again, and nothing is lost.
+/// Killed steps and merges are run again, and nothing is lost.
 #[test]
 fn killed_and_resumed() {
     let whole = scene();
@@ -265,7 +268,7 @@ fn killed_and_resumed() {
     }
     (0..4).for_each(|shard| drop(step(&scene, shard, 4)));
     for ms in (0..60).step_by(6) {
-        kill_after(["sync", "--from", "build/*-of-4.lipzmouths"].map(str::to_owned).to_vec(), ms);
+        kill_after(["shard", "merge", "build/*-of-4.lipzmouths"].map(str::to_owned).to_vec(), ms);
     }
     merge(&scene, 4);
     let (files, expected) = (made(&scene), made(&whole));
@@ -282,26 +285,26 @@ fn what_is_refused() {
         let outcome = lipz(scene.path(), arguments);
         assert!(outcome.code != 0 && outcome.stderr.contains(why), "{arguments:?}: {outcome:?}");
     };
-    refused(&["pack", "--plan", "build/sync.json", "--shard", "0", "-o", "0.lipzobj"], "is a plan of lip sync");
-    refused(&["sync", "--plan", "build/sync.json", "--shard", "0"], "no result to write is named");
-    refused(&["sync", "--plan", "build/sync.json", "--shard", "2", "-o", "2.lipzmouths"], "the plan has 2 shards");
-    refused(&["sync", "--plan", "build/sync.json", "--shard", "0", "-o", "0.lipzmouths", "--force"], "LZ1601");
+    refused(&["shard", "pack", "build/sync.json", "0", "-o", "0.lipzobj"], "is a plan of lip sync");
+    refused(&["shard", "sync", "build/sync.json", "0"], "--output <FILE>");
+    refused(&["shard", "sync", "build/sync.json", "2", "-o", "2.lipzmouths"], "which has 2 shards");
+    refused(&["shard", "sync", "build/sync.json", "0", "-o", "0.lipzmouths", "--discard-edits"], "LZ1601");
     step(&scene, 0, 2);
-    refused(&["sync", "--from", "build/0-of-2.lipzmouths"], "LZ2205");
+    refused(&["shard", "merge", "build/0-of-2.lipzmouths"], "LZ2205");
     step(&scene, 1, 2);
     let mouths = fs::read_to_string(scene.path().join("build/0-of-2.lipzmouths")).unwrap();
     scene.write("build/other.lipzmouths", &mouths);
-    refused(&["sync", "--from", "build/0-of-2.lipzmouths", "build/other.lipzmouths"], "shard 0 is there twice");
+    refused(&["shard", "merge", "build/0-of-2.lipzmouths", "build/other.lipzmouths"], "shard 0 is named twice");
     scene.write("build/other.lipzmouths", mouths.replacen("\"refused\": ", "\"refused\": 1", 1));
-    refused(&["sync", "--from", "build/other.lipzmouths"], "it is damaged, or was changed by hand");
+    refused(&["shard", "merge", "build/other.lipzmouths"], "it is damaged, or was edited");
     scene.write("build/other.lipzmouths", &mouths[..mouths.len() / 2]);
-    refused(&["sync", "--from", "build/other.lipzmouths", "build/none.lipzmouths"], "LZ2203");
+    refused(&["shard", "merge", "build/other.lipzmouths", "build/none.lipzmouths"], "LZ2203");
     assert!(!scene.path().join("grids").exists() && !scene.path().join("voices/lipz-sync.txt").exists());
     scene.write("lipz.toml", SETTINGS.replace("recordings", "none"));
-    refused(&["shard", "plan", "--sync", "--shards", "2", "-o", "build/sync.json"], "none");
+    refused(&["shard", "plan", "sync", "--shards", "2", "-o", "build/sync.json"], "none");
 }
 
-/// What engines run makes what is made in one go. An engine that is not on this machine is left out with a word.
+/// Engines produce the same results as a single run. A missing engine is skipped with a message.
 #[test]
 #[cfg(unix)]
 fn engines_run_the_steps() {
@@ -316,7 +319,7 @@ fn engines_run_the_steps() {
     lipz(whole.path(), ["sync"]);
     let emit = |scene: &Scene, engine: &str, file: &str| {
         plan(scene, 3);
-        scene.prepare(&["shard", "emit", engine, "build/sync.json", "-o", file, "--lipz", "./lipz", "--quiet"]);
+        scene.prepare(&["shard", "emit", engine, "build/sync.json", "-o", file, "--quiet"]);
         fs::read_to_string(scene.path().join(file)).unwrap()
     };
     for (engine, file, arguments) in
@@ -330,10 +333,11 @@ fn engines_run_the_steps() {
             continue;
         }
         let scene = small();
-        std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_lipz"), scene.path().join("lipz")).unwrap();
+        let path = support::path_with_lipz(&scene);
         emit(&scene, engine, file);
         let run = || {
-            let output = Command::new(engine).args(arguments).current_dir(scene.path()).output().unwrap();
+            let mut command = Command::new(engine);
+            let output = command.args(arguments).env("PATH", &path).current_dir(scene.path()).output().unwrap();
             assert!(output.status.success(), "{}", String::from_utf8_lossy(&[output.stdout, output.stderr].concat()));
         };
         run();
@@ -344,8 +348,8 @@ fn engines_run_the_steps() {
     let scene = small();
     for engine in ["hyperqueue", "slurm"] {
         let text = emit(&scene, engine, "steps");
-        assert!(text.contains("./lipz sync --plan build/sync.json --shard"), "{text}");
-        assert!(text.contains("sync --from") && text.contains("build/*-of-3.lipzmouths"), "{text}");
+        assert!(text.contains("lipz shard sync build/sync.json "), "{text}");
+        assert!(text.contains("shard merge") && text.contains("build/*-of-3.lipzmouths"), "{text}");
         assert!(text.contains("touch build/sync.done") && !text.contains("lipzobj"), "{text}");
     }
 }

@@ -1,4 +1,4 @@
-//! Recordings and texts that do not belong together: what is missing, what is too much, and where. With a human voice.
+//! Recordings that do not match their texts: missing and extra words with their positions, with a human voice.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -10,10 +10,10 @@ use support::{Scene, lipz, repository};
 /// "Bobby ripped the ledger.", from 0.07 to 1.12 s.
 const SENTENCE: &str = "Bobby ripped the ledger.";
 const RATE_HZ: u32 = 48_000;
-/// Bytes before the samples of the file.
+/// The length of the file's header in bytes.
 const HEADER_BYTES: usize = 44;
 
-/// The sentence so many times, with pauses of 0.4 s between them: one every 1.595 s.
+/// Returns the sentence repeated `times` times, with pauses of 0.4 s: one every 1.595 s.
 fn said(times: usize) -> Vec<u8> {
     let file = fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap();
     let sample = |bytes: &[u8]| i16::from_le_bytes([bytes[0], bytes[1]]);
@@ -26,25 +26,25 @@ fn said(times: usize) -> Vec<u8> {
     wav(RATE_HZ, &samples)
 }
 
-/// What `lipz sync` finds in a recording of the sentence with this text.
+/// Returns the diagnostics of `lipz sync` for a recording of the sentence with this text.
 fn found(times: usize, text: &str) -> String {
     let scene = Scene::new();
     scene.write("rec/a.wav", said(times));
     scene.write("rec/a.txt", text);
-    let run = lipz(scene.path(), ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--quiet"]);
+    let run = lipz(scene.path(), ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--quiet"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stderr.matches("[LZ").count() <= 1, "{}", run.stderr);
     run.stderr
 }
 
-/// The times in a diagnostic, in seconds.
+/// Returns the times in a diagnostic, in seconds.
 fn seconds(found: &str) -> Vec<f64> {
     let line = found.lines().next().unwrap();
     let words: Vec<&str> = line.split(' ').collect();
     words.windows(2).filter(|pair| pair[1].starts_with('s')).filter_map(|pair| pair[0].parse().ok()).collect()
 }
 
-/// Whether the times are those, as well as a syllable.
+/// Checks that the times are as expected, within a syllable.
 fn are_near(found: &str, expected: [f64; 2]) {
     let times = seconds(found);
     assert!(
@@ -53,7 +53,7 @@ fn are_near(found: &str, expected: [f64; 2]) {
     );
 }
 
-/// The part of the text below which there are carets.
+/// Returns the part of the text that is marked with carets.
 fn marked(found: &str) -> String {
     let lines: Vec<&str> = found.lines().collect();
     let carets = lines.iter().position(|line| line.contains('^')).unwrap();
@@ -71,7 +71,7 @@ fn nothing_is_said_of_what_belongs_together() {
 #[test]
 fn a_sentence_that_is_not_in_the_text_is_told_with_its_time() {
     let last = found(2, SENTENCE);
-    assert!(last.contains("[LZ1707]: what is said from "), "{last}");
+    assert!(last.contains("[LZ1707]: the speech from "), "{last}");
     are_near(&last, [1.66, 2.72]);
     let middle = found(3, &format!("{SENTENCE} {SENTENCE}"));
     let is_one_of_them = |second: f64| (0..3).any(|nth| (second - 0.07 - 1.595 * f64::from(nth)).abs() < 0.2);
@@ -85,7 +85,7 @@ fn a_sentence_that_is_not_said_is_told_with_its_place() {
         (format!("The mayor has never seen a castle. {SENTENCE}"), 0.07),
     ] {
         let found = found(1, &text);
-        assert!(found.contains("[LZ1707]: `The mayor has never seen a castle` is not said: it should be "), "{found}");
+        assert!(found.contains("[LZ1707]: `The mayor has never seen a castle` is not spoken; expected "), "{found}");
         assert_eq!(marked(&found), "The mayor has never seen a castle");
         assert!(seconds(&found).iter().all(|second: &f64| (second - about).abs() < 0.25), "{found}");
     }
@@ -95,7 +95,7 @@ fn a_sentence_that_is_not_said_is_told_with_its_place() {
 fn the_text_of_another_line_is_told() {
     let text = "Seven wizards are fishing, and none of them has caught a thing.";
     let other = found(2, text);
-    assert!(other.contains("something else is said than `Seven wizards are fishing"), "{other}");
+    assert!(other.contains("the recording differs from `Seven wizards are fishing"), "{other}");
     are_near(&other, [0.0, 2.72]);
     assert_eq!(marked(&other).trim_end_matches('.'), text.trim_end_matches('.'));
 }
@@ -110,14 +110,14 @@ fn findings_stay_until_they_are_mended() {
     let text = format!("{SENTENCE} The mayor has never seen a castle.");
     scene.write("rec/a.wav", said(1));
     scene.write("voices/a.lipz", format!("{{ \"text_en-us\": \"{text}\" }}"));
-    let message = "warning[LZ1707]: `The mayor has never seen a castle` is not said";
+    let message = "warning[LZ1707]: `The mayor has never seen a castle` is not spoken";
     for command in [["sync", "--quiet"], ["sync", "--quiet"], ["check", "--quiet"]] {
         let run = lipz(scene.path(), command);
         assert!(run.stderr.contains(message), "{command:?}: {}", run.stderr);
         assert_eq!(marked(&run.stderr), "The mayor has never seen a castle");
     }
-    assert!(lipz(scene.path(), ["check", "--format", "sarif"]).stdout.contains("LZ1707"));
-    // The words are others, and another run looks again.
+    assert!(lipz(scene.path(), ["check", "--output-format", "sarif"]).stdout.contains("LZ1707"));
+    // The text has changed, and the next run compares again.
     scene.write(
         "voices/a.lipz",
         fs::read_to_string(scene.path().join("voices/a.lipz")).unwrap().replace(&text, SENTENCE),
@@ -143,7 +143,7 @@ fn what_is_not_spoken_makes_no_text_another_one() {
         let before = fs::read_to_string(&path).unwrap();
         let element = before.lines().find(|line| line.contains("text_en-us")).unwrap();
         let changed = before.replace(element, &format!("  \"text_en-us\": \"{text}\","));
-        // In each segment, the mouth has its part.
+        // In each segment, the visemes match their part.
         let changed = changed.replace('|', "").replace("ripped the {", "ripped| the {");
         fs::write(&path, changed.replace(", }", " }")).unwrap();
         let checked = lipz(scene.path(), ["check"]);
@@ -158,8 +158,9 @@ fn every_word_to_look_at_can_be_had_again() {
     let scene = Scene::new();
     scene.write("rec/a.wav", said(1));
     scene.write("rec/a.txt", "Bobby ripped the Wesnothian, \"ledger\".");
-    let run =
-        |list: &str| lipz(scene.path(), ["sync", "rec", "-o", "voices", "--audio-locale", "en-us", "--list", list]);
+    let run = |list: &str| {
+        lipz(scene.path(), ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us", "--list", list])
+    };
     assert!(run("first.csv").stdout.contains("1 clip synced"));
     let again = run("lists/second.csv");
     assert!(again.stdout.contains("1 unchanged"), "{again:?}");
@@ -176,9 +177,9 @@ fn programs_get_the_table_as_data() {
     let scene = Scene::new();
     scene.write("rec/=a.wav", said(1));
     scene.write("rec/=a.txt", "Bobby ripped the Wesnothian, ledger.");
-    let arguments = ["sync", "rec", "-o", "voices", "--audio-locale", "en-us"];
+    let arguments = ["sync", "rec", "-o", "voices", "--config", "audio.locale=en-us"];
     for state in ["synced", "unchanged"] {
-        let run = lipz(scene.path(), arguments.into_iter().chain(["--format", "json"]));
+        let run = lipz(scene.path(), arguments.into_iter().chain(["--output-format", "json"]));
         let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
         assert!(document["errors"] == 0 && document["diagnostics"].is_array());
         let sync = &document["sync"];
@@ -191,7 +192,7 @@ fn programs_get_the_table_as_data() {
         let doubtful = sync["doubtful"].as_array().unwrap();
         assert!(doubtful.iter().any(|word| word["clip"] == "=a" && word["start_us"].as_u64().unwrap() > 0), "{sync}");
     }
-    // The table for spreadsheets: on standard output, all else beside it, and no formulas.
+    // The table for spreadsheets: standard output has only the table, and no formulas.
     let run = lipz(scene.path(), arguments.into_iter().chain(["--list", "-"]));
     assert!(run.stdout.starts_with("what,clip,seconds,word\n") && run.stderr.contains("1 unchanged"), "{run:?}");
     assert!(run.stdout.contains("doubtful,'=a,") && !run.stdout.contains(",=a"), "{}", run.stdout);
@@ -206,11 +207,11 @@ fn a_dub_that_says_something_else_than_its_borrowed_text_is_told_by_check() {
     let (text, other) = (SENTENCE, "The mayor has never seen a castle. Bobby ripped the ledger.");
     scene.write("voices/en/a.lipz", format!("{{ \"text_en-us\": \"{text}\", \"text_en-gb\": \"{other}\" }}"));
     ["en", "gb"].iter().for_each(|voice| scene.write(&format!("rec/{voice}/a.wav"), said(1)));
-    let told = "warning[LZ1707]: `The mayor has never seen a castle` is not said";
+    let told = "warning[LZ1707]: `The mayor has never seen a castle` is not spoken";
     for arguments in [&["sync"][..], &["sync"], &["check"]] {
         let run = lipz(scene.path(), arguments);
         assert!(
-            run.stderr.contains(told) && run.stderr.contains("= note: in its dub `gb/a`"),
+            run.stderr.contains(told) && run.stderr.contains("= note: the dub is `gb/a`"),
             "{arguments:?}: {run:?}"
         );
         assert!(run.stderr.contains("--> voices/en/a.lipz:"), "{}", run.stderr);
@@ -222,8 +223,8 @@ fn languages_without_rules_are_told() {
     let scene = Scene::new();
     scene.write("rec/a.wav", said(1));
     scene.write("rec/a.txt", SENTENCE);
-    let run = lipz(scene.path(), ["sync", "rec", "-o", "voices", "--audio-locale", "xx-yy"]);
-    assert!(run.stdout.contains("there are no rules for their language\n  xx-yy\n"), "{run:?}");
+    let run = lipz(scene.path(), ["sync", "rec", "-o", "voices", "--config", "audio.locale=xx-yy"]);
+    assert!(run.stdout.contains("(their texts are read letter by letter)\n  xx-yy\n"), "{run:?}");
 }
 
 #[test]
@@ -231,12 +232,12 @@ fn only_lines_without_a_recording_are_missed() {
     let scene = Scene::new();
     ["a", "b"].iter().for_each(|name| scene.write(&format!("rec/{name}.wav"), said(1)));
     scene.write("lines.csv", format!("file,text\na,{SENTENCE}\nb,{SENTENCE}\nc,{SENTENCE}\n"));
-    let arguments = ["sync", "rec/a.wav", "-o", "voices", "--audio-locale", "en-us", "--script", "lines.csv"];
+    let arguments = ["sync", "rec/a.wav", "-o", "voices", "--config", "audio.locale=en-us", "--script", "lines.csv"];
     let run = lipz(scene.path(), arguments);
     assert!(run.stderr.contains("the script has a text for `c`, which was not recorded\n"), "{}", run.stderr);
     for name in ["a", "b", "c"] {
         scene.write(&format!("rec/{name}.txt"), SENTENCE);
     }
-    let run = lipz(scene.path(), ["sync", "rec/a.wav", "-o", "others", "--audio-locale", "en-us"]);
-    assert!(run.stderr.contains("there is no recording for the text `rec/c.txt`\n"), "{}", run.stderr);
+    let run = lipz(scene.path(), ["sync", "rec/a.wav", "-o", "others", "--config", "audio.locale=en-us"]);
+    assert!(run.stderr.contains("the text `rec/c.txt` has no recording\n"), "{}", run.stderr);
 }

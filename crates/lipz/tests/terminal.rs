@@ -1,5 +1,5 @@
-//! Nothing of a file, a file name or a bank reaches the terminal as a control character: it could
-//! move the cursor, hide diagnostics or start commands of the terminal.
+//! Contents of files, file names and banks never reach the terminal as control characters, which could move the cursor,
+//! hide diagnostics or start commands of the terminal.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -9,14 +9,13 @@ use std::process::Command;
 use support::Scene;
 use support::forge::bank_with_key;
 
-/// Sets the title of the window, clears the screen, in seven bits and in eight, turns the writing
-/// direction round.
+/// Sets the title of the window, clears the screen with 7-bit and 8-bit controls, and reverses the writing direction.
 const HOSTILE: &str = "\u{1b}]0;x\u{7}\u{1b}[2J\u{9b}2J\u{8}\u{202e}\u{7f}";
 
-/// Every way to show diagnostics.
+/// Every output format of diagnostics.
 const FORMATS: [&str; 4] = ["human", "json", "sarif", "github"];
 
-/// What a terminal would get, without the colours that are lipz' own.
+/// Returns the output for a terminal, without lipz's own colours.
 fn printed(scene: &Scene, arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_lipz"))
         .args(arguments)
@@ -49,7 +48,7 @@ fn assert_harmless(scene: &Scene, arguments: &[&str], seen: &str) {
 fn diagnostics_about_hostile_files() {
     let scene = Scene::new();
     let escaped: String = HOSTILE.chars().map(|c| format!("\\u{:04x}", u32::from(c))).collect();
-    // As they are, JSON strings have the controls above U+007E only.
+    // Unescaped JSON strings can contain only the controls above U+007E.
     let raw = "\u{9b}2J\u{7f}\u{202e}";
     let files = [
         ("names", format!("{{ \"{escaped}\": 1, \"{raw}\": 2, \"{raw}\": 3 }}")),
@@ -68,7 +67,7 @@ fn diagnostics_about_hostile_files() {
     for (name, text) in &files {
         scene.write(&format!("{name}/aye.lipz"), text);
         for format in FORMATS {
-            assert_harmless(&scene, &["check", name, "--format", format], "LZ0");
+            assert_harmless(&scene, &["check", name, "--output-format", format], "LZ0");
         }
     }
     for clip in ["Aye", "aye"] {
@@ -76,7 +75,7 @@ fn diagnostics_about_hostile_files() {
     }
     scene.write(&format!("keys/{HOSTILE}.lipz"), "{}");
     for format in FORMATS {
-        assert_harmless(&scene, &["check", "keys", "--format", format], "LZ0803");
+        assert_harmless(&scene, &["check", "keys", "--output-format", format], "LZ0803");
     }
     let missing = format!("nowhere{HOSTILE}");
     for arguments in [["check", &missing], ["verify", &missing], ["inspect", &missing]] {
@@ -99,10 +98,10 @@ fn banks_with_hostile_keys_and_texts() {
     let key = "a\u{1b}[2J\u{9b}2\u{7}b";
     scene.write("hostile.lipzbank", bank_with_key(&scene, key));
     for arguments in [
-        &["inspect", "hostile.lipzbank", "--list"][..],
-        &["inspect", "hostile.lipzbank", "--list", "--json"],
+        &["inspect", "hostile.lipzbank", "--show", "clips"][..],
+        &["inspect", "hostile.lipzbank", "--show", "clips", "--output-format", "json"],
         &["inspect", "hostile.lipzbank", key],
-        &["inspect", "hostile.lipzbank", key, "--json"],
+        &["inspect", "hostile.lipzbank", key, "--output-format", "json"],
         &["inspect", "hostile.lipzbank", "b"],
         &["unpack", "hostile.lipzbank", "-o", "out"],
     ] {
@@ -113,10 +112,10 @@ fn banks_with_hostile_keys_and_texts() {
     assert_harmless(&scene, &["inspect", "texts.lipzbank", "aye"], "Aye");
     for sides in [["hostile.lipzbank", "texts"], ["texts", "hostile.lipzbank"]] {
         assert_harmless(&scene, &["diff", sides[0], sides[1]], "2J");
-        assert_harmless(&scene, &["diff", sides[0], sides[1], "--json"], "2J");
+        assert_harmless(&scene, &["diff", sides[0], sides[1], "--output-format", "json"], "2J");
     }
     scene.write("other/aye.lipz", "{ \"text_en-us\": \"\\u001b[2JNo\", \"events\": \"\\u009bx\" }");
     assert_harmless(&scene, &["diff", "texts", "other"], "2J");
-    assert_harmless(&scene, &["stats", "hostile.lipzbank"], "section");
-    assert_harmless(&scene, &["inspect", "texts.lipzbank", "aye", "--json"], "Aye");
+    assert_harmless(&scene, &["inspect", "--show", "stats", "hostile.lipzbank"], "section");
+    assert_harmless(&scene, &["inspect", "texts.lipzbank", "aye", "--output-format", "json"], "Aye");
 }

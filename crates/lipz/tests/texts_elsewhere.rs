@@ -1,4 +1,4 @@
-//! Files for translators, as parsers that are not ours read and edit them: polib, openpyxl, translate-toolkit, and the XML of Python.
+//! Files for translators, read and edited by independent parsers: polib, openpyxl, translate-toolkit, and Python's XML.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use std::process::Command;
 use support::{Scene, lipz, repository};
 
-/// What a script of Python prints, run on these files; nothing where its libraries are not installed.
+/// Returns the output of a Python script that runs on these files; `None` if its libraries are not installed.
 fn python(scene: &Scene, script: &str, files: &[&str]) -> Option<Value> {
     let mut python = Command::new("python3");
     python.arg(repository().join("crates/lipz/tests/support").join(script)).args(files).current_dir(scene.path());
@@ -36,7 +36,7 @@ fn parsers_that_are_not_ours_find_the_same() {
     let scene = scene();
     let files = [("po", "a.po"), ("xliff", "b.xlf"), ("xliff-1.2", "c.xlf"), ("xlsx", "d.xlsx")];
     for (format, name) in files {
-        let arguments = ["texts", "export", format, "voices", "--from", "en-us", "--locale", "de-de", "-o", name];
+        let arguments = ["export", "texts", format, "voices", "--from", "en-us", "--locale", "de-de", "-o", name];
         scene.prepare(&arguments);
     }
     let Some(found) = python(&scene, "read_texts.py", &files.map(|(_, name)| name)) else { return };
@@ -45,12 +45,12 @@ fn parsers_that_are_not_ours_find_the_same() {
     for (file, (format, _)) in found.as_array().unwrap().iter().zip(files) {
         let mut file = file.clone();
         if format == "xliff" {
-            // A segment without a source has no translation, either.
+            // A segment without a source does not have a translation, either.
             file[0][2] = expected[0][2].clone();
         }
         assert_eq!(file, expected, "{format}");
     }
-    let import = lipz(scene.path(), ["texts", "import", "d.xlsx", "-o", "voices", "--from", "en-us"]);
+    let import = lipz(scene.path(), ["import", "texts", "d.xlsx", "-o", "voices", "--from", "en-us"]);
     assert_eq!(import.stdout.lines().next(), Some("texts imported: 0 new, 2 unchanged"), "{}", import.stderr);
 }
 
@@ -60,14 +60,14 @@ fn what_the_library_of_weblate_edits_is_what_comes_back() {
     let files = [("po", "clip", "a.po"), ("xliff", "clip", "b.xlf"), ("xliff-1.2", "segment", "c.xlf")];
     for (format, by, name) in files {
         let by = if format == "xliff" { vec![] } else { vec!["--by", by] };
-        let arguments = ["texts", "export", format, "voices", "--from", "en-us", "--locale", "de-de", "-o", name];
+        let arguments = ["export", "texts", format, "voices", "--from", "en-us", "--locale", "de-de", "-o", name];
         scene.prepare(&[&arguments[..], &by].concat());
     }
     let Some(found) = python(&scene, "edit_texts.py", &files.map(|(.., name)| name)) else { return };
     let source = "{louder} \"Mayor\"? | A\\B\tC\n<&> é灯 | ";
     let formula = |key: &str| json!([key, "- No, '=1", "", false]);
     assert_eq!(found[0], json!([["act1/mayor", source, "{louder} ‚Bürgermeister‘! | Ä | ", true], formula("formula")]));
-    // Placeholders are codes there, not words.
+    // These programs treat placeholders as codes, not as words.
     let texts = |found: &Value| -> Vec<String> {
         let entries = found.as_array().unwrap().iter();
         entries.map(|entry| format!("{}={}", entry[1].as_str().unwrap(), entry[2].as_str().unwrap())).collect()
@@ -80,7 +80,7 @@ fn what_the_library_of_weblate_edits_is_what_comes_back() {
     assert_eq!(texts(&found[2]), expected("{louder}"));
     let before = std::fs::read_to_string(scene.path().join("voices/act1/mayor.lipz")).unwrap();
     for (format, _, name) in files {
-        let arguments = ["texts", "import", name, "-o", "voices", "--from", "en-us", "--locale", "de-de"];
+        let arguments = ["import", "texts", name, "-o", "voices", "--from", "en-us", "--locale", "de-de"];
         let import = lipz(scene.path(), arguments);
         assert_eq!(import.stdout.lines().next(), Some("texts imported: 1 new, 1 changed"), "{format}: {import:?}");
         let read = |name: &str| std::fs::read_to_string(scene.path().join(name)).unwrap();

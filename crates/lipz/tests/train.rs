@@ -1,4 +1,4 @@
-//! `lipz sync --train`: a model of the project's own voices.
+//! `lipz sync --train`: models trained on the project's own voices.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
@@ -9,18 +9,18 @@ use support::{Scene, lipz, repository};
 
 const TEXT: &str = "Bobby ripped the ledger. Bobby ripped the ledger. Bobby ripped the ledger.";
 
-/// The recording of a human voice three times, with silence between, a fifth slower and deeper.
-/// Takes differ in their level.
+/// Returns the recording of a human voice three times, separated by silence, a fifth slower and deeper. Takes differ in
+/// their level.
 fn three_bobbies(take: i16) -> Vec<u8> {
     let file = fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap();
     let data = file.windows(4).position(|window| window == b"data").unwrap() + 8;
-    // Every second sample of 48,000 a second, as if there were 20,000.
+    // Every second sample of 48,000 Hz, as if the rate were 20,000 Hz.
     let samples = file[data..].chunks_exact(2).step_by(2).map(|two| i16::from_le_bytes([two[0], two[1]]));
     let once: Vec<i16> = samples.map(|sample| sample / 20 * (20 - take)).chain([0; 6_000]).collect();
     wav(20_000, &once.repeat(3))
 }
 
-/// A project with so many recordings of that voice.
+/// Returns a project with this number of recordings of that voice.
 fn project(recordings: i16) -> Scene {
     let scene = Scene::new();
     for take in 0..recordings {
@@ -30,11 +30,11 @@ fn project(recordings: i16) -> Scene {
     scene
 }
 
-/// Runs `lipz sync` on its recordings; gives the exit code, the lines that it printed and what it reported.
+/// Runs `lipz sync` on its recordings. Returns the exit code, the lines of the output and the diagnostics.
 fn sync(scene: &Scene, output: &str, arguments: &[&str]) -> (i32, Vec<String>, String) {
     let run = lipz(
         scene.path(),
-        ["sync", "rec", "-o", output, "--audio-locale", "en-us", "--fps", "60"].iter().chain(arguments),
+        ["sync", "rec", "-o", output, "--config", "audio.locale=en-us", "--fps", "60"].iter().chain(arguments),
     );
     (run.code, run.stdout.lines().take(2).map(str::to_owned).collect(), run.stderr)
 }
@@ -46,10 +46,10 @@ fn a_model_is_learnt_used_and_kept_while_it_is_current() {
     scene.write("rec/other.txt", "Seven foxes jumped over my old wooden fence, and nobody knew why they did that.");
     let (code, told, found) = sync(&scene, "plain", &[]);
     assert_eq!((code, told[0].as_str()), (0, "10 clips synced, in plain"), "{found}");
-    let train = ["--train", "--model", "Stimmen der Burg/bobby.lipzmodel", "--allow", "LZ1707"];
+    let train = ["--train", "--config", "sync.model=Stimmen der Burg/bobby.lipzmodel", "--allow", "LZ1707"];
     let (code, told, found) = sync(&scene, "voices", &[&train[..], &["--jobs", "1"]].concat());
     assert_eq!((code, found.as_str()), (0, ""));
-    let learnt = "model learnt from 0.6 minutes of English in 9 recordings (1 left out: something else is said than their \
+    let learnt = "model trained on 0.6 minutes of English in 9 recordings (1 left out, because they do not match their \
                   texts), in Stimmen der Burg/bobby.lipzmodel";
     assert_eq!(told, [learnt, "10 clips synced, in voices"]);
     let model = fs::read(scene.path().join("Stimmen der Burg/bobby.lipzmodel")).unwrap();
@@ -57,19 +57,19 @@ fn a_model_is_learnt_used_and_kept_while_it_is_current() {
         let read = |take| fs::read_to_string(scene.path().join(format!("{folder}/{take}.lipz"))).unwrap();
         (0..9).map(read).collect()
     };
-    assert_ne!(mouth("plain"), mouth("voices"), "a model that changes nothing is none");
-    // Again: nothing to learn, nothing to make; and without --train, the model counts as before.
+    assert_ne!(mouth("plain"), mouth("voices"), "the model must change the visemes");
+    // Again: nothing to learn or to make. Without --train, the model is still used.
     let told = sync(&scene, "voices", &train).1;
-    let current = "the model in Stimmen der Burg/bobby.lipzmodel is current: 0.6 minutes of English in 9 recordings";
+    let current = "the model in Stimmen der Burg/bobby.lipzmodel is up to date: 0.6 minutes of English in 9 recordings";
     assert_eq!(told, [current, "0 clips synced, 10 unchanged, in voices"]);
     let told = sync(&scene, "voices", &train[1..]).1;
     assert_eq!(told[0], "0 clips synced, 10 unchanged, in voices");
     let made = mouth("voices");
     let told = sync(&scene, "voices", &train[3..]).1;
-    assert_eq!(told[0], "10 clips synced, in voices", "another model, another mouth");
+    assert_eq!(told[0], "10 clips synced, in voices", "a different model makes different visemes");
     assert_eq!(mouth("voices"), mouth("plain"));
-    // Another recording makes it another model; without that one, it is the first again: on any number of threads, and over a
-    // damaged file.
+    // An additional recording changes the model. Without it, the model is the first one again, with any number of
+    // threads, and over a damaged file.
     scene.write("rec/9.wav", three_bobbies(9));
     scene.write("rec/9.txt", TEXT);
     assert!(sync(&scene, "voices", &train).1[0].contains("in 10 recordings (1 left out"));
@@ -79,7 +79,7 @@ fn a_model_is_learnt_used_and_kept_while_it_is_current() {
     assert_eq!(told, [learnt, "10 clips synced, in voices"]);
     assert!(fs::read(scene.path().join("Stimmen der Burg/bobby.lipzmodel")).unwrap() == model);
     assert_eq!(mouth("voices"), made);
-    let italian = ["sync", "rec", "-o", "voci", "--audio-locale", "it-it"];
+    let italian = ["sync", "rec", "-o", "voci", "--config", "audio.locale=it-it"];
     scene.expect("LZ1718-unusable-model-other-language", &[&italian[..], &train[1..3]].concat());
     scene.finish(1);
 }
@@ -92,7 +92,7 @@ fn what_is_no_model_and_too_little_speech_are_reported() {
     let run = |scene: &mut Scene, name: &str, arguments: &[&str]| {
         scene.expect(name, &[&["sync", "rec", "-o", "voices", "--allow", "LZ1707"][..], arguments].concat());
     };
-    let english = ["--audio-locale", "en-us", "--model", "m.lipzmodel"];
+    let english = ["--config", "audio.locale=en-us", "--config", "sync.model=m.lipzmodel"];
     run(&mut scene, "LZ1719-too-little-speech", &[&english[..], &["--train"]].concat());
     assert!(!scene.path().join("m.lipzmodel").exists() && !scene.path().join("voices").exists());
     scene.write("m.lipzmodel", "my notes");
@@ -101,7 +101,11 @@ fn what_is_no_model_and_too_little_speech_are_reported() {
     assert_eq!(fs::read(scene.path().join("m.lipzmodel")).unwrap(), b"my notes");
     scene.write("m.lipzmodel", "LIPZ-TM1 and so on");
     run(&mut scene, "LZ1718-unusable-model", &english);
-    run(&mut scene, "LZ1601-usage-train-no-model", &["--audio-locale", "en-us", "--train"]);
-    run(&mut scene, "LZ1718-unusable-model-missing", &["--audio-locale", "en-us", "--model", "nowhere.lipzmodel"]);
+    run(&mut scene, "LZ1601-usage-train-no-model", &["--config", "audio.locale=en-us", "--train"]);
+    run(
+        &mut scene,
+        "LZ1718-unusable-model-missing",
+        &["--config", "audio.locale=en-us", "--config", "sync.model=nowhere.lipzmodel"],
+    );
     scene.finish(6);
 }

@@ -10,8 +10,8 @@ mod dialogue {
 }
 
 fn main() -> Result<(), DialogueError> {
-    let mut files = [DialogueFile::ABSENT; 1]; // more, for patches and text banks
-    let opened = Dialogue::open_unverified(&mut files, [BANK])?; // cargo has made it
+    let mut files = [DialogueFile::ABSENT; 1]; // one per file, such as a patch or a text bank
+    let opened = Dialogue::open_unverified(&mut files, [BANK])?; // packed by the build script
     let clip = opened.clip(dialogue::act1::MARA_GOOD_EVENING);
     let english = opened.locale(dialogue::locales::EN_US);
     if let Some(text) = clip.zip(english).and_then(|(clip, english)| clip.segment(0)?.text(english)) {

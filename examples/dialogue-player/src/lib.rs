@@ -1,6 +1,6 @@
 //! A player of dialogue for a game without an operating system: no `std`, no allocation, no files.
 //!
-//! `build.rs` packs the Lipz files in `voices` into [`BANK`] and makes a constant for each of them.
+//! `build.rs` packs the Lipz files in `voices` into [`BANK`] and generates a constant for each of them.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -8,10 +8,10 @@
 use lipz_bank::playback::{DueSegments, Lead};
 use lipz_bank::{ClipId, Cursor, Dialogue, Event, Locale, Micros, Viseme};
 
-/// The bank: here part of the program, elsewhere a file in memory or a piece of ROM.
+/// The bank: here part of the program, otherwise a file in memory or a part of ROM.
 pub static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
 
-/// The clips and locales of [`BANK`]. A misspelt one does not compile:
+/// The clips and locales of [`BANK`]. A misspelt name does not compile:
 ///
 /// ```compile_fail,E0425
 /// dialogue_player::dialogue::act1::MARA_GOOD_EVENIGN;
@@ -20,7 +20,7 @@ pub mod dialogue {
     include!(concat!(env!("OUT_DIR"), "/dialogue.rs"));
 }
 
-/// A dialogue and the clip that is playing: what a game keeps from one rendered frame to the next.
+/// A dialogue and the clip that is playing, which a game keeps between rendered frames.
 #[derive(Debug)]
 pub struct Player<'a> {
     dialogue: Dialogue<'a>,
@@ -47,8 +47,8 @@ impl<'a> Player<'a> {
         self.playing.is_some()
     }
 
-    /// The audio engine has played the clip up to `audio`: returns the events that have become due, each
-    /// once, however long a rendered frame took. They are not returned again.
+    /// Moves the clip to the audio position `audio`. Returns the events that have become due, each once, even after a
+    /// long rendered frame.
     #[must_use = "the events are not returned again"]
     pub fn advance_to(&mut self, audio: Micros) -> impl Iterator<Item = Event<'_>> {
         let Player { dialogue, playing, .. } = self;
@@ -59,19 +59,19 @@ impl<'a> Player<'a> {
         due.into_iter().flat_map(DueSegments::events)
     }
 
-    /// The viseme to draw now; rest when no clip plays.
+    /// Returns the viseme to draw now, or rest if no clip is playing.
     pub fn viseme(&self) -> Viseme {
         let viseme = self.playing.and_then(|(id, cursor)| Some(cursor.viseme(&self.dialogue.clip(id)?)));
         viseme.unwrap_or(Viseme::REST)
     }
 
-    /// The subtitle to show now; empty when no clip plays.
+    /// Returns the subtitle to show now; empty if no clip is playing.
     pub fn subtitle(&self) -> &str {
         let segment = self.playing.and_then(|(id, cursor)| cursor.segment(&self.dialogue.clip(id)?));
         segment.and_then(|segment| segment.text(self.locale)).map_or("", |text| text.as_str())
     }
 
-    /// Whether no clip plays: none was started, or the audio is past the last frame.
+    /// Whether no clip is playing: none was started, or the audio is past the last frame.
     pub fn is_over(&self) -> bool {
         self.playing.is_none_or(|(_, cursor)| cursor.is_over())
     }

@@ -6,16 +6,16 @@ use lipz_bank::{Dialogue, Micros};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Time between two rendered frames: about 24 a second.
+/// The time between two rendered frames, at about 24 per second.
 const RENDERED_FRAME: Duration = Duration::from_millis(42);
 
 fn main() -> Result<(), String> {
     let locale = std::env::args().nth(1).unwrap_or_else(|| dialogue::locales::EN_US.into());
-    let mut files = [DialogueFile::ABSENT; 1]; // more, for patches and text banks
+    let mut files = [DialogueFile::ABSENT; 1]; // one per file, such as a patch or a text bank
     let dialogue = Dialogue::open(&mut files, [BANK]).map_err(|error| error.to_string())?;
     let mut player = Player::new(dialogue, &locale).ok_or("no such locale")?;
     player.start(dialogue::act1::MARA_GOOD_EVENING);
-    // A game asks its audio engine how much it has played.
+    // A game gets this time from its audio engine.
     let start = Instant::now();
     while !player.is_over() {
         let audio = Micros(i64::try_from(start.elapsed().as_micros()).unwrap_or(i64::MAX));

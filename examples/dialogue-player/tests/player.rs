@@ -1,11 +1,11 @@
-//! The player against what the Lipz files say.
+//! Compares the player with the Lipz files.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use dialogue_player::{BANK, Player, dialogue};
 use lipz_bank::files::DialogueFile;
 use lipz_bank::{ClipId, Dialogue, Micros};
 
-/// 24 frames per second, rounded up, so that each frame starts a rendered frame.
+/// 24 frames per second, rounded up so that each frame starts a rendered frame.
 const FRAME_US: i64 = 41_667;
 
 #[test]

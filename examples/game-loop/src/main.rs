@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A mouth that is open as far as this, from 0 to 1.
+/// Draws a mouth that is this far open, from 0 to 1.
 fn mouth(open: f32) -> &'static str {
     match open {
         0.7.. => "(OO)",

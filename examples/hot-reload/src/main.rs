@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     refresh(&mut dialogue);
     draw(&dialogue, &mut cursor, Micros(450_000));
 
-    // Damaged files change nothing.
+    // Damaged files are ignored.
     replace(&path, b"not a bank")?;
     refresh(&mut dialogue);
     draw(&dialogue, &mut cursor, Micros(600_000));
@@ -43,7 +43,7 @@ fn refresh(dialogue: &mut Dialogue) {
     }
 }
 
-/// A game calls this once per rendered frame. It looks clip and locale up in the version that is in use now.
+/// A game calls this once per rendered frame. It looks up clip and locale in the current version.
 fn draw(dialogue: &Dialogue, cursor: &mut Cursor, audio: Micros) {
     let Some(clip) = dialogue.clip(MAYOR) else { return };
     for event in cursor.advance_to(&clip, audio).events() {

@@ -1,6 +1,6 @@
-//! Makes visemes from a recording and its text: `cargo run -p lip-sync-one-file`.
+//! Generates visemes from a recording and its text: `cargo run -p lip-sync-one-file`.
 //!
-//! Your own: `cargo run -p lip-sync-one-file -- mara-hello.wav "Good evening, Mara."`.
+//! For your own recording: `cargo run -p lip-sync-one-file -- mara-hello.wav "Good evening, Mara."`.
 
 use lipz_speech::{Language, LipSync};
 use std::error::Error;
@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let text = arguments.next().unwrap_or_else(|| "Bobby ripped the ledger.".to_owned());
 
     let line = LipSync::new(Language::ENGLISH).file(recording, &text)?;
-    println!("{}", line.mouth.visemes()); // a viseme for each frame, 24 per second
+    println!("{}", line.mouth.visemes()); // one viseme per frame, 24 per second
     for (word, time) in line.words() {
         println!("{:>5} to {:>5} ms  {}", time.start_us / 1000, time.end_us / 1000, word.text);
     }

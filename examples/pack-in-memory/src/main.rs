@@ -14,7 +14,7 @@ const MAYOR: &str = r#"{
 }"#;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // Options are what a `lipz.toml` decides.
+    // The options correspond to the settings in `lipz.toml`.
     let compiler = Compiler::new(Options::new().default_fps(Fps::whole(24)));
     let inputs = [Input::from_bytes("act1/mayor", MAYOR.as_bytes())];
     let bank = compiler.compile(&inputs).into_bank()?;
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("after half a second: {}", clip.viseme_at(Micros(500_000)));
 
-    // A mistake is an error with its position and a fix.
+    // An error in a file is returned with its position and a fix.
     let broken = [Input::from_bytes("act1/broken", br#"{ "visemes": "MAZ", "viseme_type": "blair", "fps": 24 }"#)];
     if let Err(why) = compiler.compile(&broken).into_bank() {
         println!("{why}");

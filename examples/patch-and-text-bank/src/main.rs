@@ -17,7 +17,7 @@ fn main() -> Result<(), OpenError> {
         println!("{}: removed", clip.key());
     }
 
-    // `lipz pack --split-locales` put the texts of each language into a file of its own.
+    // `lipz pack --config split-locales=true` wrote the texts of each language to a separate file.
     let mut dialogue = Dialogue::open([fixture("split.lipzbank"), fixture("split.en-us.lipztexts")])?;
     println!("English: {:?}", text(&dialogue, "act1/blair", "en-us"));
     println!("German:  {:?}", text(&dialogue, "act1/blair", "de-de"));
@@ -25,13 +25,13 @@ fn main() -> Result<(), OpenError> {
     dialogue.remove(fixture("split.en-us.lipztexts"))?;
     println!("German:  {:?}", text(&dialogue, "act1/blair", "de-de"));
 
-    // A file that does not fit is refused, and the dialogue stays as it was.
+    // A file that does not match is rejected, and the dialogue is unchanged.
     let error = dialogue.add(fixture("patch.lipzbank")).err().and_then(|error| error.bank_error());
     println!("the patch of another bank: {}", error.map_or(String::new(), |error| error.to_string()));
     Ok(())
 }
 
-/// The text of the first segment.
+/// Returns the text of the first segment.
 fn text<'a>(dialogue: &'a Dialogue, key: &str, locale: &str) -> Option<&'a str> {
     let locale = dialogue.locale(locale)?; // a game looks it up once
     Some(dialogue.clip_by_key(key)?.segment(0)?.text(locale)?.as_str())

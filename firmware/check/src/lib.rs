@@ -1,7 +1,7 @@
 //! Compares every answer of a bank with expected ones, byte by byte and without std.
 //!
-//! The expected answers are a golden bank's `.dump`, the very file that the tests of `lipz-bank`
-//! compare with, and the function that writes the answers is the one of their helpers, too.
+//! The expected answers are a golden bank's `.dump`, the same file as in the tests of `lipz-bank`. The function that
+//! writes the answers is also shared with them.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -10,24 +10,24 @@ use core::fmt;
 use lipz_bank::{Bank, Error};
 use lipz_testkit::answers;
 
-/// Why a bank does not give the expected answers.
+/// Why the answers of a bank differ from the expected ones.
 #[derive(Clone, Copy, Debug)]
 pub enum Failure<'a> {
-    /// The bank was refused.
+    /// The bank was rejected.
     Refused(Error),
     /// An answer differs.
     Differs {
         /// Line of the expected answers, from 1.
         line: u32,
-        /// Bytes of the line that are as expected.
+        /// The number of bytes at the start of the line that are as expected.
         equal_bytes: u32,
-        /// The line that was expected, without its end; empty behind the last one.
+        /// The expected line, without its end; empty after the last one.
         expected: &'a str,
     },
 }
 
 impl Failure<'_> {
-    /// The line that differs, or 0 if the bank was refused.
+    /// Returns the line that differs, or 0 if the bank was rejected.
     pub fn line(&self) -> u32 {
         match self {
             Failure::Refused(_) => 0,
@@ -47,19 +47,19 @@ impl fmt::Display for Failure<'_> {
     }
 }
 
-/// Opens and verifies the bank that `bytes` are.
+/// Opens and verifies the bank in `bytes`.
 pub fn verified(bytes: &[u8]) -> Result<Bank<'_>, Failure<'_>> {
     Bank::open(bytes).and_then(Bank::verify).map_err(Failure::Refused)
 }
 
-/// Asks `bank` everything: each frame, viseme by time, segment, event, and text in each locale.
+/// Makes every query of `bank`: each frame, viseme by time, segment, event, and text in each locale.
 pub fn answers_as<'a>(bank: &Bank<'_>, expected: &'a str) -> Result<(), Failure<'a>> {
     let mut comparison = Comparison { expected, equal_bytes: 0 };
     let is_written = answers::write_answers(bank, &mut comparison).is_ok();
     if is_written && comparison.equal_bytes == expected.len() { Ok(()) } else { Err(comparison.failure()) }
 }
 
-/// A sink that stops at the first byte that is not the expected one.
+/// A sink that stops at the first unexpected byte.
 struct Comparison<'a> {
     expected: &'a str,
     equal_bytes: usize,

@@ -1,5 +1,5 @@
-//! Firmware for a Cortex-M: a bank lies in memory, outside of the image. It is opened, verified,
-//! played and asked everything; the exit code of the emulator tells whether all answers were right.
+//! Firmware for a Cortex-M with a bank in memory outside of the image. Opens, verifies and plays the bank, and makes
+//! every query. The emulator's exit code states whether all answers are correct.
 
 #![no_std]
 #![no_main]
@@ -13,7 +13,7 @@ use firmware_check::{Failure, answers_as, verified};
 use lipz_bank::{Bank, Micros};
 use machine::{exit, say};
 
-/// Time between two looks at a clip at 60 Hz.
+/// The time between two queries of a clip at 60 Hz.
 const TICK_US: usize = 16_667;
 
 fn main() -> Result<(), Failure<'static>> {
@@ -28,8 +28,7 @@ fn main() -> Result<(), Failure<'static>> {
     Ok(())
 }
 
-/// Measures what a step needs of the stack. Each is a function that is not inlined, so that it is
-/// measured alone.
+/// Measures the stack of a step. Each step is a function that is not inlined, so that it is measured separately.
 fn report_stack(name: &str, step: impl FnOnce()) {
     let depth_bytes = stack::depth_bytes(step);
     say(format_args!("stack of {name}: {depth_bytes} bytes\n"));
@@ -45,7 +44,7 @@ fn verify(bank: &Bank<'_>) {
     black_box(bank.verify().is_ok());
 }
 
-/// Plays every clip in every locale at 60 Hz, as a game would.
+/// Plays every clip in every locale at 60 Hz, like a game.
 #[inline(never)]
 fn play(bank: &Bank<'_>) {
     for clip in bank.clips() {
@@ -63,7 +62,7 @@ fn play(bank: &Bank<'_>) {
     }
 }
 
-/// Where the processor starts.
+/// The entry point of the processor.
 #[no_mangle]
 extern "C" fn reset() -> ! {
     match main() {

@@ -1,16 +1,16 @@
-//! How deep the stack gets: it is painted, and afterwards the paint that is left is counted.
+//! Measures the depth of the stack: paints it, and then counts the remaining paint.
 
 use core::arch::asm;
 use core::ptr;
 
-/// What unused words of the stack hold.
+/// The value of unused words of the stack.
 const PAINT: u32 = 0xACAC_ACAC;
 
 extern "C" {
     static mut stack_start: u32;
 }
 
-/// Bytes of the stack that `step` uses.
+/// Returns the bytes of the stack that `step` uses.
 #[inline(never)]
 pub(crate) fn depth_bytes(step: impl FnOnce()) -> usize {
     let bottom = ptr::addr_of_mut!(stack_start);
@@ -19,8 +19,8 @@ pub(crate) fn depth_bytes(step: impl FnOnce()) -> usize {
     unsafe { asm!("mov {}, sp", out(reg) top, options(nomem, nostack)) };
     let mut place = bottom;
     while place < top {
-        // SAFETY: the memory from `stack_start` to the stack pointer belongs to the stack, and
-        // nothing that is in use lies there: this function calls nobody while it paints.
+        // SAFETY: the memory from `stack_start` to the stack pointer belongs to the stack, and is not in use, because
+        // this function calls no other while it paints.
         unsafe { place.write_volatile(PAINT) };
         place = place.wrapping_add(1);
     }

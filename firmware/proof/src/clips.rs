@@ -1,4 +1,4 @@
-//! Clips, and all that they lead to.
+//! Clips and everything that belongs to them.
 
 use super::{Asked, See, look, see_bytes, see_face};
 use core::hash::{Hash, Hasher};
@@ -7,8 +7,8 @@ use lipz_bank::curve::{CurveCursor, CurveValue};
 use lipz_bank::face::{Emotion, Who};
 use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{
-    Clip, Command, Cursor, Event, EventName, Fps, Locale, Micros, Samples, Seconds, Segment, Spoken, Time, Viseme,
-    VisemeType,
+    Clip, Command, Cursor, Event, EventName, Fps, Locale, Micros, Samples, Seconds, Segment, Time, Viseme,
+    VisemeType, VoiceSource,
 };
 
 pub(super) fn fps_asked(fps: Fps, number: u32, see: See) {
@@ -41,7 +41,7 @@ pub(super) fn clip_asked(clip: &Clip<'_>, asked: &Asked<'_>, see: See) {
     }
     for voice in [Some(asked.voice), clip.voice()].iter().flatten() {
         let voiced = clip.in_voice(*voice);
-        see(u64::from(voiced.clip.slot()) << 1 | u64::from(voiced.spoken == Spoken::Dub));
+        see(u64::from(voiced.clip.slot()) << 1 | u64::from(voiced.spoken == VoiceSource::Dub));
     }
     see(clip.recording().map_or(0, |recording| recording.length_us() ^ recording.content_hash()));
     see(VisemeType::from_number(number as u8).map_or(0, |kind| kind as u64));
@@ -62,7 +62,7 @@ pub(super) fn clip_asked(clip: &Clip<'_>, asked: &Asked<'_>, see: See) {
         segment_asked(&segment, asked, see);
     }
     play(clip, asked.named, number, see);
-    // A rate of the program's own.
+    // A rate made by the program.
     if let Some(fps) = Fps::new(number, number >> 5) {
         play(&clip.or_fps(fps).or_viseme_type(VisemeType::Blair), asked.named, number, see);
     }
@@ -163,7 +163,7 @@ fn event_asked(event: Event<'_>, asked: &Asked<'_>, see: See) {
     }
 }
 
-/// Sees what is hashed.
+/// Passes hashes to the observer.
 struct Sum(See);
 
 impl Hasher for Sum {

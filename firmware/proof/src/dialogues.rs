@@ -6,10 +6,10 @@ use core::mem::MaybeUninit;
 use lipz_bank::files::{DialogueError, DialogueFile, Files};
 use lipz_bank::{ClipId, Dialogue};
 
-/// Room for the files of a dialogue: the contents may be more.
+/// The room for files of a dialogue. There may be more contents.
 const FILES: usize = 8;
 
-/// Files as a program keeps them that opens them when they are asked for.
+/// Files of a program that opens them on demand.
 struct Given<'a>(&'a [DialogueFile<'a>]);
 
 impl Files for Given<'_> {

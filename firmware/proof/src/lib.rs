@@ -1,8 +1,8 @@
-//! Every public function of the reader, asked with what the bank itself says: rates, indices and names of bytes that
-//! were opened and not verified. No size is counted here; that it links is the proof that none of them can panic.
+//! Calls every public function of the reader with values from the bank: rates, indices and names in bytes that were
+//! opened and not verified. Sizes are not measured here. Successful linking proves that no function can panic.
 //!
-//! It is not part of firmware/size, because a function that is called twice there is no longer inlined.
-//! A test (`crates/lipz-testkit/tests/every_function.rs`) looks for the functions that are missing.
+//! It is separate from firmware/size, because a function that is called twice there would not be inlined. A test
+//! (`crates/lipz-testkit/tests/every_function.rs`) finds missing functions.
 
 #![no_std]
 
@@ -18,10 +18,10 @@ use lipz_bank::face::{Emotion, Face, FaceCurve, FaceProfile, LookAt};
 use lipz_bank::files::{DialogueError, Layer, SetIndex};
 use lipz_bank::{Bank, ClipId, Error, EventName, Locale, Micros, Voice};
 
-/// Takes what was answered, so that no question is left out as useless.
+/// Receives answers, so that the compiler does not remove queries.
 type See = fn(u64);
 
-/// What clips are asked with.
+/// Arguments for the queries of clips.
 #[derive(Clone, Copy)]
 struct Asked<'a> {
     name: &'a str,
@@ -52,8 +52,8 @@ fn core_utf8(bytes: &[u8]) -> Option<&str> {
     core::str::from_utf8(bytes).ok()
 }
 
-/// Asks files everything, before and after they are verified: each as a bank and as the index of a set, two of them as a bank and
-/// its texts, and all of them as a dialogue, of which any can be patches, text banks, or the banks of a set.
+/// Makes every query of files, before and after verification: each as a bank and as the index of a set, two of them as
+/// a bank and its texts, and all of them as a dialogue, in which any can be patches, text banks, or the banks of a set.
 #[no_mangle]
 fn proof_every_function(contents: &[&[u8]], name: &str, number: u32, see: See) {
     let mut before = None;
@@ -110,7 +110,7 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     }
 }
 
-/// What clips are asked with: handles made of any number.
+/// Returns arguments for the queries of clips: handles made of any number.
 fn asked<'a>(name: &'a str, number: u32, named: Option<EventName<'a>>) -> Asked<'a> {
     let words = [number, number >> 3];
     let profile = FaceProfile::DEFAULT;
@@ -148,7 +148,7 @@ fn layer_asked(layer: &Layer<'_>, name: &str, number: u32, see: See) {
     see(u64::from(layer.removes(id)) | u64::from(layer.may_have(id)) << 1);
 }
 
-/// Asks the bytes as the index of a set, of which the bank before them is one.
+/// Queries the bytes as the index of a set that contains the bank before them.
 fn index_asked(bytes: &[u8], bank: Option<&[u8]>, name: &str, number: u32, see: See) {
     let index = match SetIndex::open(bytes).and_then(SetIndex::verify).or_else(|_| SetIndex::open(bytes)) {
         Ok(index) => index,
@@ -199,7 +199,7 @@ fn profile_asked(profile: &FaceProfile<'_>, name: &str, number: u32, see: See) {
     }
 }
 
-/// Somebody, or something, in a direction of which nothing is known.
+/// Returns a person or a target in an unknown direction.
 fn look(number: u32) -> LookAt {
     let angle = CurveValue::from_thousandths(number as i32);
     if number & 1 == 0 { LookAt::person(angle, angle) } else { LookAt::point(angle, angle) }
@@ -212,7 +212,7 @@ fn see_face(see: See, face: Face) {
 }
 
 extern "C" {
-    /// Nobody defines it: what reaches it does not link.
+    /// Not defined anywhere, so that code that reaches it does not link.
     fn panic_is_reachable() -> !;
 }
 

@@ -1,4 +1,4 @@
-//! Entry points that must not link: they show that a panic and an allocation would be found.
+//! Entry points that must not link, which show that a panic and an allocation would be detected.
 
 extern crate alloc;
 
@@ -6,7 +6,7 @@ use alloc::boxed::Box;
 use core::alloc::{GlobalAlloc, Layout};
 
 extern "C" {
-    /// Nobody defines it: what reaches it does not link.
+    /// Not defined anywhere, so that code that reaches it does not link.
     fn allocator_is_reachable() -> *mut u8;
 }
 

@@ -1,8 +1,8 @@
-//! Entry points whose size is measured: a linker that drops what nobody calls keeps what one of
-//! them needs. Each is as thin as it can be over one function of the reader.
+//! Entry points for measurements of size. A linker that drops unused code keeps the code that one of them needs. Each
+//! calls one function of the reader, with as little code as possible.
 //!
-//! A panic or an allocation that one of them can reach leaves an undefined symbol, and the link
-//! fails. `control_panic` and `control_allocator` show that it would.
+//! A reachable panic or allocation leaves an undefined symbol, so that linking fails. `control_panic` and
+//! `control_allocator` show that this works.
 
 #![no_std]
 
@@ -16,7 +16,7 @@ use lipz_bank::face::{Face, LookAt, Who};
 use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{Bank, Clip, ClipId, Cursor, Error, Event, EventName, Locale, Micros};
 
-/// A bank, as an entry point returns it: in memory of its caller.
+/// A bank as an entry point returns it: in its caller's memory.
 type Place<T> = MaybeUninit<T>;
 
 fn status<T>(result: Result<T, Error>, place: &mut Place<T>) -> u32 {
@@ -29,7 +29,7 @@ fn status<T>(result: Result<T, Error>, place: &mut Place<T>) -> u32 {
     }
 }
 
-/// An error, other than 0.
+/// Returns a nonzero number for an error.
 fn number(error: Error) -> u32 {
     error.kind() as u32 | error.offset_bytes() << 8
 }
@@ -187,7 +187,7 @@ fn size_face_of(bank: &Bank<'_>, clip: &Clip<'_>, name: &str, time_us: i64, face
 }
 
 extern "C" {
-    /// Nobody defines it: what reaches it does not link.
+    /// Not defined anywhere, so that code that reaches it does not link.
     fn panic_is_reachable() -> !;
 }
 

@@ -1,4 +1,4 @@
-//! A bank in the memory of a wasm machine: opened, verified and asked everything.
+//! Opens and verifies a bank in the memory of a wasm machine, and makes every query.
 
 #![no_std]
 
@@ -6,17 +6,16 @@ use core::panic::PanicInfo;
 use core::slice::from_raw_parts;
 use firmware_check::{answers_as, verified};
 
-/// What `check` returns if the bank or the answers cannot be read at all.
+/// The result of `check` if the bank or the answers cannot be read.
 const REFUSED: u32 = u32::MAX;
 
-/// Compares the answers of a bank with expected ones: 0, or the number of the first that differs,
-/// or `REFUSED`.
+/// Compares the answers of a bank with expected ones. Returns 0, the number of the first difference, or `REFUSED`.
 ///
 /// # Safety
-/// The bank and the answers lie in memory as stated, and nothing writes to them meanwhile.
+/// The bank and the answers are in memory as stated, and do not change during the call.
 #[no_mangle]
 pub unsafe extern "C" fn check(bank: *const u8, bank_bytes: usize, answers: *const u8, answers_bytes: usize) -> u32 {
-    // SAFETY: the caller promises it.
+    // SAFETY: by the contract of the caller.
     let (bank, answers) = unsafe { (from_raw_parts(bank, bank_bytes), from_raw_parts(answers, answers_bytes)) };
     match (verified(bank), core::str::from_utf8(answers)) {
         (Ok(bank), Ok(answers)) => answers_as(&bank, answers).map_or_else(|failure| failure.line(), |()| 0),

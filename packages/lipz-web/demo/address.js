@@ -1,16 +1,16 @@
-// The address of the page: which clip it shows, in which locale, and when.
+// The address of the page: its clip, locale and time.
 
-/** What the address asks for: `bank`, `clip`, `locale` and `at`, each a string or undefined. */
+/** The values in the address: `bank`, `clip`, `locale` and `at`, each a string or undefined. */
 export function asked() {
   return Object.fromEntries(new URLSearchParams(location.search));
 }
 
-/** How long the address waits for another change: browsers refuse it to follow a pointer that is dragged. */
+/** The delay before the address changes, because browsers refuse to change it on every move of a pointer. */
 const WAIT_MS = 200;
 
 let waiting;
 
-/** Makes the address that of a clip of a bank in a locale at a time, soon; of the first bank, if `bank` is undefined. */
+/** Soon changes the address to a clip in a bank, a locale and a time; in the first bank, if `bank` is undefined. */
 export function follow(bank, clip, locale, time) {
   clearTimeout(waiting);
   waiting = setTimeout(() => write(bank, clip, locale, time), WAIT_MS);
@@ -22,7 +22,7 @@ function write(bank, clip, locale, time) {
   history.replaceState(null, "", `?${query.toString().replaceAll("%2F", "/")}`);
 }
 
-/** Makes the address that of the page alone: it cannot lead to a file that was dropped. */
+/** Changes the address to that of the page alone, because it cannot lead to a dropped file. */
 export function forget() {
   clearTimeout(waiting);
   history.replaceState(null, "", location.pathname);

@@ -1,6 +1,6 @@
-// The choice of a clip: a field to search in, and a list of what it finds (the combobox of ARIA's authoring practices).
+// The choice of a clip: a search field, and a list of results (the combobox of ARIA's authoring practices).
 
-/** How many clips the list shows: more could not be read, and would take time. */
+/** The maximum number of clips in the list. More would be slow and hard to read. */
 const MOST = 60;
 
 export class Clips {
@@ -11,7 +11,7 @@ export class Clips {
   #choose;
   #active = -1;
 
-  /** `choose` gets the key of a clip that is chosen. */
+  /** `choose` receives the key of the chosen clip. */
   constructor(input, list, choose) {
     this.#input = input;
     this.#list = list;
@@ -24,7 +24,7 @@ export class Clips {
     input.addEventListener("input", () => this.#open(input.value));
     input.addEventListener("blur", () => this.#close());
     input.addEventListener("keydown", (event) => this.#key(event));
-    // Before the field loses the focus, and the list is closed.
+    // This event comes before the field loses the focus and the list closes.
     list.addEventListener("pointerdown", (event) => {
       event.preventDefault();
       const option = event.target.closest("[data-key]");
@@ -32,18 +32,18 @@ export class Clips {
     });
   }
 
-  /** The clips that there are. */
+  /** All clips. */
   set keys(keys) {
     this.#keys = keys;
   }
 
-  /** The clip that is shown. */
+  /** The current clip. */
   set chosen(key) {
     this.#chosen = key;
     this.#close();
   }
 
-  /** The keys that have all words of a query; first those that start with it. */
+  /** The keys that contain all words of a query. Keys that start with the query come first. */
   find(query) {
     const words = query.toLowerCase().split(/\s+/).filter(Boolean);
     const found = this.#keys.filter((key) => words.every((word) => key.toLowerCase().includes(word)));
@@ -53,7 +53,7 @@ export class Clips {
 
   #open(query) {
     const found = this.find(query);
-    // Without a query, the list starts a little before the clip that is shown.
+    // Without a query, the list starts a little before the current clip.
     const from = query === "" ? Math.max(0, Math.min(found.indexOf(this.#chosen) - 5, found.length - MOST)) : 0;
     const options = found.slice(from, from + MOST).map((key, index) => {
       const option = document.createElement("li");
@@ -66,7 +66,7 @@ export class Clips {
     if (left > 0 || found.length === 0) {
       const rest = document.createElement("li");
       rest.className = "rest";
-      rest.textContent = found.length === 0 ? "No clip has this in its key" : `${left} more: type to find them`;
+      rest.textContent = found.length === 0 ? "No matching clips" : `${left} more; type to filter`;
       options.push(rest);
     }
     this.#list.replaceChildren(...options);

@@ -1,13 +1,13 @@
-// The clock of a clip: the one of its audio, so that mouth and sound cannot drift apart.
+// The clock of a clip, which is that of its audio, so that mouth and audio cannot drift apart.
 //
-// Banks have no recordings, so a hum is made up that is as loud as the mouth is open. Where
-// audio cannot be played, the clock of the page goes on alone.
+// Banks do not contain recordings, so the demo generates a hum whose loudness follows the openness of the mouth. If
+// audio cannot be played, the clock of the page is used instead.
 
 const HUM_HZ = 140;
 const LOUDEST = 0.12;
-/** Samples of the hum in a second: as few as browsers take. */
+/** The sample rate of the hum, the lowest that browsers accept. */
 const RATE_HZ = 8000;
-/** How much of the way to the loudness of its frame the hum goes in a sample. */
+/** The part of the way to the loudness of its frame that the hum moves per sample. */
 const SMOOTH = 0.012;
 
 export class Clock {
@@ -24,22 +24,22 @@ export class Clock {
     return this.#playing;
   }
 
-  /** Whether the time is that of audio. */
+  /** Whether audio provides the time. */
   get isAudio() {
     return this.#audio?.state === "running";
   }
 
-  /** Seconds since the audio of the clip began. */
+  /** Seconds since the start of the audio of the clip. */
   get time() {
     return this.#playing ? this.#offset + this.#now() - this.#startedAt : this.#offset;
   }
 
-  /** Takes another clip: `loudness` has a number from 0 to 1 for every frame. */
+  /** Changes the clip. `loudness` has a number from 0 to 1 for every frame. */
   load(duration, loudness) {
     [this.#duration, this.#loudness, this.#hum] = [duration, loudness, undefined];
   }
 
-  /** Plays on. */
+  /** Continues playing. */
   async play() {
     this.pause();
     this.#audio ??= newAudio();
@@ -54,7 +54,7 @@ export class Clock {
     this.#playing = false;
   }
 
-  /** Jumps, and plays on there if it is playing. */
+  /** Jumps, and continues playing there if it was playing. */
   seek(time) {
     const isPlaying = this.#playing;
     this.pause(time);
@@ -86,7 +86,7 @@ function newAudio() {
   }
 }
 
-/** Waits until audio runs, but not for ever: a browser may forbid it, or have no device. */
+/** Waits until audio runs, with a time limit, because a browser may forbid audio or have no device. */
 function resumed(audio) {
   const soon = new Promise((resolve) => setTimeout(resolve, 500));
   return Promise.race([audio?.resume().catch(() => {}), soon]);

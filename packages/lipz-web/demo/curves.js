@@ -1,5 +1,5 @@
-// The curves of a clip below its timeline: emotions as a band of their colours, one on top of the other, and each curve by
-// itself with its value at the playhead. They zoom and scroll with the timeline.
+// The curves of a clip below its timeline: emotions as a stacked band of their colours, and each curve separately with
+// its value at the playhead. They zoom and scroll with the timeline.
 
 import { EMOTION_COLOURS } from "../face.js";
 import { EMOTIONS } from "../lipz.js";
@@ -7,9 +7,9 @@ import { onDrag } from "./drag.js";
 import { areasOf, lineOf, told } from "./plots.js";
 
 const SVG = "http://www.w3.org/2000/svg";
-/** More curves than this are folded away until somebody asks for them. */
+/** If there are more curves than this, they are folded until you open them. */
 const MOST_OPEN = 12;
-/** Degrees between two colours, so that neighbours differ: the golden angle. */
+/** Degrees between two colours: the golden angle, with which neighbours differ. */
 const TURN = 137.5;
 
 export class Curves {
@@ -32,7 +32,7 @@ export class Curves {
     onDrag(element, (x) => this.#timeAt(x), scrub, ({ target }) => Boolean(target.closest("summary")));
   }
 
-  /** Shows the curves of a clip; nothing if it has none. */
+  /** Shows the curves of a clip, if it has any. */
   show(clip) {
     this.#clip = clip;
     const { curves } = clip;
@@ -47,7 +47,7 @@ export class Curves {
     this.look(this.#view);
   }
 
-  /** Shows the frames that are in view in the timeline: from the first, so many, on so many pixels. */
+  /** Shows the visible frames of the timeline: the first frame, their number, and the width in pixels. */
   look(view) {
     this.#view = view;
     const box = (height) => `${view.first} 0 ${view.count} ${height}`;
@@ -56,7 +56,7 @@ export class Curves {
     this.#mark();
   }
 
-  /** Moves the playhead, and says the values there. */
+  /** Moves the playhead, and shows the values there. */
   mark(time) {
     this.#time = time;
     this.#rows.forEach(({ curve, value }) => (value.textContent = told(curve.valueAt(time) ?? 0)));

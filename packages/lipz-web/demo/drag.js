@@ -1,12 +1,12 @@
-// Dragging the playhead: with a pointer on anything that shows time from left to right.
+// Drags the playhead with a pointer, on any element that shows time from left to right.
 
 /**
- * Calls `scrub` with the time under the pointer, and whether the pointer is still down. `timeAt` is the time at an x of the
- * window; `isTaken` says that a press is for something else, such as a scrollbar.
+ * Calls `scrub` with the time under the pointer, and whether the pointer is still down. `timeAt` returns the time at an
+ * x of the window. `isTaken` returns whether a press has a different target, such as a scrollbar.
  */
 export function onDrag(element, timeAt, scrub, isTaken = () => false) {
   let held;
-  /** The last time that was shown; undefined if none was. */
+  /** The last time shown, or undefined. */
   let last;
   const show = (event) => scrub((last = timeAt(event.clientX)), true);
   element.addEventListener("pointerdown", (event) => {
@@ -24,7 +24,7 @@ export function onDrag(element, timeAt, scrub, isTaken = () => false) {
     held = undefined;
     scrub(timeAt(event.clientX), false);
   });
-  // The browser scrolls: its event has no place.
+  // The browser scrolls, and its event has no position.
   element.addEventListener("pointercancel", (event) => {
     if (event.pointerId !== held) return;
     held = undefined;

@@ -1,11 +1,11 @@
-// Opening files that are dropped on the page, or chosen: banks, patches over them, and text banks.
+// Opens files that the user drops on the page or chooses: banks, their patches, and text banks.
 
 import { LipzError, openDialogue } from "../lipz.js";
 
-/** The statuses of files that need a bank below them (lipz.h): texts, and patches. */
+/** The statuses in lipz.h of files that need a bank below them: text banks and patches. */
 const [TEXTS_ONLY, OTHER_BASE] = [29, 37];
 
-/** Calls `use` with the files that are dropped on the page or chosen in `input`. */
+/** Calls `use` with the files that the user drops on the page or chooses in `input`. */
 export function onFiles(input, use) {
   const isFiles = (event) => event.dataTransfer?.types.includes("Files");
   let inside = 0;
@@ -26,14 +26,14 @@ export function onFiles(input, use) {
   });
   input.addEventListener("change", () => {
     use(Array.from(input.files));
-    // The same file can be chosen again.
+    // Allows the user to choose the same file again.
     input.value = "";
   });
 }
 
 /**
- * Opens files: a bank with what is over it, or what goes over those that are open, `below`. Returns the dialogue and its
- * files, and whether it has those of `below`. Throws an error that names the file.
+ * Opens a bank with the files on top of it, or files on top of the open ones, `below`. Returns the dialogue and its
+ * files, and whether they include those of `below`. Throws an error that names the file.
  */
 export async function opened(dropped, below) {
   const files = await Promise.all(dropped.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() })));
@@ -43,7 +43,7 @@ export async function opened(dropped, below) {
   return { dialogue: await openDialogue(all), files: all, isAdded: bases.length === 0 };
 }
 
-/** Which of these a file belongs to: opened by itself, it is a bank or says what it is. */
+/** The kind of a file: opened alone, it is a bank, or its error shows its kind. */
 async function kindOf(file, { bases, patches, texts }) {
   try {
     await openDialogue([file], { verify: false });

@@ -1,11 +1,11 @@
 // The keys of the player: on the page as a whole, and on its timeline, which is a slider.
 
-/** Elements that have a use of their own for keys. */
+/** Elements that use keys themselves. */
 const OWN = "input:not([type=checkbox]):not([type=file]), select, textarea, [contenteditable]";
-/** What Space does already: it presses them. */
+/** Elements that Space already presses. */
 const PRESSED = "button, input, label, a, summary";
 
-/** Calls a function of `does` for each key that the player knows. */
+/** Calls a function of `does` for each key of the player. */
 export function onKeys(does) {
   const keys = {
     " ": ({ target }) => target.closest(PRESSED) || does.toggle,

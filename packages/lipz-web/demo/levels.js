@@ -1,6 +1,6 @@
-// How far the mouth of a clip is open, for its graph and its hum.
+// The openness of the mouth of a clip, for its graph and its hum.
 
-/** How far the mouth is open in each frame, from 0 to 1. */
+/** The openness of the mouth in each frame, from 0 to 1. */
 export function levelsOf(clip) {
   const levels = new Map();
   return Array.from(clip.frames, (viseme, frame) => {

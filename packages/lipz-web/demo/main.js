@@ -12,12 +12,12 @@ import { levelsOf } from "./levels.js";
 import { posesOf, withType } from "./pose.js";
 import { Timeline } from "./timeline.js";
 
-/** The banks beside the page, the first of which it shows if the address names none, and a clip of each to begin with. */
+/** The banks next to the page, each with its initial clip. The first bank is the default. */
 const BANKS = { dialogue: "act1/mara-good-evening", faces: "leave" };
 const [FIRST_BANK] = Object.keys(BANKS);
-/** For clips whose file does not say how many frames a second has. */
+/** The frame rate for clips that do not specify one. */
 const FRAMES_PER_SECOND = 24;
-/** Events that stay on the page. */
+/** The number of events that stay on the page. */
 const MOST_DUE = 4;
 
 const $ = (id) => document.getElementById(id);
@@ -34,11 +34,11 @@ let clip;
 let cursor;
 /** The face at a time. */
 let poseAt;
-/** Whether the address leads to this bank: not to one that was dropped. */
+/** Whether the address leads to this bank, which is not the case for a dropped bank. */
 let isAddressed = true;
-/** Done when the files that were dropped last are open. */
+/** A promise that is fulfilled when the last dropped files are open. */
 let opening;
-/** Whether the clip was playing when the pointer took the playhead. */
+/** Whether the clip was playing when the pointer grabbed the playhead. */
 let wasPlaying;
 
 /** Shows a clip from its start, or at a time. */
@@ -56,23 +56,23 @@ function choose(key, time = 0) {
   seek(time);
 }
 
-/** The clip with this key, as it is drawn. */
+/** The clip with this key, with the defaults for drawing it. */
 function clipOf(key) {
   return withType(dialogue.clip(key).orFps(FRAMES_PER_SECOND));
 }
 
-/** The locale that is chosen. */
+/** The chosen locale. */
 function locale() {
   return dialogue.locale($("locale").value);
 }
 
-/** Lead and hold, as they are set on the page. */
+/** The lead and hold that are set on the page. */
 function settle() {
   cursor.lead = $("lead").checked ? { frames: 1 } : 0;
   cursor.hold = $("hold").checked ? "readable" : 0;
 }
 
-/** Jumps, and plays on if it is playing. */
+/** Jumps, and continues playing if it was playing. */
 function seek(time) {
   const at = Math.max(0, Math.min(Number.isFinite(time) ? time : 0, clip.duration));
   cursor.seek(at);
@@ -114,7 +114,7 @@ function tick() {
   show();
 }
 
-/** Everything that the page shows follows from the cursor. */
+/** Draws the page, whose content depends only on the cursor. */
 function show() {
   const { time } = clock;
   happen(cursor.advanceTo(time).events);
@@ -130,7 +130,7 @@ function show() {
   $("time").textContent = `${time.toFixed(2)} / ${clip.duration.toFixed(2)} s`;
   $("event").textContent = segment?.event ?? "";
   $("subtitle").textContent = text?.text ?? "";
-  // Whose text a fallback is, the bank does not say.
+  // The bank does not record the locale of a fallback text.
   $("subtitle").lang = text?.isFallback ? "" : $("locale").value;
   $("subtitle").dir = "auto";
   $("subtitle").classList.toggle("fallback", text?.isFallback ?? false);
@@ -138,13 +138,13 @@ function show() {
   $("play").ariaLabel = clock.playing ? "Pause" : "Play";
 }
 
-/** What the speaker feels, the strongest first: `anger 2.2, joy 1`. */
+/** Emotions of the speaker, the strongest first: `anger 2.2, joy 1`. */
 function felt({ values }) {
   const strongest = Object.entries(values).filter(([, value]) => value > 0).sort(([, a], [, b]) => b - a);
   return strongest.map(([emotion, value]) => `${emotion} ${Number(value.toFixed(1))}`).join(", ");
 }
 
-/** Shows events as they happen, and what they leave behind. */
+/** Shows events as they happen, and the resulting states. */
 function happen(events) {
   for (const { character, verb, object, strength } of events) {
     const item = document.createElement("li");
@@ -165,7 +165,7 @@ function address() {
   if (isAddressed) follow(bank, clip.key, $("locale").value, clock.playing ? 0 : clock.time);
 }
 
-/** Plays the clips of a dialogue; what was asked for and is not there, the page says. */
+/** Plays the clips of a dialogue. The page reports anything in the address that is missing. */
 function use(found, { clip: key, locale, at } = {}, missing = []) {
   ({ dialogue, files: sources } = found);
   const keys = dialogue.clips().filter((clip) => clip.frameCount > 0).map((clip) => clip.key);
@@ -173,21 +173,21 @@ function use(found, { clip: key, locale, at } = {}, missing = []) {
   const usual = BANKS[$("bank").value];
   const first = keys.includes(usual) ? usual : keys[0];
   const isClip = key === undefined || keys.includes(key);
-  if (!isClip) missing.push(`There is no clip “${key}” with mouth shapes in this bank: this is ${first}.`);
+  if (!isClip) missing.push(`The bank has no clip “${key}” with mouth shapes. Showing ${first}.`);
   missing.push(...languages(locale));
   clips.keys = keys;
   notice(missing);
   choose(isClip ? (key ?? first) : first, Number(at ?? 0));
 }
 
-/** Fills the choice of locales; what to say if the one that was asked for is not there. */
+/** Fills the choice of locales. Returns messages, if the requested locale is missing. */
 function languages(locale) {
   const tags = dialogue.locales.map(({ tag }) => tag).sort();
   const kept = tags.find((tag) => tag === locale);
   const chosen = kept ?? dialogue.defaultLocale?.tag ?? tags[0];
   $("locale").replaceChildren(...tags.map((tag) => new Option(tag, tag, false, tag === chosen)));
   if (locale === undefined || kept !== undefined) return [];
-  return [`There are no subtitles in “${locale}” in this bank${chosen ? `: these are ${chosen}` : ""}.`];
+  return [`The bank has no subtitles in “${locale}”.${chosen ? ` Showing ${chosen}.` : ""}`];
 }
 
 function notice(lines) {
@@ -215,7 +215,7 @@ async function drop(files) {
   }
 }
 
-/** Goes on with the same clip in a dialogue that has more files; new texts show. */
+/** Continues with the same clip in a dialogue with more files, so that new texts appear. */
 function replace(found) {
   const before = new Set(dialogue.locales.map(({ tag }) => tag));
   const shown = $("locale").value;
@@ -232,7 +232,7 @@ function replace(found) {
   show();
 }
 
-/** Shows a bank that is beside the page. */
+/** Shows a bank that is next to the page. */
 async function load(name, wanted, missing) {
   const files = [new URL(`${name}.lipzbank`, import.meta.url)];
   const found = { dialogue: await openDialogue(files), files };
@@ -242,11 +242,11 @@ async function load(name, wanted, missing) {
   use(found, wanted, missing);
 }
 
-/** Shows what the address asks for. */
+/** Shows the bank, clip, locale and time in the address. */
 function loadAsked() {
   const wanted = asked();
   const isBank = wanted.bank === undefined || Object.hasOwn(BANKS, wanted.bank);
-  const missing = isBank ? [] : [`There is no bank “${wanted.bank}” beside this page: this is ${FIRST_BANK}.`];
+  const missing = isBank ? [] : [`The bank “${wanted.bank}” is not next to this page. Showing ${FIRST_BANK}.`];
   return load(isBank ? (wanted.bank ?? FIRST_BANK) : FIRST_BANK, wanted, missing);
 }
 

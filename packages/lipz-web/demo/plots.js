@@ -2,17 +2,17 @@
 
 import { EMOTIONS } from "../lipz.js";
 
-/** The greatest value of an emotion, and the sum that a face is made for. */
+/** The maximum of an emotion, which is also the intended maximum of their sum. */
 const FULL = 10;
-/** Part of the height that stays free above and below a curve. */
+/** The part of the height that stays empty above and below a curve. */
 const MARGIN = 0.08;
 
-/** A value with at most three digits behind the point. */
+/** A value with at most three decimals. */
 export const told = (value) => String(Number(value.toFixed(3)));
 
 const y = (part) => Number(part.toFixed(4));
 
-/** The line of a curve, the values at its edges, and where 0 is. */
+/** The line of a curve, the values at its edges, and the position of 0. */
 export function lineOf({ name, keys }, frames) {
   let [least, most] = [0, EMOTIONS.includes(name) ? FULL : 0];
   for (const { value } of keys) [least, most] = [Math.min(least, value), Math.max(most, value)];
@@ -23,7 +23,7 @@ export function lineOf({ name, keys }, frames) {
   return { least, most, zero: at(0), d: `M0 ${first}L${points.join("L")}L${Math.max(frames, keys.at(-1).frame)} ${last}` };
 }
 
-/** Areas of emotions, one on top of the other: they may bend at the keys of all. */
+/** Stacked areas of emotions, which can bend at the keys of any of them. */
 export function areasOf(curves, frames) {
   const places = new Set([0, frames]);
   for (const { keys } of curves) for (const { frame } of keys) places.add(frame);

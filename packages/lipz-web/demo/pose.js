@@ -3,23 +3,23 @@
 import { emotionsOf, VISEMES } from "../face.js";
 import { EMOTIONS } from "../lipz.js";
 
-/** What stands still for those who do not want motion: what is left is what the line says. */
+/** Members that stay still for users who do not want motion. All other members show the content of the line. */
 const RESTLESS = { headPitch: 0, headYaw: 0, headRoll: 0, eyePitch: 0, eyeYaw: 0, breath: 0 };
 
-/** How far to a side something is that somebody stares at, in degrees, at least and at most; and how far up or down. */
+/** The minimum and maximum angle of a target to the side, in degrees, and the maximum angle up or down. */
 const ASIDE = { least: 12, most: 40 };
 const UP = 8;
 
-/** Seconds that eyes stay on what somebody sees: as long as on any place, of which the usual profile says a second. */
+/** The seconds for which eyes stay on a target of `sees`: one, as in the built-in profile for any target. */
 const SEEN = 1;
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
-/** Gives the function that tells the pose at a time, of a cursor there: the curves of a clip are looked up once. */
+/** Returns a function from a time and a cursor to the pose. The curves of the clip are looked up only once. */
 export function posesOf(clip) {
   const { curves } = clip;
   const others = curves.filter(({ name }) => !EMOTIONS.includes(name));
-  // Without curves of emotion, the face is that of the word: `feels sad`.
+  // Without curves of emotion, the word in an event sets the face: `feels sad`.
   const isFelt = others.length < curves.length;
   const sights = sightsOf(clip);
   return (cursor, time) => {
@@ -33,7 +33,7 @@ export function posesOf(clip) {
   };
 }
 
-/** What the speaker looks at, and since when: `stares` lasts, and is in the state of the cursor; `sees` is for a moment. */
+/** The target of the gaze with its start. `stares` lasts, and is in the state of the cursor; `sees` is momentary. */
 function sightsOf(clip) {
   const isSight = ({ character, verb }) => character === undefined && (verb === "sees" || verb === "stares");
   return clip.segments.flatMap(({ startFrame, events }) =>
@@ -41,7 +41,7 @@ function sightsOf(clip) {
   );
 }
 
-/** Where something is that a line names: a bank does not know, so each name has a place of its own beside the face. */
+/** The direction of a target. A bank has no positions, so each name gets a direction to the side of the face. */
 function placeOf(name) {
   let number = 0;
   for (const character of name) number = (number * 31 + character.codePointAt(0)) % 997;
@@ -49,7 +49,7 @@ function placeOf(name) {
   return { yaw: number % 2 === 0 ? aside : -aside, pitch: (number % (2 * UP)) - UP, isPerson: false };
 }
 
-/** The clip with the viseme type that its codes fit, if its file leaves it unspecified. */
+/** The clip with the viseme type that fits its codes, if its file does not specify one. */
 export function withType(clip) {
   const codes = Array.from(new Set(clip.frames));
   const fits = (type) => codes.every((code) => Object.hasOwn(VISEMES[type], code));

@@ -8,14 +8,14 @@ import { fileURLToPath } from "node:url";
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const PORT = 8080;
 const TYPES = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".wasm": "application/wasm" };
-/** What the repository has elsewhere than the package: the module is built, the banks are fixtures. */
+/** Files that the repository has outside the package: the module is built, and the banks are fixtures. */
 const ELSEWHERE = {
   "lipz.wasm": "../../target/web/lipz.wasm",
   "demo/dialogue.lipzbank": "../../fixtures/banks/v1/drama.lipzbank",
   "demo/faces.lipzbank": "../../fixtures/banks/v1/faces.lipzbank",
 };
 
-/** Where a file of the package is; undefined if it is missing. */
+/** The path of a file of the package; undefined if it is missing. */
 async function place(path) {
   const places = [join(ROOT, path), ...(Object.hasOwn(ELSEWHERE, path) ? [join(ROOT, ELSEWHERE[path])] : [])];
   for (const found of places) {
@@ -24,14 +24,14 @@ async function place(path) {
   return undefined;
 }
 
-/** A server of the files of the package, which listens on a port of this machine alone. */
+/** A server for the files of the package, which listens on a port of this machine only. */
 export async function serve(port, post = () => false) {
   const server = createServer(async (request, response) => {
     const { pathname, search } = new URL(request.url, "http://localhost");
     if (request.method === "POST" && (await post(pathname, request))) return response.end();
     if (pathname === "/") return response.writeHead(302, { Location: `/demo/index.html${search}` }).end();
     try {
-      // `normalize` leaves no `..` behind the leading slash.
+      // `normalize` removes every `..` after the leading slash.
       const path = normalize(decodeURIComponent(pathname)).slice(1);
       const type = TYPES[extname(path)] ?? "application/octet-stream";
       const contents = await readFile(await place(path));
@@ -44,17 +44,17 @@ export async function serve(port, post = () => false) {
   return server;
 }
 
-/** What keeps the page from being served; nothing if all is there. */
+/** A message about missing files; undefined if all files exist. */
 async function missing() {
   for (const path of Object.keys(ELSEWHERE)) {
-    if ((await place(path)) === undefined) return `${path} is missing: in the repository, \`cargo xtask web\` makes it`;
+    if ((await place(path)) === undefined) return `${path} is missing: run \`cargo xtask web\` in the repository`;
   }
   return undefined;
 }
 
 async function main(argument) {
   const port = Number(argument ?? PORT);
-  if (!Number.isInteger(port) || port < 0 || port > 65535) throw new Error(`${argument} is no port: node demo/serve.js [port]`);
+  if (!Number.isInteger(port) || port < 0 || port > 65535) throw new Error(`${argument} is not a port: node demo/serve.js [port]`);
   const why = await missing();
   if (why) throw new Error(why);
   const server = await serve(port);

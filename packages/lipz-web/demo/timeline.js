@@ -1,21 +1,21 @@
-// The timeline of a clip: its segments, how far the mouth is open in each frame, and the playhead. It zooms and scrolls, so
-// that a frame can be seen in clips of any length.
+// The timeline of a clip: its segments, the openness of the mouth in each frame, and the playhead. It zooms and scrolls,
+// so that frames are visible in clips of any length.
 
 import { onDrag } from "./drag.js";
 
-/** Pixels that a frame has at least when a clip is shown, and at most. */
+/** The minimum width of a frame in pixels when a clip is opened, and the maximum width. */
 const READABLE_PX = 4;
 const WIDEST_PX = 48;
-/** How wide the line of a segment without frames is. */
+/** The width of the line for a segment without frames. */
 const POINT_PX = 3;
 const ZOOM = 1.5;
-/** The least distance of two labels of seconds. */
+/** The minimum distance between two labels of seconds. */
 const LABEL_PX = 64;
-/** Part of the view that stays between the playhead and its edges. */
+/** The part of the view that stays between the playhead and the edges. */
 const MARGIN = 0.08;
 
 export class Timeline {
-  /** The slider, which scrolls as well: so the keyboard reaches what is out of view. */
+  /** The slider, which also scrolls, so that the keyboard reaches the whole clip. */
   #element;
   #track = made("track");
   #segments = made("segments");
@@ -24,15 +24,15 @@ export class Timeline {
   #clip;
   #levels = [];
   #framePx = READABLE_PX;
-  /** Whether the whole clip is in view, and stays so in a view of another size. */
+  /** Whether the whole clip is in view, and stays in view if the size changes. */
   #isWhole = false;
   #time = 0;
 
   #look;
 
   /**
-   * `scrub` gets the time under the pointer, and whether the pointer is still down; `look` what is in view: the first frame,
-   * how many, and on how many pixels.
+   * `scrub` receives the time under the pointer, and whether the pointer is still down. `look` receives the visible
+   * frames: the first frame, their number, and the width in pixels.
    */
   constructor(element, scrub, look) {
     this.#element = element;
@@ -46,7 +46,7 @@ export class Timeline {
     this.#listen(scrub);
   }
 
-  /** Shows a clip with the texts of a locale, each frame wide enough to be seen; `levels` say how far it opens the mouth. */
+  /** Shows a clip with the texts of a locale, with visible frames. `levels` has the openness of the mouth. */
   show(clip, levels, locale) {
     this.#clip = clip;
     this.#levels = levels;
@@ -58,7 +58,7 @@ export class Timeline {
     this.#layOut();
   }
 
-  /** Shows a new version of the clip, with what was in view as wide as it was. */
+  /** Shows a new version of the clip, without changing the zoom. */
   update(clip, levels, locale) {
     [this.#clip, this.#levels] = [clip, levels];
     this.#element.setAttribute("aria-valuemax", clip.duration.toFixed(3));
@@ -66,7 +66,7 @@ export class Timeline {
     this.#layOut();
   }
 
-  /** Shows the texts of a locale, in the direction that each is written in. */
+  /** Shows the texts of a locale, each in the direction of its script. */
   texts(locale) {
     this.#segments.replaceChildren(...this.#clip.segments.map((segment) => this.#part(segment, locale)));
     this.#place();
@@ -82,7 +82,7 @@ export class Timeline {
     this.#element.setAttribute("aria-valuetext", words.filter(Boolean).join(""));
   }
 
-  /** Puts the playhead where it belongs, and keeps it in view. */
+  /** Places the playhead, and keeps it in view. */
   #follow() {
     const x = this.#x;
     const { scrollLeft, clientWidth } = this.#element;
@@ -93,12 +93,12 @@ export class Timeline {
     this.#playhead.style.transform = `translateX(${x}px)`;
   }
 
-  /** Makes frames wider, or narrower, around the playhead. */
+  /** Makes frames wider or narrower around the playhead. */
   zoom(isIn) {
     this.#widen(this.#framePx * (isIn ? ZOOM : 1 / ZOOM));
   }
 
-  /** Shows the clip as a whole. */
+  /** Shows the whole clip. */
   fit() {
     this.#widen(this.#fitPx);
   }
@@ -108,7 +108,7 @@ export class Timeline {
     return this.#element.clientWidth / Math.max(1, this.#clip.frameCount);
   }
 
-  /** The place of the playhead. */
+  /** The position of the playhead. */
   get #x() {
     return Math.min(1, this.#time / this.#clip.duration) * this.#clip.frameCount * this.#framePx;
   }
@@ -138,7 +138,7 @@ export class Timeline {
     const said = document.createElement("span");
     said.textContent = text?.text || "\u00A0";
     said.dir = "auto";
-    // Whose text a fallback is, the bank does not say.
+    // The bank does not record the locale of a fallback text.
     said.lang = text?.isFallback ? "" : (locale?.tag ?? "");
     const event = document.createElement("small");
     event.textContent = segment.event || "\u00A0";
@@ -148,7 +148,7 @@ export class Timeline {
     return part;
   }
 
-  /** Puts segments where their frames are; those without frames are a line there. */
+  /** Places segments at their frames. A segment without frames is a line. */
   #place() {
     this.#clip.segments.forEach(({ startFrame, endFrame }, index) => {
       const { style } = this.#segments.children[index];
@@ -160,7 +160,7 @@ export class Timeline {
     });
   }
 
-  /** Draws the frames that are in view: a canvas as wide as the whole clip could not be. */
+  /** Draws only the visible frames, because a canvas cannot be as wide as a long clip. */
   #draw() {
     const { clientWidth: width, scrollLeft } = this.#element;
     const height = this.#canvas.clientHeight;
@@ -173,7 +173,7 @@ export class Timeline {
     context.scale(dense, dense);
     const colour = (name) => getComputedStyle(this.#element).getPropertyValue(name);
     context.fillStyle = colour("--bar");
-    // As large as the page's text.
+    // The size of the page's text.
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
     const bars = height - 14 * rem;
     const bar = (x, px, level) => context.fillRect(x, bars * (0.95 - 0.9 * level), px, bars * (0.05 + 0.9 * level));
@@ -182,7 +182,7 @@ export class Timeline {
     const last = Math.min(this.#levels.length, Math.ceil((scrollLeft + width) / this.#framePx));
     for (let frame = first; frame < last; frame += step) {
       const px = this.#framePx * step;
-      // Where several frames share a pixel, the widest mouth of them shows.
+      // If several frames share a pixel, the most open one is drawn.
       bar(frame * this.#framePx - scrollLeft, px > 2 ? px - 1 : px, Math.max(...this.#levels.slice(frame, frame + step)));
     }
     context.fillStyle = colour("--faint");

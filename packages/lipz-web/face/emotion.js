@@ -1,13 +1,13 @@
-// What the twelve attributes of emotion do to a face: weights of blend shapes with the names of ARKit, and what skin and
-// eyes show besides.
+// The effects of the twelve attributes of emotion on a face: weights of blend shapes with ARKit's names, and changes of
+// skin and eyes.
 //
-// As on the rig of "Talking Heads", each attribute has a pose at 5 and one at 10, and is neutral at 0. Poses are added. Which
-// muscles an emotion moves is that of Ekman and Friesen's Facial Action Coding System (EMFACS); for pain, Prkachin and Solomon.
-// docs/guides/faces.md has the table with its sources.
+// As on the rig of "Talking Heads", each attribute has a pose at 5 and a pose at 10, and is neutral at 0. Poses are
+// added. The muscles of each emotion are from Ekman and Friesen's Facial Action Coding System (EMFACS); for pain, from
+// Prkachin and Solomon. docs/guides/faces.md has the table with its sources.
 
 import { mixed } from "./colour.js";
 
-/** A weight at 5 and at 10, from 0 to 1. Names without a side are those of both sides. Angles of `head` are degrees. */
+/** Weights at 5 and at 10, from 0 to 1. Names without a side apply to both sides. Angles of `head` are in degrees. */
 const POSES = {
   sadness: {
     browInnerUp: [0.7, 1],
@@ -142,11 +142,11 @@ const POSES = {
   },
 };
 
-/** Shapes that exist once, and what is no blend shape; all others have a left and a right side. */
+/** Shapes without sides, and entries that are not blend shapes. All other shapes have a left and a right side. */
 const WHOLE = ["browInnerUp", "jawOpen", "mouthFunnel", "mouthPucker", "mouthShrugLower", "cheekPuff", "tongueOut", "mouthLeft"];
 const NO_SHAPE = ["tears", "sweat", "flush", "pale", "sick", "pupils", "headPitch", "headRoll"];
 
-/** The colour that stands for an attribute. */
+/** The colour of each attribute. */
 export const EMOTION_COLOURS = {
   sadness: "#4f86e8",
   anger: "#e0483c",
@@ -176,7 +176,7 @@ function sides(name) {
   return isOne ? [name] : [`${name}Left`, `${name}Right`];
 }
 
-/** Weights of what some emotions, values from 0 to 10, do to a face, added up. */
+/** The added weights of the effects of emotions, whose values are from 0 to 10. */
 export function weightsOf(emotions = {}) {
   const weights = {};
   for (const [emotion, value] of Object.entries(emotions)) {
@@ -188,7 +188,7 @@ export function weightsOf(emotions = {}) {
   return weights;
 }
 
-/** The mixed colour of some emotions, and how much there is of them, 0 to 1. */
+/** The mixed colour of emotions, and their total strength from 0 to 1. */
 export function moodOf(emotions = {}) {
   const value = (emotion) => Math.min(emotions[emotion], MOST);
   const felt = Object.entries(EMOTION_COLOURS).filter(([emotion]) => emotions[emotion] > 0);

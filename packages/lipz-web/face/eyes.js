@@ -1,10 +1,10 @@
-// The eyes: lids that close, widen and squint, and where the pupils look; and the brows above them.
+// The eyes, with lids that close, widen and squint, and pupils that look; and the brows above them.
 
 import { path, px } from "./path.js";
 
-/** Centre, half width, and how far the lids of an open eye are from the centre. */
+/** The centre, half the width, and the distances of the lids of an open eye from the centre. */
 const EYE = { x: 28, y: -4, width: 14, upper: 10, lower: 7.5 };
-/** How far a pupil moves for a degree, and at most. */
+/** The movement of a pupil per degree, and its maximum. */
 const PER_DEGREE = 0.27;
 const MOST = { x: 7, y: 4.5 };
 
@@ -16,22 +16,22 @@ export function eyeParts(pose, weight, id) {
 
 function eye(name, side, sign, pose, weight, id) {
   const { x, y, width, upper, lower } = EYE;
-  // A blink closes what an emotion has left open.
+  // A blink closes the part of the eye that an emotion leaves open.
   const closed = clamp(1 - (1 - pose.blink) * (1 - clamp(weight(`eyeBlink${side}`), 0, 1)), 0, 1);
   const squint = clamp(weight(`eyeSquint${side}`), 0, 1);
   const wide = clamp(weight(`eyeWide${side}`), 0, 1);
   const down = lower * (1 - 0.55 * squint + 0.1 * wide);
-  // The upper lid does most of the way of a blink.
+  // In a blink, the upper lid moves most of the way.
   const meet = y + down * 0.65;
   const top = y - upper * (1 + 0.32 * wide) * (1 - 0.22 * squint);
   const lid = top + (meet - top) * closed;
   const floor = y + down + (meet - (y + down)) * closed;
-  // Lowered brows press the inner end of the lid down, raised ones pull it up.
+  // Lowered brows press the inner end of the lid down, and raised brows pull it up.
   const tilt = (3.5 * weight(`browDown${side}`) - 2.5 * weight("browInnerUp")) * (1 - closed);
   const [near, far] = [x - width, x + width];
   const at = (value) => sign * value;
   const corner = y + 1 + (meet - y - 1) * closed * 0.5;
-  // The top of a cubic curve is three quarters of the way to its handles.
+  // The top of a cubic curve is at three quarters of the way to its handles.
   const high = (edge) => corner + (edge - corner) / 0.75;
   const upperLid = path`M${at(near)} ${corner + 1}C${at(near + 4)} ${high(lid) + tilt} ${at(far - 6)} ${high(lid) - tilt * 0.3} ${at(far)} ${corner}`;
   const lowerLid = path`C${at(far - 5)} ${high(floor)} ${at(near + 5)} ${high(floor)} ${at(near)} ${corner + 1}`;
@@ -48,7 +48,7 @@ function eye(name, side, sign, pose, weight, id) {
     [`${name}Iris`]: { cx, cy },
     [`${name}Pupil`]: { cx, cy, r: px(3.5 * (1 + 0.6 * weight("pupils"))) },
     [`${name}Light`]: { cx: px(cx + 2), cy: px(cy - 2.4) },
-    // The lid throws a shade.
+    // The lid casts a shadow.
     [`${name}Shade`]: { d: path`M${at(near)} ${lid - 4}L${at(far)} ${lid - 4}L${at(far)} ${lid + 3}Q${at(x)} ${lid + 1} ${at(near)} ${lid + 3}Z` },
     [`${name}Upper`]: { d: upperLid },
     [`${name}Lower`]: { d: path`M${at(far)} ${corner}` + lowerLid },
@@ -70,7 +70,7 @@ export function browParts(weight) {
   return {
     browLeft: brow("Left", 1),
     browRight: brow("Right", -1),
-    // Between lowered brows stand two lines, above raised ones lie others.
+    // Lowered brows have two vertical lines between them, and raised brows have horizontal lines above them.
     furrow: { d: path`M-4 ${top}L-3 ${top + 9}M4 ${top}L3 ${top + 9}`, opacity: px(0.8 * down) },
     forehead: { d: path`M-26 -50Q0 -55 26 -50M-20 -57Q0 -61 20 -57`, opacity: px(Math.max(0, 1.2 * inner - 0.6)) },
   };

@@ -1,7 +1,8 @@
-// From a pose to the attributes of the parts: where everything is drawn.
+// Converts a pose to the attributes of the parts, which state the position of each part.
 //
-// Proportions are those that "Talking Heads" names: the eyes halfway down the head, brow, base of the nose and chin a third
-// apart, the mouth as wide as the pupils are apart. Left is the left of the character, so right in the picture.
+// Proportions are from "Talking Heads": the eyes are halfway down the head; brow, base of the nose and chin are a third
+// apart; the mouth is as wide as the distance of the pupils. Left is the left of the character, which is right in the
+// drawing.
 
 import { weightsOf } from "./emotion.js";
 import { browParts, eyeParts } from "./eyes.js";
@@ -10,7 +11,7 @@ import { mouthParts } from "./lips.js";
 import { lipsOf, shapeOf } from "./mouth.js";
 import { moodParts, skinOf, skinParts } from "./skin.js";
 
-/** The least and the greatest value of each number of a pose; a flat face can turn only so far. */
+/** The limits of each number in a pose. A flat face can turn only by a limited angle. */
 const LIMITS = {
   blink: [0, 1],
   headPitch: [-25, 25],
@@ -25,18 +26,18 @@ const LIMITS = {
 
 const within = (value, [least, most]) => Math.max(least, Math.min(most, Number.isNaN(value) ? 0 : value));
 
-/** The pose with a number within its limits for each that there is, and with the angles that emotions add. */
+/** The pose with each number within its limits, including the angles that emotions add. */
 function limited(pose, felt) {
   const limits = Object.entries(LIMITS);
   const numbers = limits.map(([name, limit]) => [name, within(Number(pose[name] ?? 0) + (felt.get(name) ?? 0), limit)]);
   return { ...pose, ...Object.fromEntries(numbers) };
 }
 
-/** The weight of each blend shape, from -1 to 1: what emotions do, and the curves of a rig. */
+/** The weight of each blend shape, from -1 to 1, from emotions and from the curves of a rig. */
 function weights(felt, { shapes = {}, brows, shrug }) {
   const all = new Map(felt);
   const add = (name, weight) => all.set(name, (all.get(name) ?? 0) + weight);
-  // Only pupils grow and shrink.
+  // Only pupils can both grow and shrink.
   const limit = (name) => [name === "pupils" ? -1 : 0, 1];
   for (const [name, weight] of Object.entries(shapes)) add(name, within(Number(weight ?? 0), limit(name)));
   for (const name of ["browInnerUp", "browOuterUpLeft", "browOuterUpRight"]) add(name, 0.8 * brows + 0.4 * shrug);
@@ -45,7 +46,7 @@ function weights(felt, { shapes = {}, brows, shrug }) {
   return (name) => within(all.get(name) ?? 0, [-1, 1]);
 }
 
-/** The attributes of all parts that have a name. `id` tells this face from others in the same document. */
+/** The attributes of all named parts. `id` is unique among the faces in a document. */
 export function geometry(given, id) {
   const felt = new Map(Object.entries(weightsOf(given.emotions)));
   const pose = limited(given, felt);

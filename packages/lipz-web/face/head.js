@@ -1,13 +1,13 @@
-// The head: what turns, nods and tilts, with hair, ears and nose; and neck and shoulders, which breathe.
+// The head, which turns, nods and tilts with hair, ears and nose; and neck and shoulders, which show breath.
 
 import { mixed } from "./colour.js";
 import { path, px } from "./path.js";
 
 const RADIANS = Math.PI / 180;
-/** How far features move on a head that turns, in the units of the picture. */
+/** The movement of features on a turning head, in the units of the drawing. */
 const DEPTH = 46;
 
-/** How far the features of a head that turns and nods are moved. What is further behind moves less, or back. */
+/** The offset of the features on a head that turns and nods. Parts further back move less, or backwards. */
 export function turnOf({ headYaw, headPitch }) {
   return { x: Math.sin(headYaw * RADIANS) * DEPTH, y: -Math.sin(headPitch * RADIANS) * DEPTH };
 }
@@ -43,7 +43,7 @@ export function headParts(pose, { x, y }, jawOpen, skin, weight) {
   };
 }
 
-/** The nose leads a head that turns; its wings rise with a sneer. */
+/** The nose leads a turning head, and its wings rise with a sneer. */
 function noseOf(x, weight) {
   const lead = x * 0.25;
   const wing = (side) => -3.5 * weight(`noseSneer${side}`);

@@ -1,23 +1,23 @@
-// The mouth: lips around an opening, with teeth and tongue in it. The upper teeth stay where the skull is, the lower ones go
-// down with the jaw.
+// The mouth: lips around an opening that contains teeth and tongue. The upper teeth stay with the skull, and the lower
+// teeth move down with the jaw.
 
 import { path, px } from "./path.js";
 
 const MOUTH = { x: 0, y: 58 };
-/** How far the teeth reach beyond the lips, from the edges that meet when the jaw is closed. */
+/** The heights of the teeth beyond the lips, from the edges that meet in a closed jaw. */
 const TEETH = { upper: 18, lower: 15 };
-/** Lips that are less apart than this are drawn closed, with a seam. */
+/** Lips at a smaller distance than this are drawn closed, with a seam. */
 const CLOSED = 1.2;
-/** How far lips are apart that form an oval. */
+/** The distance at which lips form an oval. */
 const TALL = 36;
-/** The top of a cubic curve is three quarters of the way to its handles. */
+/** The top of a cubic curve is at three quarters of the way to its handles. */
 const HANDLE = 4 / 3;
 
 export function mouthParts(given, id) {
   const { left, right, jaw, bottom, shift, round, tip, isBitten, tongueOut } = given;
   const top = -(left.up + right.up) / 2;
   const floor = bottom - given.shrug;
-  // A mouth that is wide open is an oval, too.
+  // A wide-open mouth is also an oval.
   const lips = { ...given, oval: Math.max(round, 0.75 * Math.min(1, (floor - top) / TALL)) };
   const opening = openingOf(lips, floor);
   const outline = `${opening.upper}${opening.lower}Z`;
@@ -40,9 +40,9 @@ export function mouthParts(given, id) {
   };
 }
 
-/** The edges of the opening, from the right corner over the top to the left one, and back. */
+/** The edges of the opening, from the right corner over the top to the left corner, and back. */
 function openingOf({ left, right, oval }, floor) {
-  // Round lips are an ellipse, spread ones are flatter.
+  // Round lips form an ellipse, and spread lips are flatter.
   const near = 0.62 + 0.36 * oval;
   const handle = (side, edge) => side.corner + (edge - side.corner) * HANDLE;
   return {
@@ -52,7 +52,7 @@ function openingOf({ left, right, oval }, floor) {
   };
 }
 
-/** How far the lips reach beyond the corners. */
+/** The distance by which the lips extend beyond the corners. */
 const beyond = ({ round, lip }) => 2.2 + 2.6 * round * lip;
 
 /** The upper lip has a bow in the middle, unless it is rounded. */
@@ -87,7 +87,7 @@ function lowerLip(lips, floor, opening) {
   );
 }
 
-/** On the floor of the mouth, higher for vowels with a raised tongue. */
+/** The tongue, on the floor of the mouth, and higher for vowels with a raised tongue. */
 function tongueOf({ jaw, bottom, left, tongue }) {
   return { cx: 0, cy: px(bottom + 4 - 4 * tongue), rx: px(left.width * 0.66), ry: px(3 + jaw * 0.24 + 6 * tongue) };
 }

@@ -1,17 +1,17 @@
-// The mouth shape of each code of the three viseme types, as phonetics describes lips, jaw and tongue for the sounds that the
-// Lipz specification names.
+// The mouth shape of each code of the three viseme types: the positions of lips, jaw and tongue that phonetics
+// describes for the phones in the Lipz specification.
 
 /**
- * Half the width between the corners; how far the upper lip is raised, the jaw lowered, and the lower lip below the teeth of
- * the jaw; and how thick lips are drawn. Rounded lips hide the teeth. `free` is how far emotions may open and bend the mouth:
- * a sound that is made by closed lips stays readable in any mood.
+ * Half the width between the corners; the heights by which the upper lip is raised, the jaw is lowered, and the lower
+ * lip is below the lower teeth; and the thickness of the lips. Rounded lips hide the teeth. `free` limits the effect of
+ * emotions on the mouth, so that a phone with closed lips stays readable in any mood.
  */
 const shape = (width, up, jaw, low, more = {}) => {
   const usual = { round: 0, lip: 1, tongue: 0, tip: 0, bite: 0, free: 0.5 };
   return { width, up, jaw, low, ...usual, ...more };
 };
 
-/** Nobody speaks: lips together, relaxed. */
+/** Silence: lips together, relaxed. */
 const REST = shape(24, 0.2, 0, 0.4, { free: 1 });
 /** M, B, P: lips pressed together. */
 const CLOSED = shape(25.5, 0, 0, 0, { lip: 0.6, free: 0 });
@@ -38,13 +38,13 @@ const SHAPES = {
   rms: Object.fromEntries(Array.from({ length: 10 }, (_, digit) => [digit, loud(digit)])),
 };
 
-/** Loudness from 0, closed, to 9, fully open: the jaw goes down step by step. */
+/** Loudness from 0, closed, to 9, fully open. The jaw is lowered step by step. */
 function loud(digit) {
   if (digit === 0) return shape(22, 0, 0, 0, { free: 0.2 });
   return shape(22, 0.8 * digit, 3.2 * digit - 1.5, 0.5 * digit + 1, { tongue: 0.4 });
 }
 
-/** What each code stands for, in the words of the Lipz specification, with words to hear it in. */
+/** The meaning of each code in the words of the Lipz specification, with example words. */
 export const VISEMES = {
   blair: {
     "-": "rest",
@@ -83,13 +83,13 @@ export const VISEMES = {
   },
 };
 
-/** The shape of a viseme; rest for a code that the type does not have, and without a type. */
+/** The shape of a viseme; rest without a type, or for a code that the type does not have. */
 export function shapeOf(viseme = "-", type = undefined) {
   const shapes = Object.hasOwn(SHAPES, type ?? "") ? SHAPES[type] : {};
   return Object.hasOwn(shapes, viseme) ? shapes[viseme] : REST;
 }
 
-/** The corners and lips of a shape, in the middle of a face that does something besides speaking: `weight(name)` is 0 to 1. */
+/** The corners and lips of a shape, combined with the weights of the face: `weight(name)` is from 0 to 1. */
 export function lipsOf(shape, weight) {
   const { free } = shape;
   const both = (name) => (weight(`${name}Left`) + weight(`${name}Right`)) / 2;

@@ -1,6 +1,6 @@
-// The parts of the drawn face, from back to front: an element, its name, its fixed attributes, and what is in it.
+// The parts of the drawn face, from back to front: an element, its name, its fixed attributes, and its content.
 //
-// What a pose changes are further attributes of the parts that have a name: see geometry.js.
+// geometry.js returns the attributes of named parts that depend on the pose.
 
 const HAIR = "#4a3a3a";
 const LINE = "#a5694f";
@@ -51,7 +51,7 @@ const MOUTH = [
   ["path", "tongueOut", { fill: "#e0838a" }],
 ];
 
-/** An outline that a group is cut to. */
+/** An outline that clips a group. */
 const clip = (name) => ["clipPath", `${name}Clip`, {}, [["path", `${name}Outline`, {}]]];
 
 const LIGHT = [
@@ -108,7 +108,7 @@ export const PARTS = [
 
 const escaped = (text) => String(text).replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll('"', "&quot;");
 
-/** Elements as text; `attributes` are those of the parts with a name. Without names, what cannot be seen is left out. */
+/** Elements as text, with the `attributes` of named parts. Unless `isNamed`, invisible parts are omitted. */
 export function markup(parts, attributes, isNamed) {
   return parts.map(([tag, name, fixed, inside = []]) => {
     const all = { ...(isNamed && name && { "data-part": name }), ...fixed, ...attributes[name] };

@@ -1,9 +1,9 @@
 // Numbers and paths as short text.
 
-/** A number with one digit behind the point, or two if it is small, such as an opacity. */
+/** A number with one decimal, or with two if it is small, such as an opacity. */
 export function px(value) {
   const steps = Math.abs(value) < 1.05 ? 100 : 10;
-  // Without the sign of a zero.
+  // Adding 0 removes the sign of a zero.
   return Math.round(value * steps) / steps + 0;
 }
 

@@ -1,9 +1,9 @@
-// What single words feel like: those of the Lipz specification and of Fallout, in the attributes of emotion. The table is that of
-// docs/guides/faces.md, which a test compares.
+// The emotions of single words from the Lipz specification and from Fallout. A test compares the table with that in
+// docs/guides/faces.md.
 
 import { EMOTION_COLOURS } from "./emotion.js";
 
-/** The value of an emotion that has none. */
+/** The value of an emotion without a number. */
 const USUAL = 5;
 
 export const PRESETS = {
@@ -24,7 +24,7 @@ export const PRESETS = {
   bad: { anger: 3 },
 };
 
-/** The emotions of a word after `feels`; none for a word of which nothing is known. */
+/** The emotions of a word after `feels`; empty for unknown words. */
 export function emotionsOf(word) {
   if (Object.hasOwn(EMOTION_COLOURS, word ?? "")) return { [word]: USUAL };
   return Object.hasOwn(PRESETS, word ?? "") ? PRESETS[word] : {};

@@ -1,4 +1,4 @@
-// What skin shows: its colour, cheeks, wrinkles, tears and sweat; and the light of a mood behind the head.
+// The skin, with its colour, cheeks, wrinkles, tears and sweat; and the light of a mood behind the head.
 
 import { mixed } from "./colour.js";
 import { moodOf } from "./emotion.js";
@@ -6,7 +6,7 @@ import { path, px } from "./path.js";
 
 const SKIN = "#f2c9a5";
 const BLUSH = "#e9957a";
-/** What skin turns into, and at most how much of it. */
+/** The colours into which skin can turn, each with its maximum share. */
 const TURNS = { flush: ["#e2574c", 0.3], pale: ["#e9e6e4", 0.55], sick: ["#8fb05a", 0.35] };
 
 /** The colour of the skin. */
@@ -17,7 +17,7 @@ export function skinOf(weight) {
   return mixed([[SKIN, rest], ...turned].map(([colour, share]) => [colour, share / sum]));
 }
 
-/** The light behind the head, in the colours of what is felt. */
+/** The light behind the head, in the colours of the emotions. */
 export function moodParts(emotions, id) {
   const { colour, strength } = moodOf(emotions);
   return {
@@ -28,7 +28,7 @@ export function moodParts(emotions, id) {
   };
 }
 
-/** `x` is how far the features are moved: cheeks stay on the head. */
+/** `x` is the offset of the features, against which the cheeks stay on the head. */
 export function skinParts(weight, x) {
   const cheek = (side) => Math.max(0, weight(`cheekSquint${side}`));
   const puff = weight("cheekPuff");
@@ -58,7 +58,7 @@ export function skinParts(weight, x) {
   };
 }
 
-/** A drop, as text of a path. */
+/** A drop, as the text of a path. */
 function drop(x, y, size) {
   const [low, floor] = [y + size * 0.4, y + size * 1.3];
   const near = size * 0.7;

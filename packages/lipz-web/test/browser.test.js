@@ -1,4 +1,4 @@
-// The demo in Chromium: the page test/page.js looks at it from inside, and reports.
+// The demo in Chromium: test/page.js examines it from inside the page, and reports.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -22,7 +22,7 @@ const FLAGS = [
   "--autoplay-policy=no-user-gesture-required",
 ];
 
-/** What test/page.js reports of its checks: with a query it makes others. */
+/** The report of test/page.js about its checks, which depend on the query. */
 async function reported(t, query, flags = []) {
   const folder = await mkdtemp(join(tmpdir(), "lipz-"));
   let tell;

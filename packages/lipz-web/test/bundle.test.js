@@ -1,4 +1,4 @@
-// Bundlers: the package in browsers needs nothing of node, and says where its module is so that bundlers find it.
+// Bundlers: in browsers, the package does not need node, and refers to its module so that bundlers find it.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 const PACKAGE = new URL("../", import.meta.url);
 
-/** The modules that a module imports, itself among them, with their texts. */
+/** A module and all modules that it imports, with their texts. */
 async function modulesFrom(url, found = new Map()) {
   if (found.has(url.href)) return found;
   const text = await readFile(url, "utf8");

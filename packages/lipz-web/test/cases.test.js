@@ -1,5 +1,5 @@
-// The cases of fixtures/playback/cases.txt, played by the package: it answers as the reader in Rust does. They are played
-// over single banks, and over the same dialogue in other files: each folder in `layouts` has some.
+// The cases of fixtures/playback/cases.txt, played by the package, which must return the same results as the reader in
+// Rust. They are played with single banks, and with the same dialogue in different files, in the folders of `layouts`.
 
 import assert from "node:assert/strict";
 import { existsSync, readdirSync } from "node:fs";
@@ -12,22 +12,22 @@ const beside = (path) => new URL(path, import.meta.url);
 const BANKS = beside("banks/");
 const LAYOUTS = beside("layouts/");
 
-/** What sections of the cases need beyond clips, cursors, segments, texts and events: the package has all of it. */
+/** Features that sections need beyond clips, cursors, segments, texts and events. The package has all of them. */
 const HAS = new Set("babble curves emotions faces hold lead refresh states text-banks voices".split(" "));
 
-/** The folders of banks that the cases are played over. */
+/** The folders of banks with which the cases are played. */
 function folders() {
   const layouts = existsSync(LAYOUTS) ? readdirSync(LAYOUTS, { withFileTypes: true }) : [];
   return [BANKS, ...layouts.filter((entry) => entry.isDirectory()).map(({ name }) => new URL(`${name}/`, LAYOUTS))];
 }
 
-/** Where a file is: in the folder or, if that has none of this name, among the banks. */
+/** The path of a file, in the folder or otherwise among the banks. */
 function placed(folder, file) {
   const url = new URL(file, folder);
   return existsSync(url) ? url : new URL(file, BANKS);
 }
 
-/** The files of a bank: those in `NAME.list`, one in a line, or `NAME.lipzbank`. */
+/** The files of a bank: those in `NAME.list`, one per line, or `NAME.lipzbank`. */
 async function filesOf(folder, name) {
   const list = placed(folder, `${name}.list`);
   if (!existsSync(list)) return [placed(folder, `${name}.lipzbank`)];
@@ -35,19 +35,19 @@ async function filesOf(folder, name) {
   return lines.filter((line) => line !== "").map((file) => new URL(file, list));
 }
 
-/** The time that words start with, and the words behind it. */
+/** The time at the start of words, and the remaining words. */
 function timeOf([unit, value, ...rest]) {
   if (unit === "us") return [{ us: BigInt(value) }, rest];
   if (unit === "samples") return [{ position: BigInt(value), rateHz: Number(rest[0]) }, rest.slice(1)];
   const words = { nan: NaN, inf: Infinity, "-inf": -Infinity };
   const seconds = words[value] ?? Number(value);
-  // A clock of JavaScript has 64 bits: what one with 32 bits tells is rounded before.
+  // Times in JavaScript have 64 bits, so round those with 32 bits first.
   if (unit === "f32") return [Math.fround(seconds), rest];
   assert.equal(unit, "seconds");
   return [seconds, rest];
 }
 
-/** Takes `of CHARACTER` or `speaker CHARACTER` from the front of words, if that stands there. */
+/** Takes `of CHARACTER` or `speaker CHARACTER` from the start of words, if present. */
 function whoOf(words) {
   if (words[0] !== "of" && words[0] !== "speaker") return undefined;
   const [what, character] = words.splice(0, 2);
@@ -67,7 +67,7 @@ class Stage {
     this.#folder = folder;
   }
 
-  /** The lines that a command answers. */
+  /** The lines of the answer to a command. */
   async command([verb, ...words]) {
     switch (verb) {
       case "needs":
@@ -120,7 +120,7 @@ class Stage {
       case "emotions":
         return [this.#emotions(words)];
       case "voices":
-        // Any bank of a set may be the one that has them.
+        // Any bank of a set may have them.
         await this.#dialogue.loadAll();
         return this.#dialogue.voices.map(({ tag }) => tag);
       case "voice": {
@@ -138,7 +138,7 @@ class Stage {
     }
   }
 
-  /** Opens the files, as a game does that keeps its cursor while they are replaced. */
+  /** Opens the files, like a game that keeps its cursor while they are replaced. */
   async #open() {
     this.#dialogue = await openDialogue(this.#files);
     this.#locale = undefined;
@@ -176,7 +176,7 @@ class Stage {
     if (curve === undefined) return ["no curve"];
     const read = (from) => (words[0] === "frame" ? from.value(Number(words[1])) : from.valueAt(timeOf(words)[0]));
     const value = read(curve);
-    // The same curve as read before, wherever: its cursor changes nothing.
+    // The same curve as before, at any position: its cursor must not change the result.
     const id = `${this.#clip.key} ${this.#clip.fps?.numerator} ${name}`;
     if (!this.#curves.has(id)) this.#curves.set(id, curve);
     assert.equal(read(this.#curves.get(id)), value);
@@ -209,7 +209,7 @@ class Stage {
     const babble = name === "default" ? this.#dialogue.defaultBabble : this.#dialogue.babble(name);
     if (babble === undefined) return ["no profile"];
     const [time, [kind, value]] = timeOf(words);
-    // A level is a power in 65,536ths, and exact as such.
+    // A level is a power in 65,536ths, which is exact.
     const power = kind === "level" ? Number(value) / 65_536 : value === "nan" ? NaN : Number(value);
     const { ooh, aah } = babble.at(time, power);
     return [`ooh ${Math.round(ooh * 10_000)}, aah ${Math.round(aah * 10_000)}`];
@@ -246,7 +246,7 @@ for (const folder of folders()) {
       for (const answer of await stage.command(line.split(" "))) found += `  ${answer}\n`;
     }
     t.diagnostic(`${commands} commands`);
-    // Line by line first: the first line that differs says more than the whole.
+    // Compare line by line first, because the first different line is easier to read than the whole.
     const lines = expected.split("\n");
     found.split("\n").forEach((line, index) => assert.equal(line, lines[index], `cases.txt:${index + 1}`));
     assert.equal(found, expected);

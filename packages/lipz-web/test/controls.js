@@ -1,8 +1,9 @@
-// The controls of the demo, one function for each: they get `demo`, which opens the page, and `same`, which compares.
+// The controls of the demo, one function for each. Functions receive `demo`, which opens the page, and `same`, which
+// compares.
 
 const soon = (ms = 50) => new Promise((resolve) => setTimeout(resolve, ms));
 
-/** Waits until something holds, for at most five seconds. */
+/** Waits until a condition holds, for at most five seconds. */
 async function until(holds) {
   for (let tries = 0; tries < 100 && !holds(); tries++) await soon();
   return Boolean(holds());
@@ -29,7 +30,7 @@ async function dropped(window, ...files) {
   return isDropping;
 }
 
-/** Columns of the graph that have something in them, as a part of all that are in view. */
+/** The share of the visible columns of the graph that are not empty. */
 function painted(page) {
   const canvas = page.querySelector("canvas.frames");
   const { width, height } = canvas;
@@ -47,7 +48,7 @@ function painted(page) {
   return columns / width;
 }
 
-/** Mouth shapes can be seen in clips of any length, on any screen. */
+/** Visemes are visible in clips of any length, on any screen. */
 export async function graph(demo, same) {
   for (const width of [1000, 375, 320]) {
     const { page, window, player } = await demo({}, width);
@@ -80,7 +81,7 @@ export async function graph(demo, same) {
   }
 }
 
-/** Texts run in the direction of their script, in the timeline as below the face. */
+/** Texts run in the direction of their script, both in the timeline and below the face. */
 export async function directions(demo, same) {
   for (const [locale, direction] of [["ar-sa", "rtl"], ["he-il", "rtl"], ["de-de", "ltr"], ["ja-jp", "ltr"]]) {
     const { page, window } = await demo({ locale, at: 0.5 });
@@ -93,7 +94,7 @@ export async function directions(demo, same) {
   }
 }
 
-/** Another language shows at the same place, and plays on. */
+/** A different language appears at the same time of the clip, which continues to play. */
 export async function languages(demo, same) {
   const { page, window, player } = await demo({ locale: "en-us" });
   player.seek(0.5);
@@ -108,7 +109,7 @@ export async function languages(demo, same) {
   same(page.getElementById("subtitle").textContent, "Guten Abend, Otto.", "the subtitle");
 }
 
-/** Space plays, arrows and Home and End go where they say. */
+/** Space plays; arrows, Home and End move the playhead. */
 export async function keys(demo, same) {
   const { page, window, player } = await demo({});
   press(window, " ");
@@ -182,7 +183,7 @@ export async function slider(demo, same) {
   same(player.clock.time / player.clip.duration > 0.7, true, "no drag without a press");
 }
 
-/** What the address asks for and is not there, the page says; and the address follows. */
+/** The page reports missing values of the address, and the address follows the page. */
 export async function address(demo, same) {
   const wrong = await demo({ clip: "nope/nope", locale: "xx-yy", at: "soon" });
   const notice = wrong.page.getElementById("notice");
@@ -200,7 +201,7 @@ export async function address(demo, same) {
   same(await until(() => window.location.search === expected), true, window.location.search);
 }
 
-/** The choice of a clip finds it among many. */
+/** The search finds a clip among many. */
 export async function search(demo, same) {
   const { page, window, player } = await demo({});
   const input = page.getElementById("clip");
@@ -224,7 +225,7 @@ export async function search(demo, same) {
   press(window, "Enter", {}, input);
   same(player.clip.key, second, "arrows move");
   same(type("no such clip").length, 0, "nothing");
-  same(list.textContent.includes("No clip"), true, "and it says so");
+  same(list.textContent.includes("No matching clips"), true, "and it says so");
   press(window, "Escape", {}, input);
   same(input.value, second, "Escape leaves it");
   player.clips.keys = Array.from({ length: 20_000 }, (_, index) => `scene/${index % 200}/line-${index}`);
@@ -233,7 +234,7 @@ export async function search(demo, same) {
   same(type("line-19999").join(), "scene/199/line-19999", "one among 20,000");
 }
 
-/** Files that are dropped are opened, or the page says why not. */
+/** Dropped files are opened, or the page shows an error. */
 export async function files(demo, same) {
   const { page, window, player } = await demo({});
   const failure = page.getElementById("failure");
@@ -270,7 +271,7 @@ export async function narrow(demo, same) {
   }
 }
 
-/** Events are shown as they happen, and what they leave behind. */
+/** Events are shown as they happen, with the resulting states. */
 export async function events(demo, same) {
   const { page, player } = await demo({ clip: "act1/otto-ticking" });
   same(page.getElementById("due").textContent, "does jumpfeels afraidnell stares otto", "at the start, also without frames");
@@ -280,7 +281,7 @@ export async function events(demo, same) {
   same(page.getElementById("state").textContent.includes("stares at parcel"), true, "and sets the scene");
 }
 
-/** A segment without frames at the end of a clip needs no room behind it. */
+/** A segment without frames at the end of a clip needs no space after it. */
 export async function points(demo, same) {
   const { page } = await demo({ clip: "act3/nell-light", at: 3.39 });
   const scroll = page.getElementById("timeline");
@@ -288,7 +289,7 @@ export async function points(demo, same) {
   same(scroll.scrollWidth, scroll.clientWidth, "nothing to scroll");
 }
 
-/** A mouth that leads and holds is another one. */
+/** Lead and hold change the mouth. */
 export async function mouths(demo, same) {
   const { page, player } = await demo({ at: 1 / 24 });
   const shown = () => page.getElementById("viseme").textContent;

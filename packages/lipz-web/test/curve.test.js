@@ -1,4 +1,4 @@
-// Curves in node: the answers of the dump beside their bank.
+// Curves in node: the answers in the dump next to their bank.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";

@@ -1,5 +1,4 @@
-// Faces in node: in every unit of time, with a profile and a direction. That they are those of the reader in Rust is what the
-// cases hold.
+// Faces in node, in every unit of time, with a profile and a direction. The cases compare them with the reader in Rust.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -38,7 +37,7 @@ test("a profile of another dialogue is refused", async () => {
   assert.equal(robot.name, "robot");
   assert.throws(() => clip.faceAt(0, undefined, robot), LipzError);
   const talk = other.clip("talk");
-  // Until the speaker gets angry: a robot blinks then only.
+  // A robot blinks only once the speaker gets angry, which is later.
   const lids = Array.from({ length: 250 }, (_, index) => talk.faceAt(index / 100, undefined, robot).blink);
   assert.deepEqual(new Set(lids), new Set([0]));
 });

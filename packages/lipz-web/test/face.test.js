@@ -1,4 +1,4 @@
-// The drawn face in node: its mouths agree with the reader, its moods differ, and no number breaks it.
+// The drawn face in node: its mouths match the reader, its moods differ, and invalid numbers do not break it.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -11,7 +11,7 @@ import { EMOTIONS, openDialogue } from "../node.js";
 const dialogue = await openDialogue([new URL("banks/small.lipzbank", import.meta.url)]);
 const drawn = (pose) => faceMarkup(pose, "");
 
-/** How large the opening of a shape is: lips that touch are closed, and between teeth and a lip only air comes through. */
+/** The size of the opening of a shape: 0 for closed lips, and a minimal 1 for teeth on a lip. */
 function opening({ width, up, jaw, low, bite }) {
   const height = up + jaw + low;
   return height < 1 ? 0 : bite ? 1 : width * height;

@@ -1,10 +1,10 @@
-// The face of the demo and the curves below its timeline, one function for each: as in controls.js.
+// The face of the demo and the curves below its timeline, one function for each, as in controls.js.
 
 const soon = (ms = 50) => new Promise((resolve) => setTimeout(resolve, ms));
 const part = (page, name) => page.querySelector(`#face [data-part=${name}]`);
 const FACES = { bank: "faces" };
 
-/** What the speaker feels is seen, and told to those who do not see it. */
+/** The emotions of the speaker are visible, and available to screen readers. */
 export async function feelings(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "twelve" });
   const names = "sadness anger joy fear disgust surprise shock perplexed asleep pain exertion shout".split(" ");
@@ -25,7 +25,7 @@ export async function feelings(demo, same) {
   same(page.getElementById("face").getAttribute("aria-describedby"), "feeling", "what describes the face");
 }
 
-/** Without curves, the face is that of the word that an event has. */
+/** Without curves, the word in an event sets the face. */
 export async function words(demo, same) {
   const { page, player } = await demo({ clip: "act1/otto-ticking" });
   same(page.getElementById("state").textContent.includes("the speaker feels afraid"), true, "what the event says");
@@ -36,7 +36,7 @@ export async function words(demo, same) {
   same(player.clip.curves.length, 0, "no curves");
 }
 
-/** Curves move eyes, brows, head and whatever a rig has. */
+/** Curves move eyes, brows, head and all other shapes of a rig. */
 export async function rigs(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "rig" });
   const seen = (name, attribute) => part(page, name).getAttribute(attribute);
@@ -55,7 +55,7 @@ export async function rigs(demo, same) {
   changes(0, 0.2, "inside", "d", "the mouth");
 }
 
-/** A face blinks, moves and looks by itself, as the reader says; and it looks at what its speaker stares at. */
+/** A face blinks, moves and looks by itself, as the reader computes, and looks at the target of a stare. */
 export async function specials(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "twelve" });
   const times = Array.from({ length: 560 }, (_, index) => index / 40);
@@ -79,7 +79,7 @@ export async function specials(demo, same) {
   same(Math.abs(aside - eye()) > 2, true, `eyes on otto, ${aside}, and not, ${eye()}`);
 }
 
-/** What its speaker sees, it looks at for a second. */
+/** The face looks at the target of `sees` for a second. */
 export async function sights(demo, same) {
   const { page, player } = await demo({ clip: "act1/mara-good-evening" });
   const seen = player.clip.segments.find(({ events }) => events.some(({ verb }) => verb === "sees"));
@@ -115,7 +115,7 @@ export async function curves(demo, same) {
   same(drama.page.getElementById("curves").hidden, true, "nothing without curves");
 }
 
-/** Emotions are a band of their colours, which adds up. */
+/** Emotions are a stacked band of their colours. */
 export async function band(demo, same) {
   const { page } = await demo({ ...FACES, clip: "leave" });
   const areas = [...page.querySelectorAll(".band path")];
@@ -125,7 +125,7 @@ export async function band(demo, same) {
   same(page.querySelectorAll(".curves li").length, 5, "and each by itself, with those of others");
 }
 
-/** Curves zoom and scroll with the timeline, and take the playhead along. */
+/** Curves zoom and scroll with the timeline, and dragging on them moves the playhead. */
 export async function zoomed(demo, same) {
   for (const width of [1000, 320]) {
     const { page, window, player } = await demo({ ...FACES, clip: "twelve" }, width);
@@ -151,7 +151,7 @@ export async function zoomed(demo, same) {
   }
 }
 
-/** A finger that scrolls the page over the curves moves nothing; one that taps or drags does. */
+/** A finger that scrolls the page over the curves does not move the playhead; tapping and dragging do. */
 export async function fingers(demo, same) {
   const { page, window, player } = await demo({ ...FACES, clip: "rig", at: 1 });
   const plot = page.querySelector(".curves li svg");
@@ -173,7 +173,7 @@ export async function fingers(demo, same) {
   at(0.3, "a drag that the browser takes over");
 }
 
-/** Space folds the curves where they have the focus, and does not play. */
+/** Space folds the curves if they have the focus, and does not play. */
 export async function folding(demo, same) {
   const { page, window, player } = await demo({ ...FACES, clip: "rig" });
   const press = new window.KeyboardEvent("keydown", { key: " ", bubbles: true, cancelable: true });
@@ -192,7 +192,7 @@ export async function narrower(demo, same) {
   same(playhead > left && playhead < right, true, `${playhead} in ${left} to ${right}`);
 }
 
-/** There are two banks, and the address says which. */
+/** There are two banks, and the address selects one. */
 export async function banks(demo, same) {
   const { page, window, player } = await demo({ ...FACES, clip: "rig" });
   same(player.clip.key, "rig", "the clip of the address");
@@ -207,10 +207,10 @@ export async function banks(demo, same) {
   await soon(400);
   same(window.location.search, "?bank=faces&clip=leave&locale=en-us", "the address");
   const wrong = await demo({ bank: "../x", clip: "rig" });
-  same(wrong.page.getElementById("notice").textContent.includes("no bank “../x”"), true, "a bank that is not there");
+  same(wrong.page.getElementById("notice").textContent.includes("bank “../x”"), true, "a bank that is not there");
 }
 
-/** A clip that does not name its viseme type is drawn by the one that has its codes. */
+/** A clip without a viseme type is drawn with the type that has its codes. */
 export async function types(demo, same) {
   const { page, player } = await demo({ ...FACES, clip: "loud" });
   same(player.clip.visemeType, "rms", "digits are loudness");

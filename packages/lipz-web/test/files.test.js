@@ -1,4 +1,4 @@
-// Dialogues of several files, in node: patches, text banks, and sets whose banks are loaded when they are needed.
+// Dialogues of several files in node: patches, text banks, and sets whose banks are loaded on demand.
 
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
@@ -15,7 +15,7 @@ const SHARDS = ["dubbed.0-of-2.51e62ffc7e3d30e7.lipzbank", "dubbed.1-of-2.2372b0
 /** The bank of `aye`, which is not the first. */
 const [FIRST, OTHER] = SHARDS;
 
-/** Where the headers of files have their checksum and their format version (docs/reference/bank-format.md). */
+/** The offsets of the checksum and the format version in headers (docs/reference/bank-format.md). */
 const CHECKSUM_OFFSET = 8;
 const FORMAT_MAJOR_OFFSET = 20;
 
@@ -33,12 +33,12 @@ test("a dialogue answers from its topmost file", async () => {
   assert.deepEqual(keys(stack).filter((key) => below.clip(key) === undefined), ["patch/new"]);
   assert.equal(stack.clipCount, keys(stack).length);
   assert.ok(below.clip("act2/bare") && stack.clip("act2/bare") === undefined, "removed");
-  // A text of the patch, mouth shapes of the base.
+  // A text of the patch, visemes of the base.
   const clip = stack.clip("act1/blair");
   assert.equal(clip.frames, below.clip("act1/blair").frames);
   assert.deepEqual(textOf(stack, "act1/blair", "en-us"), { text: "Patched.", isFallback: false });
   assert.equal(stack.clip(clip.id).key, "act1/blair");
-  // The patch has French, for which the default locale stands in elsewhere.
+  // The patch has French. For other clips, French falls back to the default locale.
   const { text } = textOf(below, "act2/far", "en-us");
   assert.deepEqual(textOf(stack, "act2/far", "fr-fr"), { text, isFallback: true });
   assert.deepEqual(textOf(stack, "patch/new", "fr-fr"), { text: "Neuf.", isFallback: false });
@@ -66,7 +66,7 @@ test("a clip of a stack is played in the voice that is asked for", async () => {
 test("faces of a stack have the profiles of the topmost bank with some", async () => {
   const below = await openDialogue([golden("dubbed.lipzbank")]);
   const stack = await openDialogue([golden("dubbed.lipzbank"), golden("redub.lipzbank")]);
-  // The base has the clip, the patch the profile: a blink in each second, not in each fourth.
+  // The base has the clip, and the patch has the profile: a blink every second instead of every four seconds.
   const blinks = (clip, profile) => {
     const lids = Array.from({ length: 2000 }, (_, step) => clip.faceAt(step / 50, undefined, profile).blink);
     return lids.filter((closed, at) => closed === 1 && lids[at - 1] !== 1).length;
@@ -94,7 +94,7 @@ test("text banks have the texts of their bank, next to each other", async () => 
   assert.equal(textOf(one, "act1/toonboom", "de-de").text, "Nur");
 });
 
-/** A patch as if it was packed over another base. Its own checksum is then wrong: open it unverified. */
+/** A patch for a different base. Open it unverified, because its own checksum is then wrong. */
 async function moved(patch, from, to) {
   const [bytes, before, after] = await Promise.all([patch, from, to].map((url) => readFile(url)));
   const place = bytes.indexOf(before.subarray(CHECKSUM_OFFSET, CHECKSUM_OFFSET + 8));
@@ -102,7 +102,7 @@ async function moved(patch, from, to) {
   return { name: "moved.lipzbank", bytes };
 }
 
-/** Everything that clips say, of all that have one of these keys. */
+/** All results of the clips with these keys. */
 function told(dialogue, keys) {
   const locales = dialogue.locales.sort((a, b) => (a.tag < b.tag ? -1 : 1));
   const textsOf = ({ segments }) => segments.map((segment) => locales.map((locale) => [locale.tag, segment.text(locale)]));
@@ -143,7 +143,7 @@ test("a patch over a set answers before the bank below it is loaded", async () =
   assert.deepEqual(told(set, keys(stack)), told(stack, keys(stack)));
 });
 
-/** Asserts that files are refused with an error that names one of them. */
+/** Asserts that opening files fails with an error that names one of them. */
 async function refused(files, file, status, options) {
   await assert.rejects(openDialogue(files, options), (error) => {
     assert.ok(error instanceof LipzError, String(error.stack));
@@ -172,7 +172,7 @@ test("the error names the file that does not fit, and says what to do", async ()
   await refused([patch], "patch.lipzbank", 37);
   await refused([small, index], INDEX, 38);
   await refused([{ name: "notes.txt", bytes: Buffer.from("some words ".repeat(10)) }], "notes.txt", 2);
-  // Bytes without a name are counted.
+  // Bytes without a name are numbered.
   await refused([small.bytes, cut.bytes], "files[1]", 5);
   await assert.rejects(openDialogue([]), (error) => error instanceof LipzError && error.status === 39);
   const notFiles = [[undefined], [{ name: "x" }], [{ bytes: small.bytes }], [7]];
@@ -321,7 +321,7 @@ test("banks that are not those of the index are refused, and loaded again", asyn
   await refused([{ name: INDEX, bytes: index }], FIRST, 44, { load: () => load(OTHER) });
   const unverified = await openDialogue([index], { verify: false, load: () => load(FIRST) });
   await assert.rejects(unverified.loadClip("aye"), (error) => error.file === OTHER && error.status === 44);
-  // The banks in a list may have a query behind their names, and URLs may spell any character by its number.
+  // The URLs of banks in a list may have a query, and may encode any character.
   const urls = [inSet(INDEX), ...SHARDS.map((name) => new URL(`${String(inSet(name)).replace(/k$/, "%6B")}?v=2`))];
   assert.equal((await openDialogue(urls)).clip("aye").key, "aye");
 });

@@ -1,4 +1,4 @@
-// The demo in a browser whose user does not want motion: what the line says still shows, and nothing sways.
+// The demo for a user who does not want motion: it shows the content of the line, and nothing sways.
 
 export async function motion(demo, same) {
   const { page, window, player } = await demo({ bank: "faces", clip: "rig" });

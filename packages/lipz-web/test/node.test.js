@@ -1,4 +1,4 @@
-// The package in node, on the drama of the fixtures; and its structs against the header of C.
+// The package in node, with the drama of the fixtures; and its structs compared with the C header.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -219,7 +219,7 @@ test("the module has each function of lipz.h, with its parameters", async () => 
   assert.ok(declared.length > 40, declared.length);
   for (const [, name, parameters] of declared) {
     const count = parameters === "void" ? 0 : parameters.split(",").length;
-    // A struct that is passed by value is one address.
+    // A struct that is passed by value becomes one address.
     assert.equal(exports[name].length, count, name);
   }
   const called = Object.keys(exports).filter((name) => name.startsWith("lipz_"));

@@ -1,4 +1,4 @@
-// Looks at the demo as a player does: at several times, in several locales, while it plays, and with its controls.
+// Examines the demo at several times, in several locales, while it plays, and with its controls.
 
 import * as controls from "./controls.js";
 import * as faces from "./faces.js";
@@ -22,7 +22,7 @@ function same(found, expected, what) {
   if (found !== expected) failures.push(`${what}: ${JSON.stringify(found)} instead of ${JSON.stringify(expected)}`);
 }
 
-/** Opens the demo with a query in a window of this width, and gives its document and its player. */
+/** Opens the demo with a query in a window of this width, and returns its document and its player. */
 async function demo(query, width = 1000) {
   const frame = document.querySelector("iframe");
   frame.width = width;
@@ -42,7 +42,7 @@ function segmentOf(frame) {
   return STARTS.findLastIndex((start) => start <= frame);
 }
 
-/** What the page shows is what the Lipz file says for this frame. */
+/** The page shows the contents of the Lipz file for this frame. */
 function showsFrame(page, frame, locale) {
   const { viseme, subtitle, event } = shown(page);
   same(viseme, FRAMES[frame], `viseme of frame ${frame}`);
@@ -65,7 +65,7 @@ async function still() {
   }
 }
 
-/** Plays by the clock of the audio: mouths open and close, and the playhead moves on. */
+/** The demo plays by the clock of the audio: mouths open and close, and the playhead moves. */
 async function playing() {
   const { page, player } = await demo({ locale: "de-de" });
   const opened = () => page.querySelector("#face [data-part=inside]").getAttribute("d");

@@ -1,4 +1,4 @@
-// The pictures of the documentation, drawn by the face of the package: `node pictures.js FOLDER` writes them.
+// The pictures in the documentation, drawn with the face of the package: `node pictures.js FOLDER` writes them.
 
 import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
@@ -20,7 +20,7 @@ const FONT = 'font-family="system-ui, \'DejaVu Sans\', sans-serif"';
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 const text = (x, y, size, words, more = "") => `<text x="${x}" y="${y}" font-size="${size}" ${more}>${escaped(words)}</text>`;
 
-/** A picture of this size with a title; elements that stand in it several times are written once. */
+/** A picture of this size with a title. Repeated elements are written once. */
 function picture(width, height, title, contents) {
   const count = new Map();
   const each = /<(?:path|ellipse|circle)[^>]{40,}\/>/g;
@@ -74,7 +74,7 @@ function mixes() {
   return sheet("Emotions that are mixed, or mild", 6, MIXES.map(([heading, line, emotions]) => [heading, line, { emotions }]));
 }
 
-/** A clip while it plays: the face, and below each other texts, mouths, emotions and curves. */
+/** A clip while it plays: the face, and rows of texts, visemes, emotions and curves. */
 async function playing(time) {
   const dialogue = await openDialogue([new URL("../demo/faces.lipzbank", import.meta.url)]);
   const english = dialogue.locale("en-us");
@@ -115,10 +115,10 @@ async function playing(time) {
   );
 }
 
-/** What is seen of a face from nose to chin, and what the parts of the mouth are cut out with. */
+/** The parts of a face that are visible from nose to chin, and the clip paths of the mouth. */
 const AROUND_MOUTH = new Set([undefined, "head", "skull", "features", "nose", "mouth", "insideClip"]);
 
-/** The parts of a face from nose to chin; of a mouth, all. */
+/** The parts of a face from nose to chin, with all parts of the mouth. */
 function aroundMouth(parts) {
   return parts
     .filter(([, name]) => AROUND_MOUTH.has(name))
@@ -136,7 +136,7 @@ function shapes() {
   return JSON.stringify(Object.fromEntries(Object.entries(VISEMES).map(drawn)), null, 1) + "\n";
 }
 
-/** All pictures, by the names of their files. */
+/** All pictures, by file name. */
 export async function pictures() {
   return {
     "blair.svg": visemes("blair", "The mouth shapes of the viseme type blair", 5),

@@ -1,4 +1,4 @@
-// The pictures in docs/pictures are those that the face draws.
+// The pictures in docs/pictures match the drawings of the face.
 
 import assert from "node:assert/strict";
 import { readdir, readFile } from "node:fs/promises";

@@ -1,4 +1,4 @@
-// The server of the demo: from the package, and from the folder of the repository, where some files are elsewhere.
+// The server of the demo, in the package and in the repository, where some files are in other folders.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 
 const DEMO = fileURLToPath(new URL("../demo", import.meta.url));
 
-/** A repository with the sources of the demo only. */
+/** A repository with only the sources of the demo. */
 async function repository(t) {
   const root = await mkdtemp(join(tmpdir(), "lipz serve "));
   t.after(() => rm(root, { recursive: true, force: true }));
@@ -20,7 +20,7 @@ async function repository(t) {
   return { root, at };
 }
 
-/** Starts the server, as the README says; gives its address, or what it says at its end. */
+/** Starts the server as in the README. Returns its address, or its output if it ends. */
 function start(t, folder, ...args) {
   const server = spawn(process.execPath, ["demo/serve.js", ...args], { cwd: folder });
   t.after(() => server.kill());
@@ -55,11 +55,11 @@ test("in the repository, files that are elsewhere are served", async (t) => {
   }
 });
 
-test("what is missing is said, with the command that makes it", async (t) => {
+test("missing files are reported, with the command that makes them", async (t) => {
   const { at } = await repository(t);
   const { code, errors } = await start(t, at, "0");
   assert.equal(code, 1);
   assert.match(errors, /^lipz\.wasm is missing: .*cargo xtask web/);
   const wrong = await start(t, at, "eighty");
-  assert.deepEqual([wrong.code, wrong.errors.includes("eighty is no port")], [1, true]);
+  assert.deepEqual([wrong.code, wrong.errors.includes("eighty is not a port")], [1, true]);
 });

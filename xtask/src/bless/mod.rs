@@ -1,8 +1,8 @@
-//! `cargo xtask bless`: writes every file of the repository that a program makes.
+//! `cargo xtask bless`: writes every generated file of the repository.
 //!
-//! First what the rules are made into: the table of codes and the page about them. Then the tests whose
-//! expected outputs are committed run once more, and write them. Read the difference before you commit it.
-//! `cargo xtask bless lipz` runs the tests of one crate only, `cargo xtask bless rules` none.
+//! First it generates the table of rules and their page. Then it runs the tests with committed expected outputs again,
+//! which write these. Read the difference before you commit it. `cargo xtask bless lipz` runs only the tests of one
+//! crate, `cargo xtask bless rules` runs none.
 
 mod diagnostics_page;
 mod rules;
@@ -16,12 +16,12 @@ use rules::Rule;
 /// What to write.
 #[derive(Args, Debug)]
 pub(crate) struct Settings {
-    /// `rules`, or a crate: only what is made from the rules, or also what the tests of the crate expect
+    /// `rules` for only the files made from the rules, or a crate to add the expected outputs of its tests
     #[arg(value_parser = names())]
     only: Option<String>,
 }
 
-/// The tests that write what they expect.
+/// The tests that write their expected outputs.
 const TESTS: [&[&str]; 6] = [
     &["--package", "lipz-bank", "--test", "golden"],
     &["--package", "lipz-capi", "--test", "header"],
@@ -50,13 +50,13 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The files that are made from the rules, with their contents.
+/// Returns the files that are generated from the rules, with their contents.
 fn made_from_rules() -> Result<[(&'static str, String); 2], Failure> {
     let rules = Rule::all(&workspace_root().join(rules::FOLDER))?;
     Ok([(rules::TABLE, rules::table(&rules)?), (diagnostics_page::PATH, diagnostics_page::page(&rules)?)])
 }
 
-/// What keeps a committed file from being current.
+/// Whether a committed file is current.
 #[cfg(test)]
 fn is_current(path: &str, contents: &str) -> bool {
     std::fs::read_to_string(workspace_root().join(path)).is_ok_and(|committed| committed == contents)
@@ -70,7 +70,7 @@ mod tests {
     #[test]
     fn what_is_made_from_rules_is_current() {
         for (path, contents) in made_from_rules().unwrap() {
-            assert!(is_current(path, &contents), "{path} is not what the rules say: run `cargo xtask bless`");
+            assert!(is_current(path, &contents), "{path} differs from the rules: run `cargo xtask bless`");
         }
     }
 }

@@ -1,16 +1,16 @@
-//! The rules, as `crates/lipz-diagnostics/rules` has them: a file each, from which the table of codes is made.
+//! The rules in `crates/lipz-diagnostics/rules`: one file each, from which the table of codes is generated.
 
 use crate::Failure;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Where the rules are.
+/// The folder of the rules.
 pub(super) const FOLDER: &str = "crates/lipz-diagnostics/rules";
 
-/// What is made of them.
+/// The table generated from them.
 pub(super) const TABLE: &str = "crates/lipz-diagnostics/src/code/table.rs";
 
-/// The headings under which lists show the codes, by the hundreds of their numbers.
+/// The headings above codes in lists, by the hundreds of their numbers.
 const GROUPS: [&str; 23] = [
     "Reading files",
     "JSON",
@@ -33,11 +33,11 @@ const GROUPS: [&str; 23] = [
     "Curves and emotions",
     "Translators' files",
     "Dubs",
-    "Layers",
+    "Patches",
     "Shards",
 ];
 
-/// A rule: `# NUMBER name`, `severity: summary`, and the page, with an empty line between them.
+/// A rule: `# NUMBER name`, `severity: summary`, and the page, separated by empty lines.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Rule {
     pub(super) number: String,
@@ -48,7 +48,7 @@ pub(super) struct Rule {
 }
 
 impl Rule {
-    /// All rules in the order of their numbers.
+    /// Returns all rules, ordered by number.
     pub(super) fn all(folder: &Path) -> Result<Vec<Rule>, Failure> {
         let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
         let mut rules = Vec::new();
@@ -80,21 +80,21 @@ impl Rule {
         })
     }
 
-    /// The heading under which the rule is listed.
+    /// Returns the heading above the rule in lists.
     pub(super) fn group(&self) -> Result<&'static str, Failure> {
         let hundred = self.number.get(2..4).and_then(|digits| digits.parse::<usize>().ok());
         let group = hundred.and_then(|hundred| GROUPS.get(hundred)).copied();
         group.ok_or_else(|| format!("{} has no group: add one to xtask/src/bless/rules.rs", self.number))
     }
 
-    /// The name of the variant: `foreign-code` is `ForeignCode`.
+    /// Returns the name of the variant: `ForeignCode` for `foreign-code`.
     fn variant(&self) -> String {
         let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
         self.name.split('-').filter(|word| !word.is_empty()).map(capital).collect()
     }
 }
 
-/// The table of codes, as Rust.
+/// Returns the table of codes, as Rust.
 pub(super) fn table(rules: &[Rule]) -> Result<String, Failure> {
     let mut table =
         "//! The table of all rules, written by `cargo xtask bless` from the files in `rules/`: change it there.\n\n\

@@ -1,5 +1,5 @@
-//! The cases of playback in C and C++: with every compiler, with sanitizers, and under valgrind, each program answers as the reader in
-//! Rust does, with the golden banks and with files that answer as these.
+//! The playback cases in C and C++, with every compiler, with sanitizers, and under valgrind. Each program returns the
+//! same answers as the reader in Rust, with the golden banks and with equivalent files.
 
 use crate::tools::{has_program, skip, succeed};
 use crate::{Failure, cargo, paths};
@@ -7,11 +7,11 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The cases with their answers: what the programs read, and what they print.
+/// The cases with their answers: input and expected output of the programs.
 const CASES: &str = "fixtures/playback/cases.txt";
 const BANKS: &str = "fixtures/banks/v1";
 
-/// What a program is told that it lacks: then it skips sections.
+/// Capabilities that a program is told to lack, so that it skips sections.
 const LACKING: [&str; 2] = ["faces", "states"];
 
 /// Each compiler with its language and the source.
@@ -55,7 +55,7 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The folder of the golden banks, and those with several files in the place of each.
+/// Returns the folder of the golden banks, and those with several files instead of each.
 fn folders() -> Result<Vec<PathBuf>, Failure> {
     let layouts = layouts()?;
     let unreadable = |error| format!("`{}`: {error}", layouts.display());
@@ -67,7 +67,7 @@ fn folders() -> Result<Vec<PathBuf>, Failure> {
     Ok(folders)
 }
 
-/// Writes the golden banks in several files each, and gives the folder.
+/// Writes the golden banks as several files each, and returns the folder.
 pub(crate) fn layouts() -> Result<PathBuf, Failure> {
     let folder = paths::target_folder().join("layouts");
     if folder.exists() {
@@ -79,7 +79,8 @@ pub(crate) fn layouts() -> Result<PathBuf, Failure> {
     Ok(folder)
 }
 
-/// The program reads the cases, and prints the same. It reports how many commands it played and skipped.
+/// Checks that the program reads the cases and prints them unchanged. It also reports the number of played and skipped
+/// commands.
 fn answers(mut program: Command, name: &str, folder: &Path, lacking: &[&str]) -> Result<(), Failure> {
     let path = paths::workspace_root().join(CASES);
     let unreadable = |error| format!("`{CASES}`: {error}");

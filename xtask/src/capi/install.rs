@@ -1,4 +1,4 @@
-//! Header, libraries, and what pkg-config and CMake find them by.
+//! Installs header, libraries, and files for pkg-config and CMake.
 
 use crate::{Failure, paths};
 use std::fs;
@@ -6,13 +6,13 @@ use std::path::Path;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The name that programs ask for at run time. While the first number of the version is 0, the second
-/// one is part of it, because it may break programs.
+/// Returns the name that programs load at run time. While the first number of the version is 0, it includes the second
+/// one, whose change may break programs.
 pub(crate) fn soname() -> &'static str {
     concat!("liblipz.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"))
 }
 
-/// Installs what was built in `built` below `prefix`, in place of what is there.
+/// Installs the files in `built` below `prefix`, and replaces existing ones.
 pub(super) fn install(built: &Path, prefix: &Path) -> Result<(), Failure> {
     files(built, prefix).map_err(|error| format!("`{}` cannot be written: {error}", prefix.display()))
 }
@@ -28,8 +28,8 @@ fn files(built: &Path, prefix: &Path) -> std::io::Result<()> {
         fs::copy(sources.join("include").join(header), include.join(header))?;
     }
     fs::copy(built.join("liblipz_capi.a"), lib.join("liblipz.a"))?;
-    // The name that the linker looks for beside the one that programs ask for: no link, because not
-    // every file system has them.
+    // The name for the linker, in addition to the one for programs. Copied instead of linked, because not every file
+    // system has links.
     for name in [soname(), "liblipz.so"] {
         fs::copy(built.join("liblipz_capi.so"), lib.join(name))?;
     }

@@ -1,7 +1,7 @@
-//! `cargo xtask capi`: builds the libraries for C, installs them below `target/capi`, and runs
-//! the programs in C and C++ with them, the examples and the cases of playback: plain, under valgrind, and with sanitizers.
+//! `cargo xtask capi`: builds the libraries for C, installs them below `target/capi`, and runs programs in C and C++
+//! with them. The examples and the playback cases run plainly, under valgrind, and with sanitizers.
 //!
-//! The libraries do not link if a panic can be reached (see `crates/lipz-capi/src/panic.rs`).
+//! The libraries do not link if a panic is reachable (see `crates/lipz-capi/src/panic.rs`).
 
 mod cases;
 mod install;
@@ -14,7 +14,7 @@ use crate::tools::{has_program, skip, succeed};
 use crate::{Failure, paths};
 use std::path::Path;
 
-/// What the programs need; the libraries need Rust only.
+/// The tools for the programs. The libraries only need Rust.
 const TOOLS: [&str; 6] = ["cc", "c++", "cmake", "make", "pkg-config", "valgrind"];
 
 pub(crate) fn run() -> Result<(), Failure> {

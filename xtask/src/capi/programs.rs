@@ -1,4 +1,4 @@
-//! The programs in `crates/lipz-capi/examples`, built as their readers would build them.
+//! The programs in `crates/lipz-capi/examples`, built in the same way as by users.
 
 use crate::tools::succeed;
 use crate::{Failure, paths};
@@ -6,10 +6,11 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// What the programs play, and what they print then.
+/// The bank for the programs.
 const BANK: &str = "fixtures/banks/v1/drama.lipzbank";
 const LOCALE: &str = "de-de";
-/// The second and the third have a segment without frames, whose event comes all the same: the first one and the last.
+/// The clips to play. The second and the third have an empty segment, the first or the last one, whose event fires as
+/// well.
 const CLIPS: [&str; 3] = ["act1/mara-good-evening", "act1/otto-ticking", "act3/nell-light"];
 const EXPECTED: &str = "play.expected";
 
@@ -37,13 +38,13 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The page about C, and the ends of fences of its programs.
+/// The page about C, and the ends of fences around its programs.
 const PAGE: &str = "docs/guides/c.md";
-/// What the lines of the page in C++ need.
+/// The code required by the page's lines in C++.
 const BEFORE: &str =
     "#include <iostream>\nvoid draw(char);\nvoid rig(std::string_view, std::optional<std::int32_t>);\n";
 
-/// Compiles the programs of the page: the first one is run, the lines in C++ are the body of a function.
+/// Compiles the programs of the page, and runs the first one. The lines in C++ become the body of a function.
 fn page(build: &Path, prefix: &Path) -> Result<(), Failure> {
     let text =
         std::fs::read_to_string(paths::workspace_root().join(PAGE)).map_err(|error| format!("{PAGE}: {error}"))?;
@@ -88,7 +89,7 @@ fn cmake(sources: &Path, prefix: &Path, build: &Path) -> Result<(), Failure> {
 
 fn make(sources: &Path, prefix: &Path, build: &Path, flags: &str) -> Result<(), Failure> {
     let variable = |name: &str, value: &str| format!("{name}={value}");
-    // Make takes blanks for ends of names: those of this checkout's path stay out of it.
+    // Make treats spaces as ends of names, so the path of this checkout, which may contain some, is left out.
     let from_sources = build.strip_prefix(paths::workspace_root()).map(|build| Path::new("../../..").join(build));
     let build = from_sources.unwrap_or_else(|_| build.to_owned());
     succeed(
@@ -108,7 +109,7 @@ pub(super) fn under_valgrind(program: &Path) -> Command {
     command
 }
 
-/// The program plays the clips and prints what it should.
+/// Checks that the program plays the clips and prints the expected output.
 fn plays(program: impl Fn() -> Command, prefix: &Path, expected: &str) -> Result<(), Failure> {
     let mut printed = String::new();
     for clip in CLIPS {
@@ -123,17 +124,17 @@ fn plays(program: impl Fn() -> Command, prefix: &Path, expected: &str) -> Result
         }
         println!("{shown} {clip}: as expected");
     }
-    if printed == expected { Ok(()) } else { Err(format!("{EXPECTED} has more than the programs print")) }
+    if printed == expected { Ok(()) } else { Err(format!("{EXPECTED} has more lines than the programs print")) }
 }
 
-/// The program says of a file that is no bank that it is none.
+/// Checks that the program reports a file that is not a bank.
 fn refuses(program: Command, prefix: &Path) -> Result<(), Failure> {
     let (shown, output) = played(program, prefix, "Cargo.toml", CLIPS[0])?;
     let errors = String::from_utf8_lossy(&output.stderr);
     if output.status.code() == Some(1) && errors.contains("not a lipz bank") {
         return Ok(());
     }
-    Err(format!("`{shown}` ended with {}, although its file is no bank:\n{errors}", output.status))
+    Err(format!("`{shown}` ended with {}, although its file is not a bank:\n{errors}", output.status))
 }
 
 /// Plays a clip of a bank.

@@ -1,11 +1,11 @@
-//! `cargo xtask ci`: all that a change must pass besides `cargo test --workspace`.
+//! `cargo xtask ci`: all checks of a change, in addition to `cargo test --workspace`.
 //!
-//! There are two lists of steps, each done in order, and both at the same time: what is built for other
-//! machines has a folder of its own, and often keeps but one core busy. A failure ends both. `.ci/run` starts
-//! the second list while the tests run, which keep but one core busy, too.
+//! There are two lists of steps, which run at the same time, each in order. Builds for other machines have a separate
+//! folder, and often keep only one core busy. A failure ends both lists. `.ci/run` starts the second list while the
+//! tests run, which also keep only one core busy.
 //!
-//! Each step belongs to a tier. Everyday steps always run; slow steps run only with `--all` or by name. A step is
-//! slow if it takes long and covers only code that few changes touch.
+//! Each step belongs to a tier. Everyday steps always run; slow steps run only with `--all` or by name. A step is slow
+//! if it takes long and covers only code that few changes touch.
 
 mod step;
 
@@ -15,19 +15,19 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use step::{Program, Step, Tier};
 
-/// Which steps.
+/// The steps to run.
 #[derive(Args, Debug, Default)]
 pub(crate) struct Settings {
-    /// The steps to run, of either tier; the everyday steps by default
+    /// Steps to run, of either tier [default: the everyday steps]
     #[arg(value_parser = names())]
     steps: Vec<String>,
     /// Add the slow steps
     #[arg(long, conflicts_with = "steps")]
     all: bool,
-    /// List the steps of both tiers and what the slow ones cover, without running them
+    /// List the steps of both tiers and the code that the slow ones cover, without running them
     #[arg(long, exclusive = true)]
     list: bool,
-    /// Only the steps of one list
+    /// Run only the steps of one list
     #[arg(long, value_enum, conflicts_with = "steps")]
     only: Option<List>,
 }
@@ -35,14 +35,14 @@ pub(crate) struct Settings {
 /// A list of steps.
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 enum List {
-    /// What this machine builds and runs, in one folder
+    /// Builds and runs on this machine, in one folder
     Here,
-    /// What is built in folders of its own, most of it for other machines
+    /// Builds in separate folders, most of them for other machines
     Elsewhere,
 }
 
 impl Settings {
-    /// The steps of a list that are to be run.
+    /// Returns the selected steps of a list.
     fn chosen(&self, list: List) -> impl Iterator<Item = &'static Step> {
         let steps: &[Step] = match list {
             List::Here => &HERE,
@@ -58,16 +58,16 @@ impl Settings {
 }
 
 /// The code that `recogniser` and `hearing` cover.
-const RECOGNISER: &str = "the recogniser of lipz-speech, or `lipz recogniser`";
+const RECOGNISER: &str = "the recogniser of lipz-speech, or `lipz import recogniser`";
 
 /// The code that `accessibility` and `firefox` cover.
 const PAGE: &str = "the page of `lipz preview`";
 
-/// What this machine builds and runs, in one folder.
+/// Builds and runs on this machine, in one folder.
 static HERE: [Step; 16] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
-    // Builds the rivals, among them the C code of SQLite, and most crates again. `lints` covers the other benches.
+    // Builds the rivals, including the C code of SQLite, and most crates again. `lints` covers the other benches.
     Step::cargo("benches", "clippy -p lipz-benches --all-targets --features compare --locked -- -D warnings")
         .slow("the comparison with rivals in benches, or the API of lipz-bank that it uses"),
     Step {
@@ -76,11 +76,11 @@ static HERE: [Step; 16] = [
     },
     Step::task("edges"),
     Step::task("features"),
-    // A workspace of its own, which no other step builds: its lock file names what this one depends on now.
+    // A separate workspace, which no other step builds. This checks its lock file against the current dependencies.
     Step::cargo("fuzz-lock", "tree --locked --depth 0 --manifest-path fuzz/Cargo.toml"),
     Step::task("deny"),
     Step::task("packages"),
-    // `cargo test` leaves this and the next out where their tools are missing.
+    // `cargo test` skips this and the next step if their tools are missing.
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
         ..Step::cargo("translators", "test --workspace --test texts_elsewhere --locked --quiet")
@@ -90,7 +90,7 @@ static HERE: [Step; 16] = [
         ..Step::cargo("engines", "test --workspace --test engines --locked --quiet")
     },
     Step::task("recogniser").slow(RECOGNISER),
-    // With the network that the step before has fetched.
+    // With the network that the previous step has fetched.
     Step {
         program: Program::CargoWith("LIPZ_RECOGNISER", "required"),
         ..Step::cargo("hearing", "test --workspace --test recogniser --locked --quiet").slow(RECOGNISER)
@@ -101,7 +101,7 @@ static HERE: [Step; 16] = [
     Step { arguments: "firefox --main", ..Step::task("firefox").slow(PAGE) },
 ];
 
-/// What is built for other machines, for C, by an old compiler or for speed: each in a folder of its own.
+/// Builds for other machines, for C, with an old compiler or for speed, each in a separate folder.
 static ELSEWHERE: [Step; 8] = [
     Step::task("size"),
     // These share the standard library built for `size` and `web`. All of them are 32-bit.
@@ -116,12 +116,12 @@ static ELSEWHERE: [Step; 8] = [
     Step::task("instructions"),
 ];
 
-/// The names of all steps.
+/// Returns the names of all steps.
 fn names() -> Vec<&'static str> {
     HERE.iter().chain(&ELSEWHERE).map(|step| step.name).collect()
 }
 
-/// The steps of each tier, as `--list` prints them.
+/// Returns the steps of each tier, as printed by `--list`.
 fn listing() -> String {
     let (mut everyday, mut slow) = (String::new(), String::new());
     for Step { name, tier, .. } in HERE.iter().chain(&ELSEWHERE) {
@@ -133,7 +133,7 @@ fn listing() -> String {
     format!("everyday:\n{everyday}\nslow; run them with --all before a release, or by name after a change to:\n{slow}")
 }
 
-/// What steps took.
+/// The times of steps.
 type Times = Vec<(&'static str, Duration)>;
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
@@ -157,7 +157,7 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Does the steps until one fails, here or in the other list.
+/// Runs the steps until one fails, here or in the other list.
 fn in_order<'a>(
     steps: impl Iterator<Item = &'a Step>,
     has_failed: &AtomicBool,
@@ -178,7 +178,7 @@ fn in_order<'a>(
 mod tests {
     use super::*;
 
-    /// The names of the steps that would run, in order.
+    /// Returns the names of the steps that would run, in order.
     fn chosen(settings: &Settings) -> Vec<&'static str> {
         let lists = [List::Here, List::Elsewhere];
         lists.iter().flat_map(|list| settings.chosen(*list)).map(|step| step.name).collect()

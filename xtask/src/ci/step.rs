@@ -7,19 +7,19 @@ use crate::tools::succeed;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-/// What a step runs.
+/// The program of a step.
 pub(super) enum Program {
     Cargo,
-    /// Cargo with a variable and its value.
+    /// Cargo with an environment variable and its value.
     CargoWith(&'static str, &'static str),
     /// Another task of this program.
     Task,
 }
 
-/// When a step runs without being named.
+/// The tier of a step.
 #[derive(PartialEq, Eq)]
 pub(super) enum Tier {
-    /// In every run, and so in `.ci/run`.
+    /// Runs every time, including in `.ci/run`.
     Everyday,
     /// Only with `--all`. The text names what the step covers; it completes "run this after a change to".
     Slow(&'static str),
@@ -30,7 +30,7 @@ pub(super) struct Step {
     pub(super) name: &'static str,
     pub(super) tier: Tier,
     pub(super) program: Program,
-    /// As one types them: none has a blank in it.
+    /// As typed on a command line. No argument contains a space.
     pub(super) arguments: &'static str,
 }
 
@@ -39,17 +39,17 @@ impl Step {
         Step { name, tier: Tier::Everyday, program: Program::Cargo, arguments }
     }
 
-    /// Another task, which gives the step its name.
+    /// Returns a step for another task, which gives the step its name.
     pub(super) const fn task(name: &'static str) -> Step {
         Step { name, tier: Tier::Everyday, program: Program::Task, arguments: name }
     }
 
-    /// The step, moved to the slow tier.
+    /// Moves the step to the slow tier.
     pub(super) const fn slow(self, covers: &'static str) -> Step {
         Step { tier: Tier::Slow(covers), ..self }
     }
 
-    /// Runs the step and says how long it took; what it prints is seen at once.
+    /// Runs the step and returns its time. Its output is printed immediately.
     pub(super) fn run(&self) -> Result<Duration, Failure> {
         let start = Instant::now();
         print!("{}", self.heading());
@@ -58,7 +58,7 @@ impl Step {
         Ok(start.elapsed())
     }
 
-    /// The same; what it prints is added to `printed`.
+    /// The same, with its output added to `printed`.
     pub(super) fn run_into(&self, printed: &mut String) -> Result<Duration, Failure> {
         let start = Instant::now();
         printed.push_str(&self.heading());
@@ -87,7 +87,7 @@ impl Step {
         Ok(command)
     }
 
-    /// The name, and the command as one would type it.
+    /// Returns the name, and the command as typed on a command line.
     fn heading(&self) -> String {
         let arguments = self.arguments;
         let shown = match self.program {

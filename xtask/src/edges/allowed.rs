@@ -1,35 +1,35 @@
-//! What each crate of the workspace may depend on.
+//! The allowed dependencies of each crate of the workspace.
 //!
-//! A new name here is a decision. The reader goes into games and firmware, so each crate below it is code that
-//! somebody else must audit: all of them are named. The other libraries run in build scripts, where every
-//! crate costs every user build time: what they use themselves is named, and all below them is counted.
+//! A new name here is a decision. The reader goes into games and firmware, so every crate below it has to be audited by
+//! its users: all of them are named. The other libraries run in build scripts, where every crate costs all users build
+//! time. Their own dependencies are named, and all below these are counted.
 
-/// What one crate may depend on, outside of its tests.
+/// The allowed dependencies of one crate, outside of its tests.
 pub(super) struct Rule {
     pub(super) name: &'static str,
-    /// Crates that its manifest may name.
+    /// Allowed crates in its manifest.
     pub(super) direct: &'static [&'static str],
     pub(super) below: Below,
 }
 
-/// The crates below a crate, at any depth.
+/// The limit for crates below a crate, at any depth.
 pub(super) enum Below {
-    /// These at most, with zerocopy and its derive, which runs at compile time.
+    /// At most these, and zerocopy with its derive, which runs at compile time.
     Only(&'static [&'static str]),
-    /// So many at most.
+    /// At most this many.
     AtMost(usize),
 }
 
-/// The ends of the graph, on which nothing depends: they may use anything.
+/// The crates on which nothing depends. They may use anything.
 pub(super) const FREE: [&str; 4] = ["lipz", "lipz-benches", "lipz-testkit", "xtask"];
 
-/// Crates that talk to a person or a terminal: not for libraries.
+/// Crates for terminals, which libraries must not use.
 pub(super) const COMMAND_LINE_ONLY: [&str; 3] = ["anstream", "clap", "indicatif"];
 
 /// zerocopy and its derive.
 pub(super) const ZEROCOPY: [&str; 6] = ["zerocopy", "zerocopy-derive", "proc-macro2", "quote", "syn", "unicode-ident"];
 
-/// The reader, and what it is built on.
+/// The reader and the crates below it.
 const READER: &[&str] = &["lipz-bank", "lipz-layout", "lipz-types"];
 
 pub(super) const RULES: &[Rule] = &[
@@ -192,9 +192,9 @@ pub(super) const RULES: &[Rule] = &[
         ],
         below: Below::AtMost(116),
     },
-    // What a game carries; its build script uses the compiler.
+    // The crates in a game. Its build script uses the compiler.
     Rule { name: "dialogue-player", direct: &["lipz-bank", "lipz-compiler"], below: Below::Only(READER) },
-    // What readers of the examples copy: the crates that an example is about, and no more.
+    // Readers copy the examples, so these use only the crates that they demonstrate.
     Rule { name: "game-loop", direct: &["lipz-bank", "lipz-host"], below: Below::AtMost(14) },
     Rule {
         name: "hot-reload",
@@ -202,6 +202,7 @@ pub(super) const RULES: &[Rule] = &[
         below: Below::AtMost(37),
     },
     Rule { name: "lip-sync-one-file", direct: &["lipz-speech"], below: Below::AtMost(49) },
+    Rule { name: "bank-tool", direct: &["lipz-bank", "lipz-compiler", "lipz-host"], below: Below::AtMost(99) },
     Rule { name: "pack-in-memory", direct: &["lipz-bank", "lipz-compiler"], below: Below::AtMost(33) },
     Rule { name: "patch-and-text-bank", direct: &["lipz-host"], below: Below::AtMost(14) },
 ];

@@ -1,17 +1,19 @@
-//! `cargo xtask edges`: which crates depend on which, held to the rules in `allowed`.
+//! `cargo xtask edges`: checks the dependencies between crates against the rules in `allowed`, and the imports between
+//! their files against the order of `wings`.
 //!
-//! Direct dependencies are read from the manifests: every target and every optional one counts. Those below
-//! them are what cargo resolves for one target with the features on by default, so that a run needs no crate
-//! that the build did not need.
+//! Direct dependencies are read from the manifests: every target and every optional one counts. Dependencies below them
+//! are those that cargo resolves for one target with default features, so that a run needs only crates that the build
+//! needs.
 
 mod allowed;
+mod wings;
 
 use crate::Failure;
 use crate::cargo;
 use allowed::{Below, COMMAND_LINE_ONLY, FREE, RULES, ZEROCOPY};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The target whose transitive dependencies are checked, wherever the check runs.
+/// The target for the check of transitive dependencies, on any machine.
 const TARGET: &str = "x86_64-unknown-linux-gnu";
 
 /// The dependencies of a crate of the workspace, without those of its tests.
@@ -21,22 +23,39 @@ struct Edges {
     all: BTreeSet<String>,
 }
 
-pub(crate) fn run() -> Result<(), Failure> {
+/// Options of `cargo xtask edges`.
+#[derive(clap::Args, Debug)]
+pub(crate) struct Settings {
+    /// Print the files of the crates with wings, with their contents
+    #[arg(long)]
+    map: bool,
+}
+
+pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    if settings.map {
+        print!("{}", wings::map()?);
+        return Ok(());
+    }
+    let (numbers, against) = wings::check()?;
+    println!("{}", numbers.join("\n"));
     let found = edges_of_workspace()?;
-    let refused = refused(&found);
+    let refused = [refused(&found), against].concat();
     if refused.is_empty() {
         println!("the dependencies of {} crates are as allowed", found.len());
         return Ok(());
     }
-    Err(format!("{}\nxtask/src/edges/allowed.rs has the rules", refused.join("\n")))
+    Err(format!(
+        "{}\nxtask/src/edges/allowed.rs has the rules for crates, xtask/src/edges/wings/table.rs those for files",
+        refused.join("\n")
+    ))
 }
 
-/// Every edge that the rules do not allow, as a line to print.
+/// Returns one line for every edge that the rules do not allow.
 fn refused(found: &BTreeMap<String, Edges>) -> Vec<String> {
     let mut lines = Vec::new();
     for (name, edges) in found.iter().filter(|(name, _)| !FREE.contains(&name.as_str())) {
         let Some(rule) = RULES.iter().find(|rule| rule.name == name) else {
-            lines.push(format!("{name} has no rule: say what it may depend on"));
+            lines.push(format!("{name} has no rule: list its allowed dependencies"));
             continue;
         };
         let direct = edges.direct.iter().filter(|other| !rule.direct.contains(&other.as_str()));
@@ -50,7 +69,7 @@ fn refused(found: &BTreeMap<String, Edges>) -> Vec<String> {
                 lines.extend(below.map(|other| format!("{name} → {other}: not allowed below it")));
             }
             Below::AtMost(most) if edges.all.len() > most => {
-                lines.push(format!("{name}: {} crates below it, and {most} are allowed", edges.all.len()));
+                lines.push(format!("{name}: {} crates below it, but {most} are allowed", edges.all.len()));
             }
             Below::AtMost(_) => {}
         }
@@ -69,7 +88,7 @@ fn edges_of_workspace() -> Result<BTreeMap<String, Edges>, Failure> {
     Ok(found)
 }
 
-/// The crates that `cargo tree` lists below `package`.
+/// Returns the crates that `cargo tree` lists below `package`.
 fn below(package: &str) -> Result<BTreeSet<String>, Failure> {
     let what = ["tree", "--locked", "--edges", "normal", "--target", TARGET, "--package", package];
     let tree = cargo::output(&[&what[..], &["--prefix", "none", "--format", "{p}"]].concat())?;

@@ -1,4 +1,4 @@
-//! What a linked program has in its sections.
+//! The sizes of a linked program's sections.
 
 use object::{Object, ObjectSection, SectionKind};
 
@@ -6,13 +6,13 @@ use object::{Object, ObjectSection, SectionKind};
 pub(super) struct Sizes {
     /// Machine code.
     pub(super) code_bytes: u64,
-    /// Constants beside it.
+    /// Constants outside of the code.
     pub(super) constant_bytes: u64,
     /// Static memory: data and bss.
     pub(super) memory_bytes: u64,
 }
 
-/// Tables for unwinding, which no firmware that does not unwind keeps.
+/// Tables for unwinding, which firmware that does not unwind drops.
 const UNWINDING: &str = ".ARM.ex";
 
 /// Counts the sections of an ELF file.

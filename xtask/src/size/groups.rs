@@ -1,15 +1,15 @@
-//! What programs use of the reader, as entry points of firmware/size.
+//! The parts of the reader that programs use, as entry points of firmware/size.
 
 /// Queries that a program uses together.
 pub(super) struct Group {
     pub(super) name: &'static str,
     parts: &'static [&'static [&'static str]],
-    /// Most bytes of code on a Cortex-M4: what was reached, and three in a hundred for another compiler.
+    /// The limit for the code on a Cortex-M4, in bytes: the measured size, plus three percent for other compilers.
     pub(super) budget_bytes: Option<u64>,
 }
 
 impl Group {
-    /// The entry points.
+    /// Returns the entry points.
     pub(super) fn entries(&self) -> Vec<&'static str> {
         self.parts.concat()
     }
@@ -33,7 +33,7 @@ const VERIFY_LINES: &[&str] = &["size_verify_lines"];
 const VERIFY: &[&str] = &["size_verify"];
 const VERIFY_TEXTS: &[&str] = &["size_verify_texts"];
 
-/// Programs, each with all of the one before it.
+/// Programs. Each includes all of the one before it.
 pub(super) const PROGRAMS: [Group; 9] = [
     Group { name: "open", parts: &[OPEN], budget_bytes: Some(820) },
     Group { name: "+ find, frames and segments by time", parts: &[OPEN, FRAMES], budget_bytes: Some(1_645) },
@@ -51,7 +51,7 @@ pub(super) const PROGRAMS: [Group; 9] = [
         budget_bytes: Some(4_975),
     },
     Group {
-        name: "+ verify of mouths, texts and events",
+        name: "+ verify of visemes, texts and events",
         parts: &[OPEN, FRAMES, TEXT_BYTES, EVENTS, KEYS, TEXT_BANKS, TEXTS, EVENT_STRINGS, VERIFY_LINES, VERIFY_TEXTS],
         budget_bytes: Some(9_715),
     },
@@ -62,7 +62,7 @@ pub(super) const PROGRAMS: [Group; 9] = [
     },
 ];
 
-/// Single groups, each with all that it calls: what they share is counted in each.
+/// Single groups, each with all code that it calls: shared code counts in each.
 pub(super) const SINGLE: [Group; 15] = [
     Group { name: "alone: find", parts: &[&["size_clip"]], budget_bytes: None },
     Group { name: "alone: frame by time", parts: &[&["size_viseme_at"]], budget_bytes: None },
@@ -77,7 +77,7 @@ pub(super) const SINGLE: [Group; 15] = [
     Group { name: "alone: the face at a time", parts: &[FACE], budget_bytes: None },
     Group { name: "alone: the face at a time, and those of others", parts: &[FACES], budget_bytes: None },
     Group { name: "alone: open a text bank", parts: &[&["size_open_texts"]], budget_bytes: None },
-    Group { name: "alone: verify of mouths, texts and events", parts: &[VERIFY_LINES], budget_bytes: None },
+    Group { name: "alone: verify of visemes, texts and events", parts: &[VERIFY_LINES], budget_bytes: None },
     Group { name: "alone: verify", parts: &[VERIFY], budget_bytes: None },
 ];
 
@@ -101,10 +101,11 @@ const C_CURVES: &[&str] = &["lipz_clip_curve", "lipz_clip_curve_by_index", "lipz
 const C_EMOTIONS: &[&str] = &["lipz_clip_emotions_at"];
 const C_FACE: &[&str] = &["lipz_dialogue_face_profile", "lipz_clip_face_at"];
 
-/// Programs in C, with the library that `cargo xtask capi` builds. Emotions and faces of others need no more functions.
+/// Programs in C, with the library that `cargo xtask capi` builds. Emotions and faces of other characters need no
+/// further functions.
 pub(super) const C_PROGRAMS: [Group; 10] = [
     Group { name: "C: open", parts: &[C_OPEN], budget_bytes: Some(1_605) },
-    Group { name: "C: + find, mouths by time", parts: &[C_OPEN, C_MOUTHS], budget_bytes: Some(4_480) },
+    Group { name: "C: + find, visemes by time", parts: &[C_OPEN, C_MOUTHS], budget_bytes: Some(4_480) },
     Group { name: "C: + locales, segments, texts", parts: &[C_OPEN, C_MOUTHS, C_TEXTS], budget_bytes: Some(7_130) },
     Group {
         name: "C: + typed events, names",

@@ -1,4 +1,4 @@
-//! Linking entry points with what they call, and nothing else.
+//! Links entry points with only the code that they call.
 
 use super::elf::{Sizes, sizes};
 use crate::Failure;
@@ -19,8 +19,8 @@ impl Linker {
         Ok(Linker { program: program.to_owned(), library: library.to_owned(), folder: temporary_folder()? })
     }
 
-    /// The size of the entry points with all that they call. If that is a panic or an allocation, a
-    /// symbol is undefined, and this is a failure.
+    /// Returns the size of the entry points with all code that they call. Fails with an undefined symbol if that
+    /// includes a panic or an allocation.
     pub(super) fn link(&self, entries: &[&str]) -> Result<Sizes, Failure> {
         let (output, program) = self.run(entries)?;
         if !output.status.success() {
@@ -30,12 +30,12 @@ impl Linker {
         sizes(&bytes).map_err(|error| format!("the linked program: {error}"))
     }
 
-    /// The negative control: an entry point that must fail for want of `symbol`.
+    /// The negative control: checks that an entry point fails to link because of `symbol`.
     pub(super) fn must_not_link(&self, entry: &str, symbol: &str) -> Result<(), Failure> {
         let (output, _) = self.run(&[entry])?;
         let errors = String::from_utf8_lossy(&output.stderr);
         if output.status.success() || !errors.contains(&format!("undefined symbol: {symbol}")) {
-            return Err(format!("`{entry}` does not fail for want of `{symbol}` as it must: the proof shows nothing"));
+            return Err(format!("`{entry}` does not fail with an undefined `{symbol}`, so the proof is invalid"));
         }
         Ok(())
     }

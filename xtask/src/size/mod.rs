@@ -1,9 +1,8 @@
-//! `cargo xtask size`: what the reader costs in a firmware, and proofs that it can neither panic nor
-//! allocate.
+//! `cargo xtask size`: measures the reader's size in firmware, and proves that it can neither panic nor allocate.
 //!
-//! firmware/size has an entry point for each query. A linker that drops what nobody calls leaves of
-//! the reader what a program needs that uses these queries (`groups`); sections of the result are
-//! counted (`elf`). firmware/proof calls every public function: it is linked, and not counted.
+//! firmware/size has an entry point for each query. A linker that drops unused code keeps only the parts of the reader
+//! that a program with these queries needs (`groups`), and the sections of the result are measured (`elf`).
+//! firmware/proof calls every public function. It is linked, but not measured.
 
 mod elf;
 mod groups;
@@ -17,7 +16,7 @@ use groups::{C_PROGRAMS, Group, PROGRAMS, SINGLE};
 use link::Linker;
 use std::process::Command;
 
-/// The processors: with the budgets, and without.
+/// The processors: with limits, and without.
 const M4: &str = "thumbv7em-none-eabi";
 const M0: &str = "thumbv6m-none-eabi";
 
@@ -26,7 +25,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     let ([Some(m4), Some(m0)], Some(linker)) = (&toolchains, rust_lld()) else {
         return skip("the sources of Rust (`rustup component add rust-src`, or Debian's rust-web-src), and rust-lld");
     };
-    // One command for both: one unit of code keeps one core busy.
+    // One command for both, because one codegen unit keeps only one core busy.
     let mut build = m4.firmware("build");
     build.args(["--target", M0, "--quiet", "--release", "--package", "firmware-size", "--package", "firmware-proof"]);
     succeed(&mut build, "the build of the entry points")?;
@@ -55,11 +54,13 @@ pub(crate) fn run() -> Result<(), Failure> {
         linker.must_not_link("control_panic", "panic_is_reachable")?;
         linker.must_not_link("control_allocator", "allocator_is_reachable")?;
     }
-    println!("\nno static memory; no public function can reach a panic or an allocator: the two that can do not link");
+    println!(
+        "\nno static memory; no public function can reach a panic or an allocator; the two controls that can do not link"
+    );
     if above.is_empty() { Ok(()) } else { Err(format!("above the budget: {}", above.join(", "))) }
 }
 
-/// The build of the library for C, as for firmware.
+/// Returns the build of the library for C, with the options for firmware.
 fn c_library(toolchain: &Toolchain) -> Command {
     let mut command = toolchain.as_firmware("rustc");
     command.args(["--quiet", "--package", "lipz-capi", "--lib"]);
@@ -67,7 +68,7 @@ fn c_library(toolchain: &Toolchain) -> Command {
     command
 }
 
-/// Prints what a group needs on each processor.
+/// Prints the requirements of a group on each processor.
 fn row(group: &Group, linkers: &[Linker], above: &mut Vec<&'static str>) -> Result<(), Failure> {
     let mut sizes = Vec::new();
     for linker in linkers {

@@ -1,14 +1,14 @@
-//! Which letters of a word stand for which of its phones: each letter for none, one or two.
+//! Aligns the letters of words with their phones: each letter stands for none, one or two.
 //!
-//! Nobody has written that down for the dictionary, so it is estimated: the best way through each word by the
-//! probabilities so far, then the probabilities anew from the ways.
+//! The dictionary does not contain this alignment, so it is estimated: first the best path through each word with the
+//! current probabilities, then new probabilities from the paths.
 
 use super::source::{PHONES, Words};
 
-/// What a letter stands for.
+/// The phones of a letter.
 pub(super) type Sounds = Vec<u8>;
 
-/// A word with what each of its letters stands for.
+/// A word with the phones of each of its letters.
 #[derive(Debug)]
 pub(super) struct Aligned {
     pub(super) letters: Vec<u8>,
@@ -20,9 +20,9 @@ const LETTERS: usize = 27;
 const SINGLE: usize = 1;
 const PAIR: usize = SINGLE + PHONES.len();
 const ALL: usize = PAIR + PHONES.len() * PHONES.len();
-/// How often probabilities are estimated; after six times no way changes that matters.
+/// The number of estimation rounds. After six, no important path changes.
 const ROUNDS: usize = 6;
-/// A word whose letters explain its phones this badly, per letter, is an abbreviation: `mrs`, `lbs`.
+/// If the letters explain the phones less well than this, per letter, the word is an abbreviation: `mrs`, `lbs`.
 const WORST_MEAN: f64 = 0.012;
 
 fn letter(byte: u8) -> usize {
@@ -70,7 +70,7 @@ pub(super) fn align(words: &Words) -> Vec<Aligned> {
     aligned
 }
 
-/// Letters and phones at about the same place in their word belong together.
+/// Pairs letters and phones at about the same position in their word.
 fn first_guess(pairs: &[(&[u8], &[u8])]) -> Vec<[f64; ALL]> {
     let mut counts = vec![[0.0; ALL]; LETTERS];
     for (word, phones) in pairs {
@@ -95,7 +95,7 @@ fn first_guess(pairs: &[(&[u8], &[u8])]) -> Vec<[f64; ALL]> {
     normalised(counts)
 }
 
-/// Counts as chances; none is zero, so that every word has a way.
+/// Converts counts to probabilities. None is zero, so that every word has a path.
 fn normalised(mut counts: Vec<[f64; ALL]>) -> Vec<[f64; ALL]> {
     for counts in &mut counts {
         let sum: f64 = counts.iter().sum::<f64>() + 1.0;
@@ -106,7 +106,8 @@ fn normalised(mut counts: Vec<[f64; ALL]>) -> Vec<[f64; ALL]> {
     counts
 }
 
-/// The most likely way through a word, and how likely it is. Products of 28 chances do not vanish in an `f64`.
+/// Returns the most likely path through a word, and its probability. Products of 28 probabilities do not underflow in
+/// an `f64`.
 fn best_way(word: &[u8], phones: &[u8], chances: &[[f64; ALL]]) -> Option<(Vec<Sounds>, f64)> {
     let width = phones.len() + 1;
     let mut best = vec![0.0_f64; (word.len() + 1) * width];

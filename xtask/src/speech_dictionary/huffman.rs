@@ -1,4 +1,4 @@
-//! Huffman codes in their canonical form: all that is written are the lengths of the codes.
+//! Huffman codes in their canonical form: only the lengths of the codes are written.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -6,15 +6,16 @@ use std::collections::BinaryHeap;
 /// The code of each symbol.
 #[derive(Debug)]
 pub(super) struct Code {
-    /// How many bits each symbol takes.
+    /// The number of bits of each symbol.
     pub(super) lengths: Vec<u8>,
     codes: Vec<u32>,
 }
 
 impl Code {
-    /// The shortest code for symbols that appear this often. Every symbol gets one, also those that never appear.
+    /// Returns the shortest code for symbols with these frequencies. Every symbol gets a code, even with a frequency of
+    /// 0.
     pub(super) fn new(counts: &[u64]) -> Code {
-        // Nodes: the symbols, then the pairs. The parent of each, to count the steps to the root.
+        // Nodes: the symbols, then the pairs. For each node its parent, to count the steps to the root.
         let mut parents = vec![0_usize; counts.len()];
         let mut heap: BinaryHeap<Reverse<(u64, usize)>> =
             counts.iter().enumerate().map(|(symbol, count)| Reverse((count.max(&1).to_owned(), symbol))).collect();
@@ -53,7 +54,7 @@ impl Code {
     }
 }
 
-/// Bits, the first one highest in its byte.
+/// Bits, stored from the highest bit of each byte.
 #[derive(Default, Debug)]
 pub(super) struct Bits {
     pub(super) bytes: Vec<u8>,

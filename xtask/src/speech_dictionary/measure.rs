@@ -1,10 +1,10 @@
-//! How good the rules are: learnt from nine tenths of the dictionary, tried on the other tenth.
+//! Measures the rules: learnt from nine tenths of the dictionary, tested on the remaining tenth.
 
 use super::source::{PHONES, Words};
 use super::{align, pack, tree};
 use crate::Failure;
 
-/// What the errors of one kind of unit add up to.
+/// The sums of errors for one kind of unit.
 #[derive(Default)]
 struct Errors {
     wrong: usize,
@@ -41,7 +41,7 @@ pub(super) fn report(words: &Words) -> Result<String, Failure> {
         visemes.all += length;
     }
     Ok(format!(
-        "rules: {} bytes; on {} words that they were not learnt from: {:.1} % of phones wrong, {:.1} % of mouth shapes, \
+        "rules: {} bytes; on {} other words: {:.1} % of phones wrong, {:.1} % of mouth shapes, \
          {:.1} % of words\nall words packed with these rules: {} bytes\n",
         tree.bytes.len(),
         exact.all,
@@ -52,7 +52,8 @@ pub(super) fn report(words: &Words) -> Result<String, Failure> {
     ))
 }
 
-/// The coarse mouth shapes of phones: closed, lip on teeth, round, open, tongue up, narrow; equal neighbours are one.
+/// Returns the coarse mouth shapes of phones (closed, lip on teeth, round, open, tongue up, narrow), with equal
+/// neighbours merged.
 fn shapes(phones: &[u8]) -> Vec<u8> {
     let shape = |phone: &u8| match PHONES[usize::from(*phone)] {
         "B" | "M" | "P" => b'M',
@@ -67,7 +68,7 @@ fn shapes(phones: &[u8]) -> Vec<u8> {
     shapes
 }
 
-/// How many insertions, deletions and changes lead from one to the other.
+/// Returns the number of insertions, deletions and changes between two sequences.
 fn distance(one: &[u8], two: &[u8]) -> usize {
     let mut row: Vec<usize> = (0..=two.len()).collect();
     for (at, from) in one.iter().enumerate() {

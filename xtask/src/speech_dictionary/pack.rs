@@ -1,19 +1,19 @@
-//! The dictionary, packed: words in order, each without what it shares with the one before, then its phones, unless
-//! the rules say the same. `crates/lipz-speech/src/pronounce/english/words.rs` reads the bytes and describes them.
+//! The dictionary, packed: words in order, each without the start shared with the one before, then its phones, unless
+//! they match the rules. `crates/lipz-speech/src/pronounce/english/words.rs` reads the bytes and describes them.
 
 use super::huffman::{Bits, Code};
 use super::source::{PHONES, Words};
 use super::tree::Tree;
 use crate::Failure;
 
-/// Words in a block. A search decodes one block.
+/// The number of words in a block. A search decodes one block.
 const BLOCK: usize = 32;
-/// Symbols of words: `'`, `.`, `a` to `z`, and the end.
+/// The symbols of words: `'`, `.`, `a` to `z`, and the end.
 const END_OF_WORD: usize = 28;
 const LETTERS: usize = END_OF_WORD + 1;
-/// Numbers of letters that are shared with the word before.
+/// The number of values for letters shared with the previous word.
 const SHARED: usize = 32;
-/// Symbols of pronunciations: the phones; that the rules are right; the end; that another pronunciation follows.
+/// The symbols of pronunciations: the phones; "as in the rules"; the end; "another pronunciation follows".
 const AS_RULES: usize = PHONES.len();
 const END: usize = PHONES.len() + 1;
 const ANOTHER: usize = PHONES.len() + 2;
@@ -89,7 +89,8 @@ fn entries(words: &Words, tree: &Tree) -> Vec<Entry> {
     entries
 }
 
-/// FNV-1a over all words and phones, so that a test of lipz-speech can tell that it reads what was written.
+/// Returns the FNV-1a hash of all words and phones, with which a test of lipz-speech checks that it reads the same
+/// data.
 fn checksum(words: &Words) -> u32 {
     let mut hash = 0x811c_9dc5_u32;
     let mut add = |byte: u8| hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);

@@ -1,4 +1,4 @@
-//! The dictionary as it is published: a package that pip fetches, and its lines.
+//! The published dictionary: a package that pip fetches, and its lines.
 
 use super::PACKAGE;
 use crate::Failure;
@@ -14,10 +14,10 @@ pub(super) const PHONES: [&str; 39] = [
     "L", "M", "N", "NG", "OW", "OY", "P", "R", "S", "SH", "T", "TH", "UH", "UW", "V", "W", "Y", "Z", "ZH",
 ];
 
-/// Each word with its pronunciations, numbers of phones, in the order of the dictionary.
+/// Each word with its pronunciations, as numbers of phones, in the order of the dictionary.
 pub(super) type Words = BTreeMap<String, Vec<Vec<u8>>>;
 
-/// The text of the dictionary, and its licence if it was fetched.
+/// Returns the text of the dictionary, and its licence if it was fetched.
 pub(super) fn read(file: Option<&Path>) -> Result<(String, Option<String>), Failure> {
     let read = |path: &Path| {
         std::fs::read_to_string(path).map_err(|error| format!("`{}` cannot be read: {error}", path.display()))
@@ -40,7 +40,7 @@ pub(super) fn read(file: Option<&Path>) -> Result<(String, Option<String>), Fail
     Ok((read(&data.join("cmudict.dict"))?, Some(read(&data.join("LICENSE"))?)))
 }
 
-/// The words of the dictionary, without stress. Those with hyphens are left out: texts are divided there.
+/// Parses the words of the dictionary, without stress. Words with hyphens are omitted, because texts are divided there.
 pub(super) fn parse(text: &str) -> Result<Words, Failure> {
     let mut words = Words::new();
     for (number, line) in text.lines().enumerate() {

@@ -1,20 +1,20 @@
-//! Letter-to-sound rules as a tree of decisions: what a letter stands for, by the letters around it.
+//! Letter-to-sound rules as a decision tree: the phones of a letter by the letters around it.
 //!
-//! Each node asks for the neighbour that says most about the sound, and knows the most frequent sound for neighbours
-//! that it has never seen. `crates/lipz-speech/src/pronounce/english/letters.rs` reads the bytes and describes them.
+//! Each node tests the neighbour with the most information about the phones, and stores the most frequent phones for
+//! unseen neighbours. `crates/lipz-speech/src/pronounce/english/letters.rs` reads the bytes and describes them.
 
 use super::align::{Aligned, Sounds};
 use crate::Failure;
 use std::collections::BTreeMap;
 
-/// Where the neighbours stand that a node may ask for.
+/// The positions of neighbours that a node may test.
 pub(super) const NEIGHBOURS: [isize; 10] = [1, -1, 2, -2, 3, -3, 4, -4, 5, -5];
-/// What stands outside of a word.
+/// The letter outside of a word.
 const OUTSIDE: u8 = b'#';
-/// A neighbour that was seen less often is no rule.
+/// The number of occurrences below which a neighbour makes no rule.
 const LEAST_SEEN: usize = 3;
 
-/// The tree, packed, and the same for use here.
+/// The packed tree, and the same for use here.
 #[derive(Debug)]
 pub(super) struct Tree {
     pub(super) bytes: Vec<u8>,
@@ -24,9 +24,9 @@ pub(super) struct Tree {
 
 #[derive(Debug)]
 struct Node {
-    /// The most frequent sounds, an index of the table.
+    /// The most frequent phones, an index in the table.
     sounds: u8,
-    /// Which neighbour is asked for, and what follows; empty for a leaf.
+    /// The neighbour that is tested, and the next nodes; empty for a leaf.
     neighbour: usize,
     next: BTreeMap<u8, Node>,
 }
@@ -43,7 +43,7 @@ fn neighbour(word: &[u8], at: usize, neighbour: usize) -> u8 {
     place.and_then(|place| word.get(place)).copied().unwrap_or(OUTSIDE)
 }
 
-/// Learns the rules of aligned words.
+/// Learns the rules from aligned words.
 pub(super) fn learn(words: &[Aligned]) -> Result<Tree, Failure> {
     let mut seen: BTreeMap<&Sounds, usize> = BTreeMap::new();
     for sounds in words.iter().flat_map(|word| &word.sounds) {
@@ -69,19 +69,19 @@ pub(super) fn learn(words: &[Aligned]) -> Result<Tree, Failure> {
     Ok(Tree { bytes, sounds, roots })
 }
 
-/// The node for these places, after the neighbours `asked` on the way.
+/// Returns the node for these places, after the neighbours `asked` on the path.
 fn grow(places: &[Place<'_>], asked: &mut Vec<usize>) -> Node {
     let mut counts = [0_usize; 256];
     for place in places {
         counts[usize::from(place.sounds)] += 1;
     }
-    // The first of the most frequent: the more frequent everywhere.
+    // The first of the most frequent ones. The table is ordered by total frequency.
     let best = (0..=u8::MAX).rev().max_by_key(|sounds| counts[usize::from(*sounds)]).unwrap_or_default();
     let leaf = Node { sounds: best, neighbour: 0, next: BTreeMap::new() };
     if counts[usize::from(best)] == places.len() {
         return leaf;
     }
-    // The question with the least mixed answers (Gini): the sum over answers of Σ count² / count.
+    // The test with the least mixed results (Gini): the sum over results of Σ count² / count.
     let mut question = None;
     for candidate in (0..NEIGHBOURS.len()).filter(|candidate| !asked.contains(candidate)) {
         let purity = purity(places, candidate);
@@ -102,7 +102,7 @@ fn grow(places: &[Place<'_>], asked: &mut Vec<usize>) -> Node {
             continue;
         }
         let node = grow(&places, asked);
-        // What says the same as this node need not be written.
+        // A node with the same result as this one is omitted.
         if !node.next.is_empty() || node.sounds != best {
             next.insert(answer, node);
         }
@@ -111,8 +111,8 @@ fn grow(places: &[Place<'_>], asked: &mut Vec<usize>) -> Node {
     Node { sounds: best, neighbour: question, next }
 }
 
-/// How unmixed the sounds are after a question: the sum over its answers of Σ count² / count. Whole numbers but for the
-/// last step, in a fixed order: the same everywhere.
+/// Returns the purity of the phones after a test: the sum over its results of Σ count² / count. Computed in whole
+/// numbers until the last step, in a fixed order, and therefore the same everywhere.
 fn purity(places: &[Place<'_>], question: usize) -> f64 {
     let mut pairs: Vec<(u8, u8)> =
         places.iter().map(|place| (neighbour(place.word, place.at, question), place.sounds)).collect();
@@ -126,7 +126,7 @@ fn purity(places: &[Place<'_>], question: usize) -> f64 {
 }
 
 impl Tree {
-    /// What the rules make of a word.
+    /// Applies the rules to a word.
     pub(super) fn phones(&self, word: &[u8]) -> Vec<u8> {
         let mut phones = Vec::new();
         for at in 0..word.len() {
@@ -140,12 +140,12 @@ impl Tree {
     }
 }
 
-/// The table of sounds, the roots of `'` and `a` to `z`, then the nodes.
+/// Writes the table of phones, the roots of `'` and `a` to `z`, then the nodes.
 fn write(sounds: &[Sounds], roots: &BTreeMap<u8, Node>) -> Result<Vec<u8>, Failure> {
     let mut bytes = b"LZLS".to_vec();
-    bytes.push(u8::try_from(sounds.len()).map_err(|_| "too many sounds")?);
+    bytes.push(u8::try_from(sounds.len()).map_err(|_| "too many phones")?);
     for sounds in sounds {
-        // None is 255.
+        // A missing phone is 255.
         bytes.push(sounds.first().copied().unwrap_or(u8::MAX));
         bytes.push(sounds.get(1).copied().unwrap_or(u8::MAX));
     }
@@ -159,7 +159,7 @@ fn write(sounds: &[Sounds], roots: &BTreeMap<u8, Node>) -> Result<Vec<u8>, Failu
     Ok(bytes)
 }
 
-/// Writes what follows a node, then the node; returns where it is.
+/// Writes the nodes after a node, then the node itself. Returns its offset.
 fn write_node(node: &Node, bytes: &mut Vec<u8>) -> Result<[u8; 3], Failure> {
     let mut next = Vec::new();
     for (answer, child) in &node.next {

@@ -1,6 +1,7 @@
 //! `cargo xtask speech-model`: makes the acoustic model of lipz-speech from CMU Sphinx's model of US English.
 //!
-//! [`wheel`] fetches the package, [`sphinx`] reads its files, [`pack`] writes ours: the same bytes each time.
+//! [`wheel`] fetches the package, [`sphinx`] reads its files, [`pack`] writes the model. The bytes are the same each
+//! time.
 
 mod pack;
 mod pairs;
@@ -9,17 +10,17 @@ mod sphinx;
 use crate::{Failure, paths, wheel};
 use std::fs;
 
-/// The package, and what its file must hash to. Packages for all systems hold the same model.
+/// The package, with the expected hash of its file. Packages for all systems contain the same model.
 const REQUIREMENT: &str =
     "pocketsphinx==5.1.1 --hash=sha256:bb8fd0fc7fb08dd8f85da21f5121f34ebf4186a5bee91ce85e2d358e69a448bf\n";
 
-/// Where the model is in the package.
+/// The folder of the model in the package.
 const FOLDER: &str = "pocketsphinx/model/en-us/en-us";
 
-/// Where its dictionary is: the one from which phones are known that follow each other.
+/// The path of its dictionary, from which the sequences of phones are counted.
 const DICTIONARY: &str = "pocketsphinx/model/en-us/cmudict-en-us.dict";
 
-/// Where ours is in the workspace.
+/// The path of the packed model in the workspace.
 const PACKED: &str = "crates/lipz-speech/model/en-us.bin";
 
 pub(crate) fn run() -> Result<(), Failure> {

@@ -1,4 +1,4 @@
-//! Writes an acoustic model in the form that `lipz_speech::Model` reads, which its documentation describes.
+//! Writes an acoustic model in the format of `lipz_speech::Model`, whose documentation describes it.
 
 use super::pairs;
 use super::sphinx::Model;
@@ -12,7 +12,7 @@ const LEAST_VARIANCE: f32 = 1e-4;
 
 pub(super) fn pack(model: &Model, dictionary: &str) -> Result<Vec<u8>, Failure> {
     let mut order: Vec<usize> = (0..model.phones.len()).collect();
-    // Those of speech by name, then silence, then noises.
+    // Phones of speech by name, then silence, then noises.
     order.sort_by_key(|&phone| {
         let name = &model.phones[phone];
         (name.starts_with('+'), name == "SIL", name)

@@ -1,12 +1,12 @@
-//! How often phones follow each other, from a dictionary.
+//! The frequencies of sequences of phones, from a dictionary.
 
 use std::collections::HashMap;
 
-/// How many words are followed by a pause, of one hundred.
+/// The percentage of words before a pause.
 const PAUSES: f64 = 15.0;
 
-/// The negative logarithm of the probability that each of `phones` follows each, in sixteenths. The last is silence. Each word of the
-/// dictionary counts once, and each may follow each.
+/// Returns the negative logarithm of the probability of each pair of `phones`, in sixteenths. The last phone is
+/// silence. Each word of the dictionary counts once, and may follow any word.
 pub(super) fn costs(phones: &[&str], dictionary: &str) -> Vec<u8> {
     let numbers: HashMap<&str, usize> = phones.iter().enumerate().map(|(number, &phone)| (phone, number)).collect();
     let (count, silence) = (phones.len(), phones.len() - 1);

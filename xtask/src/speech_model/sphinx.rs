@@ -1,4 +1,4 @@
-//! Reads the files of an acoustic model of CMU Sphinx, as far as it knows phones without context.
+//! Reads the files of an acoustic model of CMU Sphinx, except for phones in context.
 //!
 //! The formats are those of SphinxTrain: `s3` files with a text header, then numbers in the byte order of a mark.
 
@@ -6,7 +6,7 @@ use crate::Failure;
 use std::fs;
 use std::path::Path;
 
-/// The mark that tells the byte order.
+/// The byte order mark.
 const BYTE_ORDER: u32 = 0x1122_3344;
 
 /// A phonetically tied model without its triphones.
@@ -15,14 +15,15 @@ pub(super) struct Model {
     /// The names of the phones, in the order of the file.
     pub(super) phones: Vec<String>,
     pub(super) streams: usize,
-    /// Gaussians in each stream of each phone.
+    /// The number of Gaussians in each stream of each phone.
     pub(super) densities: usize,
-    /// Numbers in the vector of a stream.
+    /// The number of dimensions in the vector of a stream.
     pub(super) dimensions: usize,
     /// By phone, stream, Gaussian, dimension.
     pub(super) means: Vec<f32>,
     pub(super) variances: Vec<f32>,
-    /// By state (three per phone), stream, Gaussian: how unlikely, in steps of 1024 · ln 1.0001.
+    /// By state (three per phone), stream, Gaussian: the negative logarithm of the weight, in steps of 1024 · ln
+    /// 1.0001.
     pub(super) weights: Vec<u8>,
     /// The probability of staying, by state.
     pub(super) stay: Vec<f32>,
@@ -47,7 +48,7 @@ impl Model {
     }
 }
 
-/// The names of the phones, from a model definition in its binary form.
+/// Reads the names of the phones from a model definition in its binary form.
 fn phones(file: &mut File<'_>) -> Result<Vec<String>, Failure> {
     if file.take(4)? != b"BMDF" || file.number()? != 1 {
         return Err(file.fault("not a binary model definition"));
@@ -59,7 +60,7 @@ fn phones(file: &mut File<'_>) -> Result<Vec<String>, Failure> {
     (0..count).map(|_| file.name_of_phone()).collect()
 }
 
-/// Codebooks, streams, densities and dimensions, and the numbers in this order.
+/// Reads the numbers of codebooks, streams, densities and dimensions, and the values in this order.
 fn gaussians(file: &mut File<'_>) -> Result<([usize; 4], Vec<f32>), Failure> {
     file.skip_header()?;
     let (codebooks, streams, densities) = (file.number()?, file.number()?, file.number()?);
@@ -77,7 +78,8 @@ fn gaussians(file: &mut File<'_>) -> Result<([usize; 4], Vec<f32>), Failure> {
     Ok(([codebooks, streams, densities, dimensions], numbers))
 }
 
-/// The weights of the first `states` states, by state, stream, density; the file has them by stream, density, state.
+/// Reads the weights of the first `states` states, by state, stream, density. The file has them by stream, density,
+/// state.
 fn weights(file: &mut File<'_>, [streams, densities, states]: [usize; 3]) -> Result<Vec<u8>, Failure> {
     loop {
         match file.number()? {
@@ -100,7 +102,7 @@ fn weights(file: &mut File<'_>, [streams, densities, states]: [usize; 3]) -> Res
     Ok(weights)
 }
 
-/// The probability of staying in each state, from counts of transitions.
+/// Reads the probability of staying in each state, from counts of transitions.
 fn stay(file: &mut File<'_>, phones: usize) -> Result<Vec<f32>, Failure> {
     file.skip_header()?;
     let (matrices, from, to, _) = (file.number()?, file.number()?, file.number()?, file.number()?);
@@ -117,7 +119,7 @@ fn stay(file: &mut File<'_>, phones: usize) -> Result<Vec<f32>, Failure> {
     Ok(stay)
 }
 
-/// What is left of a file.
+/// The unread part of a file.
 struct File<'a> {
     name: &'static str,
     rest: &'a [u8],
@@ -155,7 +157,7 @@ impl<'a> File<'a> {
         Ok(name)
     }
 
-    /// Skips the text at the start of an `s3` file and the mark of its byte order, which must be ours.
+    /// Skips the text at the start of an `s3` file and the byte order mark, which must match this machine.
     fn skip_header(&mut self) -> Result<(), Failure> {
         const END: &[u8] = b"endhdr\n";
         let end = self.rest.windows(END.len()).position(|window| window == END);

@@ -1,5 +1,5 @@
-//! A target on which there is no std: a reader that needs it does not build. It is that of a firmware, with what is
-//! built of the standard library for it.
+//! A target without std, on which a reader with std does not build. It is a target of the firmware, and shares its
+//! build of the standard library.
 
 use super::cortex_m;
 use crate::Failure;
@@ -12,11 +12,11 @@ pub(super) fn run() -> Result<(), Failure> {
         return skip(NEEDS);
     };
     succeed(&mut reader(&toolchain), "the build of the reader without std")?;
-    // The negative control: with std there must be an error, or the build above shows nothing.
+    // The negative control: with std, the build must fail. Otherwise the build above proves nothing.
     let output = reader(&toolchain).args(["--features", "std"]).output().map_err(|error| error.to_string())?;
     let errors = String::from_utf8_lossy(&output.stderr);
     if output.status.success() || !errors.contains("can't find crate for `std`") {
-        return Err(format!("a reader that needs std does not fail as it must:\n{errors}"));
+        return Err(format!("the reader with std must fail because of the missing std, but did not:\n{errors}"));
     }
     println!("the reader builds without std; with it, it does not");
     Ok(())

@@ -1,5 +1,4 @@
-//! The banks that a machine without a system is given: the golden one, and two that it must refuse,
-//! without which nobody would know that it checks anything.
+//! The banks for a machine without a system: the golden one, and two that it must reject, to show that it checks them.
 
 use crate::Failure;
 use crate::paths::{temporary_folder, workspace_root};
@@ -8,13 +7,13 @@ use lipz_layout::{CHECKED_FROM, checksum};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-/// The clip of which a control changes a frame.
+/// The clip in which a control changes a frame.
 const CLIP: &str = "act1/mara-good-evening";
 
-/// Where the checksum stands in the header.
+/// The offset of the checksum in the header.
 const CHECKSUM: std::ops::Range<usize> = 8..16;
 
-/// Gives a machine the banks: `run` starts it with a bank and the expected answers.
+/// Checks a machine with the banks. `run` starts it with a bank and the expected answers.
 pub(super) fn check(run: impl Fn(&Path, &Path) -> std::io::Result<Output>) -> Result<(), Failure> {
     let golden = workspace_root().join("fixtures/banks/v1/drama.lipzbank");
     let answers = golden.with_extension("dump");
@@ -42,16 +41,16 @@ pub(super) fn check(run: impl Fn(&Path, &Path) -> std::io::Result<Output>) -> Re
     Ok(())
 }
 
-/// A bank that a machine must refuse.
+/// A bank that a machine must reject.
 struct Control {
     name: &'static str,
     bytes: Vec<u8>,
-    /// What must be said about it.
+    /// The expected message.
     expected: String,
 }
 
-/// Banks with one frame changed: one is damaged; the other has the right checksum again, so that only the
-/// answers can give it away.
+/// Returns banks with one changed frame: one is damaged; the other has a correct checksum, so that only its answers
+/// differ.
 fn controls(bytes: &[u8]) -> Result<[Control; 2], Failure> {
     let bank = Bank::open(bytes).map_err(|error| error.to_string())?;
     let clip = bank.clip(ClipId::from_key(CLIP)).ok_or("the golden bank has lost a clip")?;

@@ -1,4 +1,4 @@
-//! Firmware on a Cortex-M that QEMU emulates: the bank lies in memory, outside of the image.
+//! Firmware on a Cortex-M in QEMU, with a bank in memory outside of the image.
 
 use super::controls;
 use crate::Failure;
@@ -9,11 +9,11 @@ use std::process::{Command, Output, Stdio};
 
 const EMULATOR: &str = "qemu-system-arm";
 
-/// Where the emulator puts the bank and the expected answers; firmware/cortex-m/mps2.ld says it, too.
+/// The address at which the emulator loads the bank and the expected answers, as in firmware/cortex-m/mps2.ld.
 const BANK_ADDRESS: &str = "0x21000000";
 const ANSWERS_ADDRESS: &str = "0x21800000";
 
-/// A processor and the machine that it is in.
+/// A processor and its machine.
 pub(super) struct Processor {
     pub(super) target: &'static str,
     machine: &'static str,
@@ -21,7 +21,7 @@ pub(super) struct Processor {
 
 pub(super) const M4: Processor = Processor { target: "thumbv7em-none-eabi", machine: "mps2-an386" };
 
-/// QEMU has no Cortex-M0 with memory for a bank: a Cortex-M3 runs its instructions.
+/// QEMU has no Cortex-M0 with enough memory for a bank. A Cortex-M3 runs its instructions.
 pub(super) const M0: Processor = Processor { target: "thumbv6m-none-eabi", machine: "mps2-an385" };
 
 pub(super) fn run(processor: &Processor) -> Result<(), Failure> {

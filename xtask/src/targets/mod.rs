@@ -1,7 +1,7 @@
-//! `cargo xtask targets`: the reader on other machines than this one.
+//! `cargo xtask targets`: tests the reader on other machines.
 //!
-//! Each kind of machine is a file: processors without a system, machines that run the whole test
-//! suite, wasm, and a target without std on which nothing runs.
+//! Each kind of machine has a file: processors without a system, machines that run the whole test suite, wasm, and a
+//! target without std on which nothing runs.
 
 mod bare;
 mod controls;
@@ -13,10 +13,10 @@ use crate::Failure;
 use clap::{Args, ValueEnum};
 use std::time::Instant;
 
-/// Which machines.
+/// The machines to test.
 #[derive(Args, Debug)]
 pub(crate) struct Settings {
-    /// The targets to run; all of them, if none is named
+    /// Targets to run [default: all]
     #[arg(value_enum)]
     targets: Vec<Target>,
 }

@@ -1,4 +1,4 @@
-//! The whole test suite of the reader on machines of another byte order or word size.
+//! The whole test suite of the reader on machines with a different byte order or word size.
 
 use crate::Failure;
 use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
@@ -6,15 +6,15 @@ use crate::tools::{has_program, skip, succeed};
 
 const STATIC: &str = "-Ctarget-feature=+crt-static";
 
-/// Cases of a property, of which there are 256 elsewhere: the byte order matters to all or to none.
+/// The number of cases of a property, instead of 256: the byte order affects either all cases or none.
 const EMULATED_CASES: &str = "32";
 
 /// A machine with a system.
 pub(super) struct Machine {
     target: &'static str,
-    /// A C compiler for the target, which links; Debian's package has the same name.
+    /// A C compiler for the target, used to link. Debian's package has the same name.
     linker: &'static str,
-    /// What runs its programs, unless this machine does.
+    /// The emulator for its programs, if this machine cannot run them.
     emulator: Option<&'static str>,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Machine {
 pub(super) const BIG_ENDIAN: Machine =
     Machine { target: "s390x-unknown-linux-gnu", linker: "s390x-linux-gnu-gcc", emulator: Some("qemu-s390x") };
 
-/// 32 bits, little-endian: a processor of 64 bits runs its programs.
+/// 32 bits, little-endian: a 64-bit processor runs its programs.
 pub(super) const BITS_32: Machine =
     Machine { target: "i686-unknown-linux-gnu", linker: "i686-linux-gnu-gcc", emulator: None };
 
@@ -40,17 +40,17 @@ pub(super) fn run(machine: &Machine) -> Result<(), Failure> {
     let mut tests = toolchain.cargo("test");
     tests.args(["--quiet", "--package", "lipz-bank"]);
     tests.env(variable(machine.target, "LINKER"), machine.linker);
-    // The programs bring their libraries.
+    // The programs are linked statically.
     let mut flags = STATIC.to_owned();
     if let Some(linker) = rust_lld() {
-        // Found by the C compiler as `ld.lld` beside it; the linkers of Debian's cross compilers take longer.
+        // The C compiler finds it as `ld.lld` in the folder. The linkers of Debian's cross compilers take longer.
         flags += &format!(" -Clink-arg=-fuse-ld=lld -Clink-arg=-B{}", linker.with_file_name("gcc-ld").display());
     }
     tests.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags);
-    // Nobody debugs these, and without they are built in half the time.
+    // These programs are not debugged, and without debug information they build in half the time.
     tests.env("CARGO_PROFILE_DEV_DEBUG", "0");
     if let Some(emulator) = machine.emulator {
-        // What is emulated runs so slowly that all of it is worth optimising.
+        // Emulation is so slow that optimising everything pays off.
         tests.env("CARGO_PROFILE_DEV_OPT_LEVEL", "1");
         tests.env("PROPTEST_CASES", EMULATED_CASES);
         tests.env(variable(machine.target, "RUNNER"), emulator);

@@ -1,4 +1,4 @@
-//! One rival with its file: checked, measured, counted.
+//! One rival with its file: checks, measurements and counts.
 
 use crate::Failure;
 use crate::corpus::{Corpus, Questions, frame_at};
@@ -10,18 +10,18 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Questions between two looks at the clock.
+/// The number of queries between two readings of the clock.
 const BATCH: usize = 1024;
-/// Time for one kind of question in one round.
+/// The time for one kind of query in one round.
 const SLICE: Duration = Duration::from_millis(5);
-/// Frames of a display between two times of the sweep.
+/// The length of a rendered frame, the step of the sweep.
 const TICK_US: u32 = 16_667;
-/// What opens faster is opened many times.
+/// A rival that opens its file in less time opens it many times.
 const FAST_OPEN: Duration = Duration::from_micros(100);
-/// How many times.
+/// The number of times.
 const OPENINGS: u32 = 1000;
 
-/// What is asked.
+/// The kinds of measurements.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Ask {
     Open,
@@ -39,29 +39,29 @@ impl Ask {
     pub(crate) const ALL: [Ask; 9] =
         [Ask::Open, Ask::Validate, Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Event, Ask::Tick, Ask::Latency];
 
-    /// Those about clips.
+    /// The kinds of queries about clips.
     pub(crate) const QUERIES: [Ask; 7] =
         [Ask::Find, Ask::Miss, Ask::Frame, Ask::Text, Ask::Event, Ask::Tick, Ask::Latency];
 }
 
-/// A rival that takes part.
+/// A rival with its file.
 pub(crate) trait Contestant {
     fn name(&self) -> &'static str;
 
-    /// Length of its file.
+    /// Returns the length of its file in bytes.
     fn file_bytes(&self) -> usize;
 
-    /// Whether it gives the answers of the corpus.
+    /// Checks its answers against the corpus.
     fn check(&self, corpus: &Corpus, questions: &Questions) -> Result<(), Failure>;
 
-    /// Bytes on the heap that the opened file holds.
+    /// Returns the bytes on the heap that the opened file holds.
     fn heap_bytes(&self) -> Result<usize, Failure>;
 
-    /// Asks `times` times. Returns how many answers were given: a sweep has many a clip.
+    /// Makes `times` queries. Returns the number of answers: a sweep has many per clip.
     fn ask(&self, ask: Ask, at: Range<usize>) -> Result<usize, Failure>;
 
-    /// Nanoseconds of this thread's processor time per answer: what other programs take does not count.
-    /// Asks from question `cursor` on, which moves.
+    /// Returns the nanoseconds of this thread's processor time per answer, which other programs do not affect. Queries
+    /// start at number `cursor`, which advances.
     fn time(&self, ask: Ask, cursor: &mut usize) -> Result<f64, Failure> {
         if matches!(ask, Ask::Open | Ask::Validate) {
             let start = ThreadTime::now();
@@ -82,11 +82,11 @@ pub(crate) trait Contestant {
         Ok(start.elapsed().as_nanos() as f64 / answers as f64)
     }
 
-    /// The number of questions, a multiple of the batch.
+    /// Returns the number of queries, a multiple of the batch.
     fn question_count(&self) -> usize;
 }
 
-/// A rival, its file, and the questions in its own numbers.
+/// A rival, its file, and the queries in its own numbers.
 pub(crate) struct Entry<R: Rival> {
     file: &'static File,
     reader: R::Reader,
@@ -162,8 +162,8 @@ impl<R: Rival> Entry<R> {
         events.fold(0, u32::wrapping_add)
     }
 
-    /// From the start of a clip to a time in it: mouth, subtitle and event for each picture. Returns the number of
-    /// pictures.
+    /// Reads viseme, subtitle and event for each rendered frame, from the start of a clip up to a time. Returns the
+    /// number of rendered frames.
     #[inline(never)]
     fn sweep(&self, at: Range<usize>) -> usize {
         let Some(locale) = self.reader.locale(&self.locale) else { return 0 };
@@ -181,8 +181,8 @@ impl<R: Rival> Entry<R> {
         shown
     }
 
-    /// Finds a clip, its mouth and its subtitle, each when the answer before it is known: which question is next depends
-    /// on it. So no two overlap in the processor.
+    /// Finds a clip, its viseme and its subtitle. Each query depends on the answer before it, so that they cannot
+    /// overlap in the processor.
     #[inline(never)]
     fn one_by_one(&self, at: Range<usize>) -> u32 {
         let Some(locale) = self.reader.locale(&self.locale) else { return 0 };
@@ -193,7 +193,7 @@ impl<R: Rival> Entry<R> {
             let Some(clip) = self.reader.clip(number) else { continue };
             let time_us = self.questions.times_us[index];
             let code = u32::from(self.reader.viseme(clip, time_us));
-            // No code is 255, but only the answer tells.
+            // No code is 255, but the processor has to wait for the answer.
             let time_us = time_us + u32::from(code == 255);
             let text = self.reader.text(clip, locale, time_us, first_byte).unwrap_or(0);
             sum = sum.wrapping_add(text);
@@ -203,13 +203,13 @@ impl<R: Rival> Entry<R> {
     }
 }
 
-/// Whoever asks for a string reads it.
+/// Reads a string, as a program would do.
 #[inline]
 fn first_byte(text: &str) -> u32 {
     text.len() as u32 + text.as_bytes().first().map_or(0, |byte| u32::from(*byte))
 }
 
-/// The file of the rival with this name.
+/// Returns the path of the file of the rival with this name.
 fn path(folder: &Path, name: &str) -> PathBuf {
     folder.join(name.replace(|c: char| !c.is_ascii_alphanumeric(), "_"))
 }

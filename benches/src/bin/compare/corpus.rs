@@ -1,45 +1,45 @@
-//! The clips that every rival keeps, as plain structures, and what they are asked.
+//! The clips that every rival stores, as plain structures, and the queries about them.
 
 use crate::Failure;
 use lipz_benches::{DEFAULT_SEED, Random};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Questions of each kind: enough that no cache holds what they touch of a large bank.
+/// The queries of each kind: enough that their data in a large bank exceeds all caches.
 pub(crate) const QUESTIONS: usize = 1 << 16;
 
-/// All clips, in the order of their keys.
+/// All clips, ordered by key.
 pub(crate) struct Corpus {
     /// Keys and Lipz files.
     pub(crate) files: Vec<(String, String)>,
-    /// What the files say.
+    /// The contents of the files.
     pub(crate) bank: Clips,
 }
 
-/// What a program wants to keep of the files.
+/// The data of the files that a program needs.
 #[derive(Serialize, Deserialize, bincode::Encode, bincode::Decode, rkyv::Archive, rkyv::Serialize)]
 pub(crate) struct Clips {
     pub(crate) locales: Vec<String>,
     pub(crate) clips: Vec<Clip>,
 }
 
-/// What a program wants to know of a clip.
+/// The data of a clip that a program needs.
 #[derive(Serialize, Deserialize, bincode::Encode, bincode::Decode, rkyv::Archive, rkyv::Serialize)]
 pub(crate) struct Clip {
     pub(crate) key: String,
     pub(crate) fps: u32,
     pub(crate) viseme_type: u8,
-    /// Frame codes, without delimiters.
+    /// The viseme codes, without delimiters.
     pub(crate) visemes: String,
     /// The first frame of each segment.
     pub(crate) starts: Vec<u32>,
     /// For each locale, the display text of each segment.
     pub(crate) texts: Vec<Vec<String>>,
-    /// For each segment, its event string; empty if there are none.
+    /// For each segment, its event string; empty without events.
     pub(crate) events: Vec<String>,
 }
 
-/// A Lipz file, as serde reads it.
+/// A Lipz file, as parsed by serde.
 #[derive(Deserialize)]
 pub(crate) struct LipzFile {
     fps: u32,
@@ -53,7 +53,7 @@ pub(crate) struct LipzFile {
 }
 
 impl Corpus {
-    /// The first `count` clips of the published measurements.
+    /// Returns the first `count` clips of the published measurements.
     pub(crate) fn new(count: usize, locales: usize) -> Result<Corpus, Failure> {
         let files = lipz_benches::files(count, locales);
         let parsed = files.iter().map(|(key, json)| Ok((key.clone(), serde_json::from_str(json)?)));
@@ -63,7 +63,7 @@ impl Corpus {
 }
 
 impl Clips {
-    /// The clips of these files. All of them have the same locales.
+    /// Returns the clips of these files, which must all have the same locales.
     pub(crate) fn from_files(files: Vec<(String, LipzFile)>) -> Clips {
         let tags = files.iter().flat_map(|(_, file)| file.texts.keys().map(|name| name.replace("text_", "")));
         let mut locales: Vec<String> = tags.collect();
@@ -100,7 +100,7 @@ impl Clip {
     }
 }
 
-/// A text as players see it. In the generated clips, meta stands only at the start.
+/// Returns a text as players see it. In the generated clips, meta is only at the start.
 pub(crate) fn display(text: &str) -> &str {
     match text.split_once('}') {
         Some((_, text)) => text.trim(),
@@ -108,18 +108,18 @@ pub(crate) fn display(text: &str) -> &str {
     }
 }
 
-/// The frame that shows at a time. The rates of the generated clips are whole numbers.
+/// Returns the frame at a time. The rates of the generated clips are whole numbers.
 #[inline]
 pub(crate) fn frame_at(fps: u32, time_us: u32) -> usize {
     (u64::from(time_us) * u64::from(fps) / 1_000_000) as usize
 }
 
-/// What the rivals are asked: random clips, none twice in a row but by chance.
+/// The queries: random clips, which repeat only by chance.
 #[derive(bincode::Encode, bincode::Decode)]
 pub(crate) struct Questions {
-    /// Keys, one behind the other: reading the questions must not be what takes the time.
+    /// The keys, one after the other, so that reading the queries takes little time.
     pool: String,
-    /// Where each key ends.
+    /// The end of each key.
     ends: Vec<u32>,
     /// The clip of each key.
     pub(crate) clips: Vec<u32>,
@@ -128,7 +128,7 @@ pub(crate) struct Questions {
 }
 
 impl Questions {
-    /// The first `count` questions about `clips`.
+    /// Returns the first `count` queries about `clips`.
     pub(crate) fn about(clips: &[Clip], count: usize) -> Questions {
         let mut random = Random::new(DEFAULT_SEED, 0);
         let mut questions =
@@ -139,7 +139,7 @@ impl Questions {
             questions.pool.push_str(&clip.key);
             questions.ends.push(questions.pool.len() as u32);
             questions.clips.push(number as u32);
-            // No frame begins at an odd microsecond, so floating point cannot round to another one.
+            // No frame begins at an odd microsecond, so floating point cannot round to a different frame.
             let frame_count = clip.visemes.len();
             let last_us = (frame_count * 1_000_000 - 1) / clip.fps as usize;
             questions.times_us.push(random.between(0, last_us - 1) as u32 | 1);
@@ -147,7 +147,7 @@ impl Questions {
         questions
     }
 
-    /// The number of questions.
+    /// Returns the number of queries.
     pub(crate) fn len(&self) -> usize {
         self.ends.len()
     }
@@ -159,7 +159,7 @@ impl Questions {
         &self.pool[start as usize..self.ends[index] as usize]
     }
 
-    /// The questions with keys that no clip has: the last letter is another one.
+    /// Returns the queries with keys that no clip has: the last letter is changed.
     pub(crate) fn misses(&self) -> Questions {
         let mut pool = self.pool.clone().into_bytes();
         for &end in &self.ends {

@@ -1,7 +1,7 @@
-//! Instructions per question, counted by valgrind: the same on a busy machine as on a quiet one.
+//! Counts instructions per query with valgrind. The counts do not depend on the load of the machine.
 //!
-//! Files are written and checked as for times. Valgrind, under which a program takes fifty times as
-//! long, only runs what opens a file and asks a few questions, and counts only while it asks.
+//! Files are written and checked as for times. A program takes fifty times as long under valgrind, so only opening a
+//! file and a few queries run under it, and only the queries are counted.
 
 use crate::contest::{Ask, Contestant};
 use crate::corpus::{Clip, Questions};
@@ -12,11 +12,11 @@ use lipz_benches::callgrind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Questions of each kind that are counted.
+/// The number of counted queries of each kind.
 const COUNTED: usize = 1000;
-/// Openings that are counted: each is the same.
+/// The number of counted openings, which are all the same.
 const OPENINGS: usize = 2;
-/// The function whose calls are counted, as valgrind calls it.
+/// The function whose calls are counted, by its name in valgrind.
 const COUNTED_FUNCTION: &str = concat!(module_path!(), "::asked");
 /// The file of the questions.
 const QUESTIONS: &str = "questions";
@@ -29,7 +29,7 @@ pub(crate) enum Piece {
     Count { rival: String, folder: PathBuf, locale: String },
 }
 
-/// Does the work: asks questions of each kind in turn.
+/// Makes queries of each kind in turn.
 pub(crate) fn run(piece: &Piece) -> Result<(), Failure> {
     let Piece::Count { rival, folder, locale } = piece;
     let kind = KINDS.iter().find(|kind| kind.name == rival).ok_or("no such rival")?;
@@ -37,27 +37,27 @@ pub(crate) fn run(piece: &Piece) -> Result<(), Failure> {
     let (questions, _) = bincode::decode_from_slice(&questions, bincode::config::standard())?;
     let contestant = (kind.open)(folder, questions, locale)?;
     for ask in Ask::ALL {
-        // What is made for the first question, such as a prepared statement, is not counted.
+        // Preparations for the first query, such as a prepared statement, are not counted.
         contestant.ask(ask, 0..1)?;
         asked(contestant.as_ref(), ask)?;
     }
     Ok(())
 }
 
-/// Asks, and returns how many answers were given.
+/// Makes queries, and returns the number of answers.
 #[inline(never)]
 fn asked(contestant: &dyn Contestant, ask: Ask) -> Result<usize, Failure> {
     let times = if matches!(ask, Ask::Open | Ask::Validate) { OPENINGS } else { COUNTED };
     contestant.ask(ask, 0..times)
 }
 
-/// Writes the questions about `clips` into `folder`, where the files of the rivals are.
+/// Writes the queries about `clips` into `folder`, which contains the files of the rivals.
 pub(crate) fn prepare(clips: &[Clip], folder: &Path) -> Result<(), Failure> {
     let questions = bincode::encode_to_vec(Questions::about(clips, COUNTED), bincode::config::standard())?;
     Ok(std::fs::write(folder.join(QUESTIONS), questions)?)
 }
 
-/// Counts for all kinds of questions.
+/// Counts for all kinds of queries.
 pub(crate) fn row(contestant: &dyn Contestant, folder: &Path, locale: &str) -> Result<Row, Failure> {
     let mut program = Command::new(std::env::current_exe()?);
     program.arg("count").arg(contestant.name()).arg(folder).arg(locale);

@@ -1,7 +1,7 @@
-//! lipz beside other ways to keep the same clips in a file: `cargo xtask compare`.
+//! Compares lipz with other formats for the same clips: `cargo xtask compare`.
 //!
-//! Every rival writes a file of the same clips, is checked to give the same answers, and is then
-//! asked the same questions, in turn with the others; medians are printed.
+//! Every rival writes a file with the same clips, and has to return the same answers. The rivals then make the same
+//! queries in turns, and the medians are printed.
 
 #![allow(unsafe_code, reason = "rivals that are fast without checks, and an allocator that counts")]
 #![allow(
@@ -30,7 +30,7 @@ use table::Row;
 /// Why the comparison failed.
 type Failure = Box<dyn std::error::Error>;
 
-/// Compare lipz with other ways to keep the same clips in a file.
+/// Compare lipz with other formats for the same clips.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask compare", max_term_width = 100)]
 struct Arguments {
@@ -38,11 +38,11 @@ struct Arguments {
     #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "10000")]
     clips: Vec<usize>,
 
-    /// Numbers of locales of each clip
+    /// Numbers of locales in each clip
     #[arg(long, value_name = "K,…", value_delimiter = ',', default_value = "5")]
     locales: Vec<usize>,
 
-    /// How often everything is measured
+    /// How often to repeat all measurements
     #[arg(long, default_value_t = 15)]
     rounds: usize,
 
@@ -54,11 +54,11 @@ struct Arguments {
     #[arg(long)]
     instructions: bool,
 
-    /// Put the tables into this Markdown file, between the comments that name them
+    /// Write the tables into this Markdown file, between the comments that name them
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
 
-    /// One piece of work of `--instructions`
+    /// One part of `--instructions`
     #[command(subcommand)]
     count: Option<count::Piece>,
 }
@@ -68,7 +68,7 @@ type Build = fn(&Corpus, &Path) -> Result<(), Failure>;
 /// Opens it there for questions about the locale with this tag.
 type Open = fn(&Path, Questions, &str) -> Result<Box<dyn Contestant>, Failure>;
 
-/// The functions that make a rival take part.
+/// The functions of a rival.
 struct Kind {
     name: &'static str,
     build: Build,
@@ -79,7 +79,7 @@ const fn kind<R: rival::Rival>() -> Kind {
     Kind { name: R::NAME, build: Entry::<R>::build, open: Entry::<R>::open }
 }
 
-/// All that take part.
+/// All rivals.
 const KINDS: [Kind; 12] = [
     kind::<rivals::none::Nothing>(),
     kind::<rivals::lipz::Lipz>(),
@@ -95,9 +95,9 @@ const KINDS: [Kind; 12] = [
     kind::<rivals::sqlite::Sqlite>(),
 ];
 
-/// The locale of which texts are asked.
+/// The locale of the queries for texts.
 const LOCALE: &str = "de-de";
-/// The one that there is if there is only one.
+/// The locale if there is only one.
 const FIRST_LOCALE: &str = "en-us";
 
 fn main() -> ExitCode {
@@ -184,7 +184,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or_default()
 }
 
-/// Allocations per answer, the most of any kind of question.
+/// Returns the allocations per answer, the most of any kind of query.
 fn allocations(contestant: &dyn Contestant) -> Result<f64, Failure> {
     let mut most = 0.0_f64;
     for ask in Ask::QUERIES {

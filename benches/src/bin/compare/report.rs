@@ -3,7 +3,7 @@
 use crate::Failure;
 use std::path::Path;
 
-/// Replaces what stands between `<!-- table: NAME -->` and `<!-- end -->` in `file`.
+/// Replaces the part between `<!-- table: NAME -->` and `<!-- end -->` in `file`.
 pub(crate) fn write(file: &Path, name: &str, table: &str) -> Result<(), Failure> {
     let text = std::fs::read_to_string(file)?;
     let start = format!("<!-- table: {name} -->\n");

@@ -1,4 +1,4 @@
-//! What every rival can do.
+//! The interface of all rivals.
 
 use crate::Failure;
 use crate::corpus::Corpus;
@@ -25,51 +25,51 @@ impl File {
 pub(crate) trait Rival: 'static {
     /// Its name in the table.
     const NAME: &'static str;
-    /// What answers questions.
+    /// The type that makes queries.
     type Reader: Reader;
 
     /// Writes the file.
     fn build(corpus: &Corpus, path: &Path) -> Result<(), Failure>;
 
-    /// Opens a file that is known to be good.
+    /// Opens a file that is known to be valid.
     fn open(file: &'static File) -> Result<Self::Reader, Failure>;
 
-    /// Bytes on the heap that the allocator of this program does not see.
+    /// Returns the bytes on the heap that this program's allocator does not count.
     fn foreign_heap_bytes() -> usize {
         0
     }
 
-    /// Opens a file that may be damaged: afterwards nothing that the reader does is undefined.
+    /// Opens a file that may be damaged. After that, no use of the reader is undefined behaviour.
     fn open_validated(file: &'static File) -> Result<Self::Reader, Failure>;
 }
 
-/// What answers questions about the clips of a file.
+/// Queries about the clips of a file.
 ///
-/// Texts and events are `#[inline(always)]` where their code is short: it then stands in the loop that asks, as in a
-/// game, also where two rivals have one reader, so that the compiler would make a function of it.
+/// Texts and events are `#[inline(always)]` where their code is short. Their code is then in the loop of the queries,
+/// as in a game, even if two rivals share a reader, for which the compiler would otherwise make a function.
 pub(crate) trait Reader: Sized {
-    /// A clip, as a program holds it while it plays.
+    /// A clip, as a program stores it during playback.
     type Clip<'r>: Copy
     where
         Self: 'r;
-    /// A locale, as a program holds it.
+    /// A locale, as a program stores it.
     type Locale<'r>: Copy
     where
         Self: 'r;
 
-    /// The locale with this tag.
+    /// Returns the locale with this tag.
     fn locale(&self, tag: &str) -> Option<Self::Locale<'_>>;
 
-    /// The number of the clip with this key: any numbers do.
+    /// Returns the number of the clip with this key, in the rival's own numbering.
     fn find(&self, key: &str) -> Option<u32>;
 
-    /// The clip with this number.
+    /// Returns the clip with this number.
     fn clip(&self, number: u32) -> Option<Self::Clip<'_>>;
 
-    /// The frame code at a time; `-` from the end on.
+    /// Returns the viseme code at a time, or `-` from the end on.
     fn viseme(&self, clip: Self::Clip<'_>, time_us: u32) -> u8;
 
-    /// Gives the text of the segment at a time, if there is one, to `then`.
+    /// Passes the text of the segment at a time, if there is one, to `then`.
     fn text<T>(
         &self,
         clip: Self::Clip<'_>,
@@ -78,6 +78,6 @@ pub(crate) trait Reader: Sized {
         then: impl FnOnce(&str) -> T,
     ) -> Option<T>;
 
-    /// Gives the event string of the segment at a time to `then`: empty if nothing happens there.
+    /// Passes the event string of the segment at a time to `then`; empty without events.
     fn event<T>(&self, clip: Self::Clip<'_>, time_us: u32, then: impl FnOnce(&str) -> T) -> Option<T>;
 }

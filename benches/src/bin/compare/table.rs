@@ -3,18 +3,18 @@
 use crate::contest::Ask;
 use std::fmt::Write;
 
-/// What was measured of a rival.
+/// The measurements of a rival.
 pub(crate) struct Row {
     pub(crate) name: &'static str,
     pub(crate) file_bytes: usize,
     pub(crate) heap_bytes: usize,
     /// Nanoseconds or instructions for each of [`Ask::ALL`].
     pub(crate) costs: Vec<f64>,
-    /// Allocations per question, the most of any kind.
+    /// Allocations per query, the most of any kind.
     pub(crate) allocations: f64,
 }
 
-/// The table of times.
+/// Returns the table of times.
 pub(crate) fn times(rows: &[Row]) -> String {
     let mut table = String::from(
         "| | file MB | open | validate | heap MB | find ns | miss ns | frame ns | segment + text ns | event ns | tick ns | latency ns | allocations |\n\
@@ -44,7 +44,7 @@ pub(crate) fn times(rows: &[Row]) -> String {
     table
 }
 
-/// The table of instructions.
+/// Returns the table of instructions.
 pub(crate) fn instructions(rows: &[Row]) -> String {
     let mut table = String::from(
         "| | open | validate | find | miss | frame | segment + text | event | tick | one by one |\n\

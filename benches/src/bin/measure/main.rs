@@ -1,8 +1,7 @@
-//! `cargo xtask measure`: packing against reading the same files, in one run.
+//! `cargo xtask measure`: compares packing with reading the same files, in one run.
 //!
-//! Each piece of work runs in a process of its own (`work`), so that its peak memory is its own;
-//! the pieces take turns, so that a busy moment of the machine falls on all of them; medians are
-//! printed (`table`).
+//! Each task runs in a separate process (`work`), to measure its peak memory. The tasks take turns, so that load on the
+//! machine affects all of them. The medians are printed (`table`).
 
 mod table;
 mod work;
@@ -16,7 +15,7 @@ use work::{Measurement, Work};
 /// Why a measurement failed.
 type Failure = String;
 
-/// Measure packing against reading the same files.
+/// Measure packing, compared with reading the same files.
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask measure", max_term_width = 100, args_conflicts_with_subcommands = true)]
 struct Settings {
@@ -27,23 +26,23 @@ struct Settings {
     #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "10000,100000")]
     clips: Vec<usize>,
 
-    /// Number of locales of each clip
+    /// Number of locales in each clip
     #[arg(long, value_name = "K", default_value = "5", value_parser = parse_locale_count)]
     locales: usize,
 
-    /// Threads of every piece of work
+    /// Threads of every task
     #[arg(long, value_name = "COUNT", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: u16,
 }
 
 #[derive(Subcommand, Debug)]
 enum Piece {
-    /// One piece of work, in a process of its own
+    /// One task, in a separate process
     #[command(hide = true)]
     Measured(Measured),
 }
 
-/// One piece of work, as `measure` asks for it.
+/// One task, as started by `measure`.
 #[derive(Args, Debug)]
 struct Measured {
     work: Work,
@@ -52,7 +51,7 @@ struct Measured {
     threads: u16,
 }
 
-/// Clips from which three repetitions are enough.
+/// The number of clips from which three repetitions are enough.
 const MANY_CLIPS: usize = 50_000;
 
 fn main() -> Result<(), Failure> {
@@ -75,8 +74,8 @@ fn run(settings: &Settings) -> Result<(), Failure> {
         let bank = temporary.path().join("measured.lipzbank");
         eprintln!("making {clips} clips with {} locales", settings.locales);
         let json_bytes = write_clips(clips, settings.locales, DEFAULT_SEED, &folder)?;
-        // Writing the new files back to disk must not go on while they are read; where there is no
-        // such command, the medians have to do.
+        // The new files must not be written back to disk while they are read. Without this command, the medians have to
+        // suffice.
         let _ = Command::new("sync").status();
         let mut measured: Vec<(Work, Vec<Measurement>)> = Work::ALL.map(|work| (work, Vec::new())).into();
         for repetition in 1..=repetitions {
@@ -91,7 +90,7 @@ fn run(settings: &Settings) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Runs this program again for one piece of work.
+/// Runs this program again for one task.
 fn in_child(work: Work, folder: &Path, bank: &Path, threads: u16) -> Result<Measurement, Failure> {
     let failed = |why: String| format!("measuring `{}`: {why}", work.name());
     let program = std::env::current_exe().map_err(|error| failed(error.to_string()))?;
@@ -108,7 +107,7 @@ fn in_child(work: Work, folder: &Path, bank: &Path, threads: u16) -> Result<Meas
     serde_json::from_slice(&output.stdout).map_err(|error| failed(error.to_string()))
 }
 
-/// Does one piece of work and prints what it took.
+/// Runs one task and prints its measurements.
 fn run_one(measured: &Measured) -> Result<(), Failure> {
     let threads = usize::from(measured.threads);
     let measurement = work::run(measured.work, &measured.folder, &measured.bank, threads)?;

@@ -3,7 +3,7 @@
 use super::work::{Measurement, Work};
 use std::fmt::Write;
 
-/// The head of the table.
+/// Returns the head of the table.
 pub(super) fn start(locales: usize, threads: u16) -> String {
     format!(
         "{locales} locales, {threads} threads, page cache warm; medians of interleaved runs, each in a process of its own.\n\
@@ -13,7 +13,7 @@ pub(super) fn start(locales: usize, threads: u16) -> String {
     )
 }
 
-/// The rows for one number of clips.
+/// Returns the rows for one number of clips.
 pub(super) fn rows(clips: usize, json_bytes: u64, measured: &[(Work, Vec<Measurement>)]) -> String {
     let mut rows = String::new();
     let read = measured.iter().find(|(work, _)| *work == Work::Read).map(|(_, all)| all.as_slice()).unwrap_or_default();
@@ -38,13 +38,13 @@ pub(super) fn rows(clips: usize, json_bytes: u64, measured: &[(Work, Vec<Measure
     rows
 }
 
-/// The cells of a time: itself, and how often that of reading goes into it.
+/// Returns the cells of a time: the time itself, and its ratio to that of reading.
 fn time(seconds: f64, reading: f64) -> String {
     let ratio = if reading > 0.0 { format!("{:.2}", seconds / reading) } else { String::new() };
     format!("{:.1} | {ratio}", seconds * 1e3)
 }
 
-/// The cells of a measurement's memory: the bank, the peak, and how often the bank goes into it.
+/// Returns the cells of a measurement's memory: the bank, the peak, and its ratio to the bank.
 fn memory(measurement: &Measurement) -> String {
     let bank = measurement.bank_bytes.map_or_else(String::new, megabytes);
     let peak = measurement.peak_bytes.map_or_else(|| "not measured".to_owned(), megabytes);
@@ -53,14 +53,15 @@ fn memory(measurement: &Measurement) -> String {
     format!("{bank} | {peak} | {ratio}")
 }
 
-/// The run with the median time. The parts that are shown with it are its own, so that they add up.
+/// Returns the run with the median time. Its phases are from the same run, so that they add up.
 fn median(measurements: &[Measurement]) -> Measurement {
     let mut sorted: Vec<&Measurement> = measurements.iter().collect();
     sorted.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     sorted.get(sorted.len() / 2).map_or_else(Measurement::default, |median| (*median).clone())
 }
 
-/// The median of the processor's times, which is rarely that of the median run: they depend less on what else runs.
+/// Returns the median of the processor times, which is rarely that of the median run, because processor times depend
+/// less on the load.
 fn median_processor_seconds(measurements: &[Measurement]) -> f64 {
     let mut sorted: Vec<f64> = measurements.iter().map(|measurement| measurement.processor_seconds).collect();
     sorted.sort_by(f64::total_cmp);

@@ -1,11 +1,11 @@
-//! The pieces of work that are measured, each in a process of its own.
+//! The measured tasks, each in a separate process.
 
 use crate::Failure;
 use clap::ValueEnum;
 use cpu_time::ProcessTime;
 use lipz_benches::peak_bytes;
 use lipz_compiler::{
-    Compiled, Compiler, Delivered, Input, Linted, Memory, Options, OutputFile, Outputs, Phases, discover,
+    Compiled, Compiler, DeliveredFiles, Input, LintResult, Memory, Options, OutputFile, Outputs, Phases, discover,
     discover_with_reports,
 };
 use rayon::prelude::*;
@@ -15,7 +15,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// A piece of work.
+/// A task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(super) enum Work {
     List,
@@ -44,7 +44,7 @@ impl Work {
         Work::Check,
     ];
 
-    /// What it is called in the table.
+    /// Returns its name in the table.
     pub(super) fn name(self) -> &'static str {
         match self {
             Work::List => "list the tree",
@@ -53,31 +53,31 @@ impl Work {
             Work::Borrowed => "list, read, serde_json into a borrowed struct",
             Work::Value => "list, read, serde_json into a `Value`",
             Work::Pack => "**pack**",
-            Work::Strip => "**pack --strip**",
+            Work::Strip => "**pack, stripped**",
             Work::Again => "**pack --cache after one file changed**",
             Work::Watch => "**watch, when one file changed**",
             Work::Check => "**check --cache, nothing changed**",
         }
     }
 
-    /// What it is called on the command line of the child.
+    /// Returns its name on the command line of the child.
     pub(super) fn argument(self) -> String {
         self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }
 
-/// What one run of a piece of work took.
+/// The measurements of one run of a task.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Measurement {
-    /// On the clock, from the path of the folder to the end of the work.
+    /// Elapsed time, from the path of the folder to the end of the task.
     pub(super) seconds: f64,
-    /// Of all threads, in the program and in the system.
+    /// Processor time of all threads, in the program and in the system.
     pub(super) processor_seconds: f64,
-    /// Parts of it, by name; those in brackets are sums over threads.
+    /// Times of its phases, by name. Those in brackets are sums over threads.
     pub(super) phases: Vec<(String, f64)>,
-    /// Peak of the process's memory; `None` on systems that do not tell.
+    /// Peak of the process's memory; `None` on systems that do not report it.
     pub(super) peak_bytes: Option<u64>,
-    /// Size of the bank.
+    /// Length of the bank in bytes.
     pub(super) bank_bytes: Option<u64>,
 }
 
@@ -87,7 +87,7 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
     match work {
         Work::Again => change_one_of_the_cache(folder, bank, threads)?,
         Work::Watch => watched = Some(Watched::new(folder, bank, threads)?),
-        // Makes the cache that the measured one finds.
+        // Makes the cache for the measured run.
         Work::Check => check(folder, bank, threads)?,
         _ => {}
     }
@@ -122,7 +122,7 @@ pub(super) fn run(work: Work, folder: &Path, bank: &Path, threads: usize) -> Res
     Ok(measurement)
 }
 
-/// A clip as a program reads it that knows its elements and locales: strings stay in the file.
+/// A clip in a program with fixed elements and locales. Strings borrow from the file.
 #[derive(Deserialize)]
 #[expect(dead_code, reason = "what is measured is filling it")]
 struct Borrowed<'f> {
@@ -156,7 +156,7 @@ struct Borrowed<'f> {
     text_th: Option<&'f str>,
 }
 
-/// Lists the files and does something with the bytes of each, on `threads` threads.
+/// Lists the files and calls a function with the bytes of each, on `threads` threads.
 fn each_file(
     folder: &Path,
     threads: usize,
@@ -165,7 +165,7 @@ fn each_file(
     each_path(folder, threads, |path| work(&std::fs::read(path).map_err(|error| failed(path, &error))?))
 }
 
-/// Lists the files and does something with the path of each, on `threads` threads.
+/// Lists the files and calls a function with the path of each, on `threads` threads.
 fn each_path(
     folder: &Path,
     threads: usize,
@@ -187,14 +187,14 @@ fn pack(folder: &Path, bank: &Path, threads: usize, strip: bool, measurement: &m
     packing(folder, measurement, |inputs| Compiler::new(options.clone()).pack(inputs, bank))
 }
 
-/// Packs with a cache beside the bank.
+/// Packs with a cache next to the bank.
 fn pack_again(folder: &Path, bank: &Path, threads: usize, measurement: &mut Measurement) -> Result<(), Failure> {
     let options = Options::new().threads(threads);
     let (bank, cache) = remembered(bank);
     packing(folder, measurement, |inputs| Compiler::new(options.clone()).pack_cached(inputs, &bank, &cache))
 }
 
-/// Bank and cache of [`pack_again`]: no other piece of work touches them.
+/// Returns bank and cache of [`pack_again`], which no other task uses.
 fn remembered(bank: &Path) -> (PathBuf, PathBuf) {
     (bank.with_extension("again.lipzbank"), bank.with_extension("cache"))
 }
@@ -236,7 +236,7 @@ impl Watched {
             outputs: Outputs::new(bank.with_extension("watched.lipzbank")),
             memory: Memory::default(),
         };
-        // The first run, and one that only finds room for the next.
+        // The first run, and one that only allocates memory for the next.
         for changed in [None, Some(&[0][..])] {
             change(&first)?;
             watched.pack_again(changed).into_bank().map_err(|error| error.to_string())?;
@@ -245,11 +245,11 @@ impl Watched {
         Ok(watched)
     }
 
-    fn pack_again(&mut self, changed: Option<&[usize]>) -> Compiled<Delivered> {
+    fn pack_again(&mut self, changed: Option<&[usize]>) -> Compiled<DeliveredFiles> {
         self.outputs.pack_again(&self.compiler, &self.inputs, changed, &mut self.memory)
     }
 
-    /// Packs again what the system told to have changed.
+    /// Packs the changes that the system has reported.
     fn pack(&mut self, measurement: &mut Measurement) -> Result<(), Failure> {
         let start = Instant::now();
         let packed = self.pack_again(Some(&[0]));
@@ -263,11 +263,11 @@ impl Watched {
     }
 }
 
-/// Checks with a cache of its own, and nothing but what the compiler checks.
+/// Checks with a separate cache, and only what the compiler checks.
 fn check(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
     let inputs = discover(&[folder.to_owned()], None).map_err(|error| error.to_string())?;
     let compiler = Compiler::new(Options::new().threads(threads));
-    let nothing = |_: &Input, _: &[u8]| Linted::default();
+    let nothing = |_: &Input, _: &[u8]| LintResult::default();
     let checked = compiler.check_cached(&inputs, &nothing, &bank.with_extension("checked.cache"), b"");
     match checked.compiled.reports.iter().flat_map(|report| &report.diagnostics).next() {
         Some(diagnostic) => Err(format!("checking made-up clips: {}", diagnostic.message)),
@@ -275,7 +275,7 @@ fn check(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
     }
 }
 
-/// Finds the inputs and hands them to `pack`; takes the time of its phases.
+/// Finds the inputs and passes them to `pack`. Measures its phases.
 fn packing(
     folder: &Path,
     measurement: &mut Measurement,

@@ -1,14 +1,14 @@
-//! The cursor of a curve: which key was needed last.
+//! The cursor of a curve, which stores the last key that was used.
 
 use super::Curve;
 use super::CurveValue;
 use crate::Time;
 use lipz_types::Position;
 
-/// Remembers where a curve was read last, so that the next picture finds its keys at once.
+/// Stores the position of the last read in a curve, so that the next rendered frame finds its keys at once.
 ///
-/// It is one number, borrows nothing, and gives what [`Curve::value_at`] gives, whatever it was used for before: the time may
-/// jump, and the curve may be a different one. It only saves the search.
+/// It is one number and borrows nothing. It always returns the same values as [`Curve::value_at`]: the time may jump,
+/// and the curve may be a different one. It only saves the search.
 ///
 /// ```
 /// # use lipz_bank::{Clip, Micros};
@@ -23,31 +23,31 @@ pub struct CurveCursor {
     index: u32,
 }
 
-/// Keys that are looked at one by one before a search: a picture seldom passes more.
+/// Keys to step through before a search. A rendered frame seldom passes more.
 const STEPS: u32 = 4;
 
 impl CurveCursor {
-    /// A cursor that has not been used yet.
+    /// Returns an unused cursor.
     pub const fn new() -> CurveCursor {
         CurveCursor { index: 0 }
     }
 
-    /// The cursor as a number, to keep it where no cursor can be: in a struct of another language.
+    /// Returns the cursor as a number, for storage outside of Rust.
     pub const fn to_word(self) -> u32 {
         self.index
     }
 
-    /// The cursor of [`CurveCursor::to_word`]. Any number is taken.
+    /// Returns the cursor of [`CurveCursor::to_word`]. Any number is valid.
     pub const fn from_word(word: u32) -> CurveCursor {
         CurveCursor { index: word }
     }
 
-    /// The value of the curve at the start of a frame.
+    /// Returns the value of the curve at the start of a frame.
     pub fn value(&mut self, curve: &Curve<'_>, frame: u32) -> CurveValue {
         self.value_of(curve, Position::of_frame(frame))
     }
 
-    /// The value of the curve at `time`, as [`Curve::value_at`] gives it; `None` without a frame rate.
+    /// Returns the value of the curve at `time`, like [`Curve::value_at`]; `None` without a frame rate.
     pub fn value_at<T: Time>(&mut self, curve: &Curve<'_>, time: T) -> Option<CurveValue> {
         let fps = curve.fps?;
         Some(self.value_of(curve, time.position(fps)))
@@ -58,8 +58,8 @@ impl CurveCursor {
         curve.value_between(self.index, position)
     }
 
-    /// The index of the last key at or before a frame; 0 if there is none.
-    // Each picture asks for it.
+    /// Returns the index of the last key at or before a frame, or 0.
+    // Each rendered frame calls it.
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     pub(super) fn index_at(&self, curve: &Curve<'_>, frame: u32) -> u32 {
         let has_come = |index: u32| curve.keys.get(index).map_or(false, |key| key.frame <= frame);

@@ -9,15 +9,15 @@ use lipz_layout::CURVE_WIDE;
 use lipz_types::StoredFps;
 
 impl<'a> Clip<'a> {
-    /// The curve with this name: `jawOpen`, `anger`.
+    /// Returns the curve with this name: `jawOpen`, `anger`.
     ///
-    /// A game that asks for the same ones in each rendered frame looks the names up once, with
+    /// A game that reads the same curves in each rendered frame looks the names up once, with
     /// [`event_name`](crate::Dialogue::event_name): `clip.curve(jaw)`.
     pub fn curve(&self, name: impl CurveName) -> Option<Curve<'a>> {
         self.numbered_curve(name.number_in(self.bank)?)
     }
 
-    /// The curve whose name has this number in the bank.
+    /// Returns the curve whose name has this number in the bank.
     fn numbered_curve(&self, name: u32) -> Option<Curve<'a>> {
         let curves = self.all_curves();
         let records = curves.table.curves.get(curves.range.clone())?;
@@ -25,15 +25,15 @@ impl<'a> Clip<'a> {
         curves.at(curves.range.start.wrapping_add(at)).filter(|curve| curve.name.id() == name)
     }
 
-    /// The curve in this [place](Curve::place) of the bank, without a search: of this clip or, if the place is one of another clip,
-    /// of that one. For programs that keep places and not curves.
+    /// Returns the curve at this [place](Curve::place) of the bank, without a search. The place may belong to a
+    /// different clip. For programs that store places, not curves.
     pub fn curve_in_place(&self, place: u32) -> Option<Curve<'a>> {
         let table = CurveTable::new(self.bank);
         let range = 0..table.curves.len();
         Curves { table, range, bank: self.bank, fps: self.stored_fps() }.at(place as usize)
     }
 
-    /// All curves of the clip, in the order of their names.
+    /// Returns all curves of the clip, ordered by name.
     pub fn curves(&self) -> impl Iterator<Item = Curve<'a>> + Clone {
         self.all_curves()
     }
@@ -43,15 +43,15 @@ impl<'a> Clip<'a> {
         let place = table.clips.partition_point(|record| record.slot.get() < self.slot());
         let is_found = table.clips.get(place).map_or(false, |record| record.slot.get() == self.slot());
         let range = if is_found { table.curves_of(place) } else { None };
-        // In a damaged bank it may end behind the table.
+        // In a damaged bank, the range may end after the table.
         let range = range.map_or(0..0, |range| range.start..range.end.min(table.curves.len()));
         Curves { table, range, bank: self.bank, fps: self.stored_fps() }
     }
 }
 
-/// The name of a curve: a string, or an [`EventName`] that was looked up before.
+/// The name of a curve: a string, or an [`EventName`] from an earlier look-up.
 pub trait CurveName: sealed::Sealed {
-    /// The number that the name has in a bank.
+    /// Returns the number of the name in a bank.
     #[doc(hidden)]
     fn number_in(self, bank: &Bank<'_>) -> Option<u32>;
 }
@@ -75,7 +75,7 @@ impl CurveName for EventName<'_> {
     }
 }
 
-/// The curves of a clip in the order of their names.
+/// The curves of a clip, ordered by name.
 #[derive(Clone)]
 struct Curves<'a> {
     table: CurveTable<'a>,
@@ -85,7 +85,7 @@ struct Curves<'a> {
 }
 
 impl<'a> Curves<'a> {
-    /// The curve with this index among those of all clips, unless it is damaged.
+    /// Returns the curve with this index among those of all clips, unless it is damaged.
     fn at(&self, index: usize) -> Option<Curve<'a>> {
         if index >= self.range.end {
             return None;
@@ -107,7 +107,7 @@ impl<'a> Iterator for Curves<'a> {
         curve
     }
 
-    // Without a look at those before it: of a damaged bank, it may give one that `next` does not come to.
+    // Skips the curves before it unread. In a damaged bank, it may return a curve that `next` does not reach.
     fn nth(&mut self, count: usize) -> Option<Curve<'a>> {
         self.range.start = self.range.start.saturating_add(count).min(self.range.end);
         self.next()

@@ -1,9 +1,11 @@
-//! Curves: numbers that change while a clip plays, such as how angry somebody is.
+//! Curves: numbers that change while a clip plays, such as a character's anger.
 
+mod check;
 mod cursor;
 mod curves;
 pub(crate) mod table;
 
+pub(crate) use check::check;
 pub use cursor::CurveCursor;
 pub use curves::CurveName;
 pub use lipz_types::CurveValue;
@@ -14,7 +16,7 @@ use core::fmt;
 use lipz_types::{Position, StoredFps};
 use table::Keys;
 
-/// A key of a curve: the value that it has at the start of a frame.
+/// A key of a curve: its value at the start of a frame.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub struct CurveKey {
@@ -24,10 +26,10 @@ pub struct CurveKey {
     pub value: CurveValue,
 }
 
-/// A curve of a clip: a name, and keys in the order of their frames.
+/// A curve of a clip: a name, and keys ordered by frame.
 ///
-/// Between two keys the value changes evenly. Before the first key it is that of the first, from the last one on that of the
-/// last, also outside of the clip.
+/// Between two keys, the value changes linearly. Before the first key and after the last one it is constant, also
+/// outside of the clip.
 ///
 /// ```
 /// # use lipz_bank::{Clip, Micros};
@@ -45,56 +47,57 @@ pub struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    /// The name.
+    /// Returns the name.
     pub const fn name(&self) -> EventName<'a> {
         self.name
     }
 
-    /// The place of the curve among all curves of the bank, for [`Clip::curve_in_place`].
+    /// Returns the place of the curve among all curves of the bank, for [`Clip::curve_in_place`].
     pub const fn place(&self) -> u32 {
         self.place
     }
 
-    /// The number of keys, at least 1 in a verified bank.
+    /// Returns the number of keys, at least 1 in a verified bank.
     pub fn key_count(&self) -> u32 {
         self.keys.count()
     }
 
-    /// The key with this index.
+    /// Returns the key with this index.
     pub fn key(&self, index: u32) -> Option<CurveKey> {
         self.keys.get(index)
     }
 
-    /// All keys in the order of their frames.
+    /// Returns all keys, ordered by frame.
     pub fn keys(&self) -> impl Iterator<Item = CurveKey> + 'a {
         let keys = self.keys;
         (0..keys.count()).filter_map(move |index| keys.get(index))
     }
 
-    /// The value at the start of a frame.
+    /// Returns the value at the start of a frame.
     pub fn value(&self, frame: u32) -> CurveValue {
         CurveCursor::new().value(self, frame)
     }
 
-    /// The value at `time`; `None` without a frame rate.
+    /// Returns the value at `time`; `None` without a frame rate.
     ///
-    /// Exact for ⌊time · fps · 65536⌋ / 65536 frames, then rounded to the nearest thousandth, a half away from the key before.
-    /// Takes time in proportion to the logarithm of the number of keys; a [`CurveCursor`] is faster from picture to picture.
+    /// The value is that at exactly ⌊time · fps · 65536⌋ / 65536 frames, rounded to the nearest thousandth, a half away
+    /// from the key before. Takes time in proportion to the logarithm of the number of keys; a [`CurveCursor`] is
+    /// faster from one rendered frame to the next.
     pub fn value_at<T: Time>(&self, time: T) -> Option<CurveValue> {
         CurveCursor::new().value_at(self, time)
     }
 
-    /// The value at a point in time.
+    /// Returns the value at a point in time.
     pub(crate) fn value_in(&self, position: Position) -> CurveValue {
         CurveCursor::new().value_of(self, position)
     }
 
-    /// The index of the last key at or before a frame; 0 if there is none.
+    /// Returns the index of the last key at or before a frame, or 0.
     pub(crate) fn index_at(&self, frame: u32) -> u32 {
         CurveCursor::new().index_at(self, frame)
     }
 
-    /// The value between the key with this index and the next one.
+    /// Returns the value between the key with this index and the next one.
     fn value_between(&self, index: u32, position: Position) -> CurveValue {
         let key = match self.keys.get(index) {
             Some(key) => key,
@@ -111,16 +114,16 @@ impl<'a> Curve<'a> {
 }
 
 impl Clip<'_> {
-    /// A point in time in frames; `None` without a frame rate.
+    /// Returns a time as a position in frames; `None` without a frame rate.
     pub(crate) fn position<T: Time>(&self, time: T) -> Option<Position> {
         Some(time.position(self.stored_fps()?))
     }
 }
 
-/// Bits of a position behind the whole frames.
+/// The bits of a position that hold the fraction of a frame.
 const FRACTION_BITS: u32 = 16;
 
-/// Equal are the same curves of clips that are equal.
+/// Two curves are equal if they are the same curve of equal clips.
 impl PartialEq for Curve<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.identity() == other.identity()
@@ -129,13 +132,13 @@ impl PartialEq for Curve<'_> {
 impl Eq for Curve<'_> {}
 
 impl Curve<'_> {
-    /// The name has the origin of its bank.
+    /// Returns the values to compare. The origin is that of the name's bank.
     fn identity(&self) -> (Origin, u32, Option<StoredFps>) {
         (self.name.key().bank, self.place, self.fps)
     }
 }
 
-/// The name and the number of keys.
+/// Prints the name and the number of keys.
 impl fmt::Debug for Curve<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Curve")
@@ -145,7 +148,7 @@ impl fmt::Debug for Curve<'_> {
     }
 }
 
-/// The keys as in a Lipz file: `0:0 12:2.2`.
+/// Prints the keys as in a Lipz file: `0:0 12:2.2`.
 impl fmt::Display for Curve<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, key) in self.keys().enumerate() {

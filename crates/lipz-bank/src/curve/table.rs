@@ -17,7 +17,7 @@ pub(crate) struct CurveTable<'data> {
 }
 
 impl<'data> CurveTable<'data> {
-    /// The sections of a bank.
+    /// Returns the curve sections of a bank.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn new(bank: &Bank<'data>) -> Self {
         CurveTable {
@@ -27,7 +27,7 @@ impl<'data> CurveTable<'data> {
         }
     }
 
-    /// The indices of the curves of a clip, by its place in `clips`.
+    /// Returns the indices of the curves of the clip at `place` in `clips`.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn curves_of(&self, place: usize) -> Option<Range<usize>> {
         let first = self.clips.get(place)?.curves_first.get() as usize;
@@ -35,12 +35,12 @@ impl<'data> CurveTable<'data> {
         Some(first..next.map_or(self.curves.len(), |next| next.curves_first.get() as usize))
     }
 
-    /// Where the keys of a curve end, in units, by its index.
+    /// Returns where the keys of the curve with this index end, in units.
     pub(crate) fn keys_end(&self, curve: usize) -> usize {
         self.curves.get(curve.wrapping_add(1)).map_or(self.units.len(), |next| next.keys_first.get() as usize)
     }
 
-    /// The keys of a curve by its index, if they lie in their section.
+    /// Returns the keys of the curve with this index, if they are in their section.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn keys_of(&self, curve: usize) -> Option<Keys<'data>> {
         let record = self.curves.get(curve)?;
@@ -55,9 +55,9 @@ impl<'data> CurveTable<'data> {
 /// The keys of a curve.
 #[derive(Clone, Copy)]
 pub(crate) enum Keys<'data> {
-    /// Of four bytes.
+    /// Four bytes each.
     Narrow(&'data [CurveKeyRecord]),
-    /// Of eight.
+    /// Eight bytes each.
     Wide(&'data [WideCurveKeyRecord]),
 }
 
@@ -69,7 +69,7 @@ impl Keys<'_> {
         }
     }
 
-    // Short code where memory is scarce: it is needed in several places.
+    // Not inlined where memory is scarce, because several places need it.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn get(self, index: u32) -> Option<CurveKey> {
         let (frame, thousandths) = match self {

@@ -1,9 +1,9 @@
-//! Why files do not make a dialogue.
+//! The error for files that do not form a dialogue.
 
 use crate::Error;
 use core::fmt;
 
-/// Why files do not make a [`Dialogue`](crate::Dialogue): an error, and the file that has it.
+/// Why files do not form a [`Dialogue`](crate::Dialogue): an error and the number of the file.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct DialogueError {
     file: usize,
@@ -11,17 +11,17 @@ pub struct DialogueError {
 }
 
 impl DialogueError {
-    /// The error of the file with this number.
+    /// Returns an error in the file with this number.
     pub const fn new(file: usize, error: Error) -> DialogueError {
         DialogueError { file, error }
     }
 
-    /// The number of the file that is damaged or does not fit those before it, from 0.
+    /// Returns the number, from 0, of the file that is damaged or does not match those before it.
     pub const fn file(self) -> usize {
         self.file
     }
 
-    /// The error of that file.
+    /// Returns the error in that file.
     pub const fn error(self) -> Error {
         self.error
     }

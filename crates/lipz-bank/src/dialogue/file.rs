@@ -8,16 +8,16 @@ use crate::set_index::SetIndex;
 use crate::{Bank, Error, ErrorKind};
 use core::fmt;
 
-/// Where the files of a [`Dialogue`](crate::Dialogue) are: in a slice, or in a type of the program that opens the banks of a set
-/// when they are asked for.
+/// Access to the files of a [`Dialogue`](crate::Dialogue): a slice, or a type of the program that opens the banks of a
+/// set on demand.
 pub trait Files: Sync {
-    /// The number of files. The banks of a set are files of their own, behind its index.
+    /// Returns the number of files. The banks of a set are separate files, after its index.
     fn count(&self) -> usize;
 
-    /// The file with this number, opened now if it is not open yet; `None` if it is not there.
+    /// Returns the file with this number, and opens it first if necessary; `None` if it is missing.
     fn file(&self, number: usize) -> Option<&DialogueFile<'_>>;
 
-    /// The file with this number, if it is open.
+    /// Returns the file with this number, if it is open.
     fn file_if_open(&self, number: usize) -> Option<&DialogueFile<'_>> {
         self.file(number)
     }
@@ -26,9 +26,9 @@ pub trait Files: Sync {
 /// The files of a dialogue.
 #[derive(Clone, Copy)]
 pub(super) enum FilesRef<'a> {
-    /// All opened by the program.
+    /// Files that the program has opened.
     Slice(&'a [DialogueFile<'a>]),
-    /// Some opened when they are asked for.
+    /// Files that are opened on demand.
     Lazy(&'a dyn Files),
 }
 
@@ -69,19 +69,19 @@ impl Files for [DialogueFile<'_>] {
     }
 }
 
-/// A file of a dialogue, opened: what its header and its directory say that it is.
+/// An opened file of a dialogue. Its header and directory determine its kind.
 #[derive(Clone, Copy)]
 pub struct DialogueFile<'data> {
     pub(super) contents: Contents<'data>,
 }
 
-/// What a file is.
+/// The kind of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub enum FileKind {
-    /// Nothing: a place for a file.
+    /// An empty place for a file.
     Absent,
-    /// A bank with clips, which no other file is needed for.
+    /// A bank with clips, which needs no other file.
     Bank,
     /// A bank that was packed over others: a patch, a download, a mod, or the dubs of a voice.
     Patch,
@@ -91,9 +91,9 @@ pub enum FileKind {
     Set,
 }
 
-/// A file by its kind.
+/// The contents of a file by its kind.
 #[derive(Clone, Copy)]
-#[allow(clippy::large_enum_variant)] // without an allocator, and most files are banks
+#[allow(clippy::large_enum_variant)] // there is no allocator, and most files are banks
 pub(super) enum Contents<'data> {
     Absent,
     Bank(BankFile<'data>),
@@ -101,15 +101,15 @@ pub(super) enum Contents<'data> {
     Set(SetIndex<'data>),
 }
 
-/// A bank, and what a dialogue needs to know of it.
+/// A bank with the data that a dialogue needs about it.
 #[derive(Clone, Copy)]
 pub(super) struct BankFile<'data> {
     pub(super) bank: Bank<'data>,
-    /// What it says about the banks below it, if it is a patch.
+    /// The description of the banks below, if it is a patch.
     pub(super) layer: Option<Layer<'data>>,
 }
 
-/// Texts in a file of their own.
+/// A text bank.
 #[derive(Clone, Copy)]
 pub(super) struct TextFile<'data> {
     file: File<'data>,
@@ -119,26 +119,26 @@ pub(super) struct TextFile<'data> {
 }
 
 impl TextFile<'_> {
-    /// Whether the texts are for the clips of this bank.
+    /// Whether the texts belong to this bank.
     pub(super) fn is_beside(&self, bank: &Bank<'_>) -> bool {
         self.fingerprint() == bank.fingerprint() && self.table.segment_count == bank.texts.segment_count
     }
 
-    /// The fingerprint of the clips that the texts are for.
+    /// Returns the fingerprint of the clips that the texts belong to.
     pub(super) fn fingerprint(&self) -> u64 {
         self.file.header.fingerprint.get()
     }
 }
 
 impl<'data> DialogueFile<'data> {
-    /// A place for a file.
+    /// An empty place for a file.
     pub const ABSENT: DialogueFile<'static> = DialogueFile { contents: Contents::Absent };
 
-    /// Opens the file that fills `bytes`, the one with this number in its dialogue: checks header and directory, and for a patch
-    /// what it says about the banks below it.
+    /// Opens the file that fills `bytes`, with this number in its dialogue. Checks header and directory, and in a patch
+    /// the description of the banks below it.
     ///
     /// # Errors
-    /// When the bytes are not a bank, a text bank or the index of a set, or are cut off or damaged there.
+    /// If the bytes are not a bank, a text bank or the index of a set, or if these parts are cut off or damaged.
     pub fn open(bytes: &'data [u8], number: usize) -> Result<DialogueFile<'data>, Error> {
         if bytes.starts_with(&lipz_layout::SET_MAGIC) {
             return Ok(DialogueFile { contents: Contents::Set(SetIndex::open(bytes)?) });
@@ -158,17 +158,17 @@ impl<'data> DialogueFile<'data> {
         Ok(DialogueFile { contents })
     }
 
-    /// Checks every byte and every reference, and returns the file with its strings marked as checked: as the file with this
-    /// number among `files`, of which those before it are verified. Texts are checked against each bank among these that they
-    /// are for, the bank of a set against the index.
+    /// Checks every byte and every reference, and returns the file with its strings marked as checked.
     ///
-    /// `utf8` is a UTF-8 check of the program's own, as for [`Bank::verify_with`].
+    /// The file is the one with this number among `files`; those before it must be verified. Texts are checked against
+    /// each of these banks that they belong to, and the bank of a set against the index.
+    ///
+    /// `utf8` is the program's own UTF-8 check, as for [`Bank::verify_with`].
     ///
     /// # Errors
-    /// The first damage found; for texts, [`ErrorKind::TextsOnly`] if there is no file before them,
-    /// [`ErrorKind::OtherClips`] if they are for none of the banks, and
-    /// [`ErrorKind::BankNotVerified`] if such a bank was not verified; for the bank of a set, [`ErrorKind::OtherBank`] if the
-    /// index names a different one.
+    /// The first damage found. For texts: [`ErrorKind::TextsOnly`] without a file before them,
+    /// [`ErrorKind::OtherClips`] if they belong to none of the banks, and [`ErrorKind::BankNotVerified`] if their bank
+    /// was not verified. For the bank of a set: [`ErrorKind::OtherBank`] if the index names a different one.
     pub fn verify_in<F: Files + ?Sized>(
         self,
         files: &F,
@@ -204,7 +204,7 @@ impl<'data> DialogueFile<'data> {
         Ok(DialogueFile { contents })
     }
 
-    /// What the file is.
+    /// Returns the kind of the file.
     pub const fn kind(&self) -> FileKind {
         match &self.contents {
             Contents::Absent => FileKind::Absent,
@@ -215,7 +215,7 @@ impl<'data> DialogueFile<'data> {
         }
     }
 
-    /// The bank, if the file is one.
+    /// Returns the bank, if the file is one.
     pub const fn bank(&self) -> Option<&Bank<'data>> {
         match &self.contents {
             Contents::Bank(file) => Some(&file.bank),
@@ -223,7 +223,7 @@ impl<'data> DialogueFile<'data> {
         }
     }
 
-    /// The index, if the file is that of a set.
+    /// Returns the index, if the file is the index of a set.
     pub const fn set_index(&self) -> Option<&SetIndex<'data>> {
         match &self.contents {
             Contents::Set(index) => Some(index),
@@ -231,7 +231,7 @@ impl<'data> DialogueFile<'data> {
         }
     }
 
-    /// Length of the file in bytes; 0 for none.
+    /// Returns the length of the file in bytes; 0 for an absent file.
     pub const fn length_bytes(&self) -> usize {
         match &self.contents {
             Contents::Absent => 0,
@@ -241,7 +241,7 @@ impl<'data> DialogueFile<'data> {
         }
     }
 
-    /// The checksum in the header: files of different contents have different ones; 0 for none.
+    /// Returns the checksum in the header, which differs between files of different contents; 0 for an absent file.
     pub fn checksum(&self) -> u64 {
         match &self.contents {
             Contents::Absent => 0,

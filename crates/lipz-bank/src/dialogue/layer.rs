@@ -1,4 +1,4 @@
-//! What a layer says about the banks below it: the section `LAYR`.
+//! A layer's description of the banks below it: the section `LAYR`.
 
 use crate::{Bank, ClipId, Error, ErrorKind};
 use core::fmt;
@@ -11,20 +11,20 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 /// Both parts of a clip.
 const WHOLE: u8 = PART_CLIP | PART_TEXTS;
 
-/// What a layer says about the banks below it.
+/// A layer's description of the banks below it.
 ///
-/// A [`Dialogue`](crate::Dialogue) goes by it. By itself it is for tools.
+/// A [`Dialogue`](crate::Dialogue) evaluates it. Only tools use it directly.
 #[derive(Clone, Copy)]
 pub struct Layer<'data> {
-    /// Checksums of the banks that it was made over, the lowest first.
+    /// Checksums of the banks that it was packed over, the lowest first.
     pub(super) bases: &'data [U64],
-    /// Bits of the ids that the layer says something about; empty if that is not known.
+    /// Bits of the ids that the layer describes; empty if they are not known.
     pub(super) filter: &'data [U64],
     /// Ids of removed clips in ascending order.
     removed: &'data [U64],
-    /// In ascending order of the ids of the clips, and of the voices.
+    /// The dubs, in ascending order of the ids of the clips, and of the voices.
     pub(super) dubs: &'data [LayerDubRecord],
-    /// Slot and number of the locale, of texts of dubs that are those of their originals, in ascending order.
+    /// Slot and locale number of each text of a dub that is also the text of its original, in ascending order.
     borrowed: &'data [U64],
     stand_ins: &'data [U32],
     parts: &'data [u8],
@@ -35,17 +35,18 @@ pub struct Layer<'data> {
 }
 
 impl<'data> Bank<'data> {
-    /// What the bank says about banks below it; `None` if it is not a layer. Nothing of it is checked but the lengths of its
-    /// tables: see [`Bank::verified_layer`].
+    /// Returns the description of the banks below; `None` if the bank is not a layer. Only the lengths of its tables
+    /// are checked: see [`Bank::verified_layer`].
     pub fn layer(&self) -> Option<Layer<'data>> {
         Layer::cut(self.file.contents(self.file.entry(Tag::LAYER)?)?)
     }
 
-    /// The same, checked in a time in proportion to its length, as [`DialogueFile::open`](crate::files::DialogueFile::open) does it.
-    /// [`Bank::verify`] leaves it out, so that programs without layers do not have the code.
+    /// Returns the same, checked in a time in proportion to its length, as
+    /// [`DialogueFile::open`](crate::files::DialogueFile::open) checks it. [`Bank::verify`] skips this check, so that
+    /// programs without layers do not contain the code.
     ///
     /// # Errors
-    /// [`ErrorKind::Layer`] if it is cut off, out of order, or leads to nothing.
+    /// [`ErrorKind::Layer`] if it is cut off, out of order, or refers to missing data.
     pub fn verified_layer(&self) -> Result<Option<Layer<'data>>, Error> {
         let entry = match self.file.entry(Tag::LAYER) {
             Some(entry) => entry,
@@ -57,7 +58,7 @@ impl<'data> Bank<'data> {
 }
 
 impl<'data> Layer<'data> {
-    /// That of a bank about which nothing is said.
+    /// An empty description.
     const NONE: Layer<'static> = Layer {
         bases: &[],
         filter: &[],
@@ -72,7 +73,7 @@ impl<'data> Layer<'data> {
         flags: 0,
     };
 
-    /// The parts of a section, as long as it says.
+    /// Splits a section into its parts; `None` if it is too short.
     fn cut(section: &'data [u8]) -> Option<Layer<'data>> {
         let (record, rest) = LayerRecord::ref_from_prefix(section).ok()?;
         let (bases, rest) = take(rest, record.base_count)?;
@@ -93,12 +94,12 @@ impl<'data> Layer<'data> {
         Some(Layer { removed_locale_count, flags, ..layer })
     }
 
-    /// Whether the tags of removed locales ascend, are as many as they should be, and fill their table.
+    /// Whether the tags of removed locales ascend, have the right number, and fill their table.
     fn has_valid_tags(&self) -> bool {
         ascending(self.removed_locales) == Some(self.removed_locale_count)
     }
 
-    /// Whether the voices are the original's and others, which ascend, and what is said about dubs is about them.
+    /// Whether the first voice is the original's, the others ascend, and the dubs refer to these voices.
     fn has_valid_voices(&self, bank: &Bank<'_>) -> bool {
         let (original, others) = split_tag(self.voices).unwrap_or_default();
         let count = ascending(others);
@@ -125,7 +126,7 @@ impl<'data> Layer<'data> {
             && self.borrowed.iter().all(is_text)
     }
 
-    /// Whether the table fits its bank.
+    /// Whether the table is consistent with its bank.
     fn is_valid(&self, bank: &Bank<'_>) -> bool {
         let locale_count = bank.texts.records.len();
         let is_locale = |stand_in: &U32| stand_in.get() == NO_STAND_IN || (stand_in.get() as usize) < locale_count;
@@ -150,53 +151,53 @@ impl<'data> Layer<'data> {
             && (0..locale_count).all(|index| bank.texts.tag(index).map_or(true, |tag| !self.removes_locale(tag)))
     }
 
-    /// The checksums of the banks that it was made over, the lowest first.
+    /// Returns the checksums of the banks that it was packed over, the lowest first.
     pub fn made_over(&self) -> impl Iterator<Item = u64> + 'data {
         self.bases.iter().map(|base| base.get())
     }
 
-    /// The ids of the clips that it removes from the banks below, in ascending order.
+    /// Returns the ids of the clips that it removes from the banks below, in ascending order.
     pub fn removed_clips(&self) -> impl Iterator<Item = ClipId> + 'data {
         self.removed.iter().map(|id| ClipId::from_u64(id.get()))
     }
 
-    /// Whether the clip in this slot of the layer has its mouth shapes, events and curves here, and whether it has its texts
-    /// here. What it does not have is below.
+    /// Whether the layer contains the visemes, events and curves of the clip in this slot, and whether it contains its
+    /// texts. The missing part is in a bank below.
     #[inline]
     pub fn parts(&self, slot: u32) -> (bool, bool) {
         let parts = self.parts.get(slot as usize).copied().unwrap_or(WHOLE);
         (parts & PART_CLIP != 0, parts & PART_TEXTS != 0)
     }
 
-    /// Whether the clip in this slot is a dub whose texts are those that the stack has for its original.
+    /// Whether the clip in this slot is a dub that uses the texts of its original in the stack.
     pub fn has_texts_of_original(&self, slot: u32) -> bool {
         self.parts.get(slot as usize).map_or(false, |parts| parts & PART_ORIGINAL != 0)
     }
 
-    /// Whether the text here of the clip in this slot, in the locale at this place, is that of its original: the text of a
-    /// dub that has others of its own.
+    /// Whether the text of the clip in this slot, in the locale at this place, is that of its original. The clip is a
+    /// dub that has other texts of its own.
     pub fn borrows(&self, slot: u32, locale: usize) -> bool {
         let place = u64::from(slot) << 32 | locale as u64;
         self.borrowed.binary_search_by(|text| text.get().cmp(&place)).is_ok()
     }
 
-    /// The tags of voices, that of the originals first: those that it adds, or all of the stack if it
-    /// [says so](Layer::has_voices).
+    /// Returns the tags of voices, that of the originals first: the added ones, or all voices of the stack if
+    /// [`has_voices`](Layer::has_voices) is set.
     pub fn voices(&self) -> impl Iterator<Item = &'data str> {
         tags(self.voices)
     }
 
-    /// Whether its list of voices, or its lack of one, counts and not that below.
+    /// Whether its list of voices, even if empty, replaces the one below.
     pub fn has_voices(&self) -> bool {
         self.has(LAYER_VOICES)
     }
 
-    /// For how many clips and voices it says which clip is the dub.
+    /// Returns the number of clips and voices for which the layer states the dub.
     pub fn dub_count(&self) -> usize {
         self.dubs.len()
     }
 
-    /// Whether the layer may say something about the clip with this id; `false` if it surely does not.
+    /// Whether the layer may describe the clip with this id; `false` if it certainly does not.
     #[inline]
     pub fn may_have(&self, id: ClipId) -> bool {
         may_have(self.filter, id)
@@ -218,46 +219,46 @@ impl<'data> Layer<'data> {
         self.removed_locales().any(|removed| removed == tag)
     }
 
-    /// The tags of the locales that the layer removes.
+    /// Returns the tags of the locales that the layer removes.
     pub fn removed_locales(&self) -> impl Iterator<Item = &'data str> {
         tags(self.removed_locales)
     }
 
-    /// The place of the locale that stands in for the one at this place in banks below that do not have it. Places are those
-    /// in [`Bank::locales`].
+    /// Returns the place of the locale that replaces the one at this place in banks below that do not have it. Places
+    /// are those in [`Bank::locales`].
     pub fn stand_in(&self, locale: usize) -> Option<usize> {
         self.stand_ins.get(locale).map(|stand_in| stand_in.get() as usize)
     }
 
-    /// Whether what this flag is about counts as the layer has it: [`LAYER_BABBLE`] and so on.
+    /// Whether the layer replaces the data of this flag: [`LAYER_BABBLE`] and so on.
     pub(crate) fn has(&self, flag: u32) -> bool {
         self.flags & flag != 0
     }
 
-    /// Whether its babble profiles, or its lack of them, count and not those below.
+    /// Whether its babble profiles, even if empty, replace those below.
     pub fn has_babble(&self) -> bool {
         self.has(LAYER_BABBLE)
     }
 
-    /// Whether its face profiles, or its lack of them, count and not those below.
+    /// Whether its face profiles, even if empty, replace those below.
     pub fn has_faces(&self) -> bool {
         self.has(LAYER_FACES)
     }
 
-    /// Whether its default locale, or its lack of one, counts and not that below.
+    /// Whether its default locale, even if unset, replaces the one below.
     pub fn has_default_locale(&self) -> bool {
         self.has(LAYER_DEFAULT_LOCALE)
     }
 }
 
-/// Whether a filter lets an id through. An empty one lets all of them.
+/// Whether a filter accepts an id. An empty filter accepts all of them.
 #[inline]
 pub(super) fn may_have(filter: &[U64], id: ClipId) -> bool {
     let (word, bit) = lipz_layout::filter_place(id.get(), filter.len());
     filter.get(word).map_or(true, |word| word.get() >> bit & 1 != 0)
 }
 
-/// So many entries at the start of `bytes`, and what is behind them.
+/// Splits `count` entries off the start of `bytes`.
 fn take<T>(bytes: &[u8], count: U32) -> Option<(&[T], &[u8])>
 where
     T: FromBytes + Immutable + KnownLayout + Unaligned,
@@ -265,7 +266,7 @@ where
     <[T]>::ref_from_prefix_with_elems(bytes, count.get() as usize).ok()
 }
 
-/// The tags of a list.
+/// Returns the tags of a list.
 fn tags(mut rest: &[u8]) -> impl Iterator<Item = &str> {
     core::iter::from_fn(move || {
         let (tag, behind) = split_tag(rest)?;
@@ -274,7 +275,7 @@ fn tags(mut rest: &[u8]) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The number of tags in a list, if they ascend and fill it.
+/// Returns the number of tags in a list, if they ascend and fill it.
 fn ascending(mut rest: &[u8]) -> Option<u32> {
     let mut count = 0_u32;
     let mut before: &[u8] = &[];
@@ -289,14 +290,14 @@ fn ascending(mut rest: &[u8]) -> Option<u32> {
     if rest.is_empty() { Some(count) } else { None }
 }
 
-/// The first tag of a list, after its length in a byte, and what is behind it.
+/// Splits off the first tag of a list, which follows its length in one byte.
 fn split_tag(list: &[u8]) -> Option<(&[u8], &[u8])> {
     let (length, rest) = list.split_first()?;
     let tag = rest.get(..usize::from(*length))?;
     Some((tag, rest.get(tag.len()..)?))
 }
 
-/// What the layer does, in numbers.
+/// Prints the effects of the layer as counts.
 impl fmt::Debug for Layer<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Layer")

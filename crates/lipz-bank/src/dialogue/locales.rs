@@ -1,7 +1,7 @@
-//! The locales of a dialogue: looked up once, and found in the table of each file that has texts in them.
+//! The locales of a dialogue: looked up once, and found in the table of each file that contains them.
 
 use super::file::Contents;
-use super::stack::{Level, Place};
+use super::stack::{ClipLocation, Level};
 use super::{Answers, Base, Dialogue, Layer};
 use crate::locale::LocaleTable;
 use crate::text::FoundText;
@@ -10,11 +10,11 @@ use lipz_layout::{ClipRecord, LAYER_DEFAULT_LOCALE};
 
 /// The locales in a file.
 #[derive(Clone, Copy)]
-struct Table<'a> {
+struct FileLocales<'a> {
     /// The number of the file.
     number: usize,
     locales: &'a LocaleTable<'a>,
-    /// The hash of their list.
+    /// The hash of the list of its locales.
     list: u32,
 }
 
@@ -23,14 +23,15 @@ struct Table<'a> {
 struct InTable<'a> {
     table: &'a LocaleTable<'a>,
     index: usize,
-    /// Whether it stands in for the locale that was asked for.
+    /// Whether it replaces the requested locale.
     stands_in: bool,
 }
 
 impl<'a> Dialogue<'a> {
-    /// The locale with this tag, spelled as in the files (`en-us`). Look it up once and pass it to text queries.
+    /// Returns the locale with this tag, spelled as in the files (`en-us`). Look it up once and pass it to text
+    /// queries.
     ///
-    /// Clips of files that do not have it show the text of the locale that stands in for it, marked as a
+    /// Clips of files without the locale show the text of the locale that it falls back to, marked as a
     /// [fallback](crate::Text::is_fallback).
     pub fn locale(&self, tag: &str) -> Option<Locale> {
         match self.answers {
@@ -48,11 +49,12 @@ impl<'a> Dialogue<'a> {
                 return found;
             }
         }
-        // The list of the base is that of the most clips, for which a locale is then a place in a table.
+        // Most clips use the base's list. For these, a locale is then an index in a table.
         self.base_levels().find_map(|level| self.handle_in(level, tag)).or(found)
     }
 
-    /// The default locale, from the topmost file that sets one. If a bank has no locales, its text banks set it.
+    /// Returns the default locale, from the topmost file that sets one. If a bank has no locales, its text banks set
+    /// it.
     pub fn default_locale(&self) -> Option<Locale> {
         match self.answers {
             Answers::Alone(bank) => bank.default_locale(),
@@ -68,13 +70,13 @@ impl<'a> Dialogue<'a> {
         self.locale(tag)
     }
 
-    /// All locales of the dialogue, in no order.
+    /// Returns all locales of the dialogue, in any order.
     pub fn locales(&self) -> impl Iterator<Item = Locale> + '_ {
         self.locale_tags().filter_map(move |tag| self.locale(tag))
     }
 
-    /// The tag of a locale, as in `text_en-us` of a Lipz file: `en-us`. Empty for a locale of another dialogue, and in a damaged
-    /// file.
+    /// Returns the tag of a locale, as in `text_en-us` of a Lipz file: `en-us`. Empty for a locale of another dialogue,
+    /// and in a damaged file.
     pub fn locale_tag(&self, locale: Locale) -> &'a str {
         match self.answers {
             Answers::Alone(bank) => bank.locale_tag(locale),
@@ -82,7 +84,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The tags of all locales, each once: those of the topmost file come first.
+    /// Returns the tags of all locales, each once, those of the topmost file first.
     fn locale_tags(&self) -> impl Iterator<Item = &'a str> + '_ {
         let levels = move || {
             let patches = (0..self.patch_count).rev().filter_map(move |patch| self.patch(patch));
@@ -98,19 +100,19 @@ impl<'a> Dialogue<'a> {
         })
     }
 
-    /// The tags of the locales of a bank and of the text banks next to it, each once.
+    /// Returns the tags of the locales of a bank and of its text banks, each once.
     fn tags_of(&self, level: Level<'a>) -> impl Iterator<Item = &'a str> + '_ {
         self.tables_of(level).enumerate().flat_map(move |(place, table)| {
             let is_new = move |tag: &&str| {
-                let has = |table: Table<'_>| table.locales.index_of(tag.as_bytes()).is_some();
+                let has = |table: FileLocales<'_>| table.locales.index_of(tag.as_bytes()).is_some();
                 !self.tables_of(level).take(place).any(has)
             };
             (0..table.locales.records.len()).filter_map(move |index| table.locales.tag(index)).filter(is_new)
         })
     }
 
-    /// The text of the segment with this index of a clip, which may have its texts in its bank, wherever the text is.
-    #[inline(always)] // into the two queries
+    /// Returns the text of the segment with this index of a clip, from any file. The clip's bank may contain its texts.
+    #[inline(always)] // into both queries
     pub(super) fn text_of(
         &'a self,
         bank: &'a Bank<'a>,
@@ -125,7 +127,7 @@ impl<'a> Dialogue<'a> {
         self.text_elsewhere(bank.slot_of(record), bank, (segment, has_texts), locale)
     }
 
-    /// The text of a segment of a clip whose bank does not have the locale, or does not have its texts.
+    /// Returns the text of a segment of a clip whose bank lacks the locale or the texts.
     #[inline(never)]
     fn text_elsewhere(
         &'a self,
@@ -137,7 +139,7 @@ impl<'a> Dialogue<'a> {
         let list = self.list_of(locale)?;
         let tag = list.tag_bytes(usize::from(locale.index))?;
         let place = match has_texts {
-            true => Place { file: bank.number, slot },
+            true => ClipLocation { file: bank.number, slot },
             false => self.texts_place(bank.clip_at(slot)?.id())?,
         };
         let file = self.bank_file(place.file as usize)?;
@@ -151,10 +153,10 @@ impl<'a> Dialogue<'a> {
         Some(found.marked(in_table.stands_in))
     }
 
-    /// The locale whose texts show for clips of a bank of the stack.
+    /// Returns the locale whose texts the clips of a bank of the stack show.
     fn in_table_of(&self, asked: Level<'a>, locale: Locale, tag: &[u8]) -> Option<InTable<'a>> {
         if self.patch_count == 0 {
-            // The file that has the locale is mostly the one that was asked for.
+            // Usually, the requested locale is in the file that the handle names.
             let named = match self.files.file(usize::from(locale.file)).map(|named| &named.contents) {
                 Some(Contents::Texts(texts)) if texts.is_beside(&asked.file.bank) => Some(&texts.table),
                 _ => None,
@@ -164,7 +166,8 @@ impl<'a> Dialogue<'a> {
             }
             return self.own_of(asked, tag);
         }
-        // From the top: a patch says what stands in for its locales below it, and which of those below do not count.
+        // From the top: a patch names replacements for its locales in banks below it, and removes locales of these
+        // banks.
         let mut stand_in: Option<&'a [u8]> = None;
         let mut is_removed = false;
         let patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
@@ -182,38 +185,39 @@ impl<'a> Dialogue<'a> {
             };
             stand_in = match own {
                 Some(_) => below(tag),
-                // The stand-in may itself be new in this file, and have one below it.
+                // The replacement may itself be new in this file, and have a replacement below it.
                 None => found.and(stand_in).and_then(below).or(stand_in),
             };
             let removes = |tag: &[u8]| layer.removed_locales().any(|removed| removed.as_bytes() == tag);
             is_removed |= removes(tag);
-            // It is a different locale with the same tag, which came later.
+            // A later locale with the same tag is a different locale.
             stand_in = stand_in.filter(|other| !removes(other));
         }
         None
     }
 
-    /// The locale with this tag in a bank, or in a text bank next to it.
+    /// Returns the locale with this tag in a bank, or in one of its text banks.
     fn own_of(&self, level: Level<'a>, tag: &[u8]) -> Option<InTable<'a>> {
         self.tables_of(level).find_map(|table| {
             Some(InTable { table: table.locales, index: table.locales.index_of(tag)?, stands_in: false })
         })
     }
 
-    /// The table of a bank, and those of the text banks next to it.
-    fn tables_of(&self, level: Level<'a>) -> impl Iterator<Item = Table<'a>> + Clone + '_ {
-        let own = Table { number: level.number, locales: &level.file.bank.texts, list: level.file.bank.locale_list };
+    /// Returns the table of a bank, and those of its text banks.
+    fn tables_of(&self, level: Level<'a>) -> impl Iterator<Item = FileLocales<'a>> + Clone + '_ {
+        let own =
+            FileLocales { number: level.number, locales: &level.file.bank.texts, list: level.file.bank.locale_list };
         let numbers = self.behind_base()..self.files.count();
         let texts = numbers.filter_map(move |number| match &self.files.file(number)?.contents {
             Contents::Texts(texts) if texts.is_beside(&level.file.bank) => {
-                Some(Table { number, locales: &texts.table, list: texts.locale_list })
+                Some(FileLocales { number, locales: &texts.table, list: texts.locale_list })
             }
             _ => None,
         });
         core::iter::once(own).chain(texts)
     }
 
-    /// The handle of the locale with this tag in a bank of the stack, or in a text bank next to it.
+    /// Returns the handle of the locale with this tag in a bank of the stack, or in one of its text banks.
     fn handle_in(&self, level: Level<'a>, tag: &str) -> Option<Locale> {
         self.tables_of(level).find_map(|table| {
             let index = u16::try_from(table.locales.index_of(tag.as_bytes())?).ok()?;
@@ -221,7 +225,7 @@ impl<'a> Dialogue<'a> {
         })
     }
 
-    /// The list that a locale counts in; `None` for one of another dialogue.
+    /// Returns the list in which a locale is numbered; `None` for a locale of another dialogue.
     pub(super) fn list_of(&self, locale: Locale) -> Option<&'a LocaleTable<'a>> {
         let (table, list) = match &self.files.file(usize::from(locale.file))?.contents {
             Contents::Bank(file) => (&file.bank.texts, file.bank.locale_list),
@@ -231,7 +235,7 @@ impl<'a> Dialogue<'a> {
         if locale.origin == self.origin.with_list(list) { Some(table) } else { None }
     }
 
-    /// The base, or the first bank of a set that is there: all banks of a set have the same locales and profiles.
+    /// Returns the base, or the first loaded bank of a set. All banks of a set have the same locales and profiles.
     pub(super) fn base_levels(&self) -> impl Iterator<Item = Level<'a>> + Clone + '_ {
         let numbers = match &self.base {
             Base::Bank(_) => 0..1,
@@ -245,7 +249,7 @@ impl<'a> Dialogue<'a> {
     }
 }
 
-/// The text of a segment of the clip with this record, in the locale with this index of a table.
+/// Returns the text of a segment of the clip with this record, in the locale with this index of a table.
 #[inline(always)]
 fn text_in<'t>(table: &'t LocaleTable<'t>, index: usize, record: &ClipRecord, segment: u32) -> Option<FoundText<'t>> {
     let first = record.segments_first.get() as usize;

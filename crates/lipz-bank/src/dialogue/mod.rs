@@ -1,7 +1,7 @@
-//! A dialogue: any number of files that answer as one bank.
+//! A dialogue: any number of files that return answers like one bank.
 //!
-//! A *base*, which is a bank or the [set](crate::files::SetIndex) of the banks of all shards, has *patches* over it, the topmost
-//! of which answers, and the texts of locales next to it in files of their own.
+//! It has a *base*, which is a bank or the [set](crate::files::SetIndex) of the banks of all shards. *Patches* are
+//! stacked on the base, and the topmost one with a clip returns it. Text banks contain the texts of locales.
 
 mod clips;
 mod error;
@@ -27,13 +27,13 @@ use core::fmt;
 use file::{BankFile, Contents, FilesRef};
 use lipz_layout::U64;
 
-/// Files that answer as one bank: a bank or a set of banks, the patches over it, and text banks.
+/// Files that return answers like one bank: a bank or a set of banks, with patches and text banks.
 ///
-/// A game opens a dialogue and asks it; which files it is made of, and how many, changes nothing else. A patch, a download or a
-/// mod is a bank that was packed with `--over`, and `--split-voices` makes such banks of dubs. The dialogue answers as the bank
-/// would that was packed with all of it in one go.
+/// A game opens a dialogue and queries it, independently of the number and kinds of its files. A patch, a download or a
+/// mod is a bank that was packed with `--over`; `--config split-voices=true` makes such banks of dubs. The dialogue
+/// returns the same answers as one bank that was packed from all sources at once.
 ///
-/// The files are in memory of the program, and their contents in bytes of the program: nothing is allocated.
+/// The file structures and their contents are in the program's memory: nothing is allocated.
 ///
 /// ```
 /// use lipz_bank::files::DialogueFile;
@@ -55,53 +55,54 @@ pub struct Dialogue<'a> {
     files: FilesRef<'a>,
     answers: Answers<'a>,
     base: Base<'a>,
-    /// The patch that is the nearest to the base, and so on.
+    /// The patches, from the base upwards.
     patches: [Option<&'a BankFile<'a>>; Dialogue::MAX_PATCHES],
-    /// For each patch the bits of the ids that it says something about; nothing behind them.
+    /// For each patch, the bits of the ids that it describes; empty for the rest.
     filters: [&'a [U64]; Dialogue::MAX_PATCHES],
     patch_count: usize,
-    /// What the handles of this dialogue have.
+    /// The origin of the dialogue's handles.
     origin: Origin,
-    /// Whether a patch removes locales: then none counts in the table of a bank without a look at all patches.
+    /// Whether a patch removes locales. If so, each locale of a bank has to be checked against all patches.
     removes_locales: bool,
 }
 
 impl Dialogue<'_> {
-    /// The number of patches that a dialogue has room for.
+    /// The maximal number of patches in a dialogue.
     pub const MAX_PATCHES: usize = 15;
 }
 
-/// Who answers the queries of a dialogue.
+/// The source of a dialogue's answers.
 #[derive(Clone, Copy)]
 enum Answers<'a> {
     /// The only file, which is a bank.
     Alone(&'a Bank<'a>),
-    /// All files. The queries are in a table, so that a program that opens single banks on a 32-bit processor does not contain
-    /// their code.
+    /// All files. The queries are in a table, so that a program for a 32-bit processor that only opens single banks
+    /// does not contain their code.
     Together(&'static Queries),
 }
 
-/// What patches are over.
+/// The lowest level of the stack.
 #[derive(Clone, Copy)]
 enum Base<'a> {
     /// The bank that is the first file.
     Bank(&'a BankFile<'a>),
-    /// The banks behind the index, which is the first file.
+    /// The banks after the index, which is the first file.
     Set(SetIndex<'a>),
 }
 
-/// Where a clip is.
+/// The location of a clip.
 #[derive(Clone, Copy)]
-struct Found<'a> {
+struct FoundClip<'a> {
     bank: &'a Bank<'a>,
-    /// The slot in the lower half, and in the upper one whether its texts are there, too: two registers for all.
+    /// The lower half is the slot, and the upper half states whether the bank also has the texts. Together, the struct
+    /// fits two registers.
     place: u64,
 }
 
-impl<'a> Found<'a> {
+impl<'a> FoundClip<'a> {
     #[inline(always)]
-    fn new(bank: &'a Bank<'a>, slot: u32, has_texts: bool) -> Found<'a> {
-        Found { bank, place: u64::from(has_texts) << 32 | u64::from(slot) }
+    fn new(bank: &'a Bank<'a>, slot: u32, has_texts: bool) -> FoundClip<'a> {
+        FoundClip { bank, place: u64::from(has_texts) << 32 | u64::from(slot) }
     }
 
     #[inline(always)]
@@ -116,7 +117,7 @@ impl<'a> Found<'a> {
 }
 
 impl<'a> Dialogue<'a> {
-    /// The queries of clips, if the dialogue is more than one bank.
+    /// Returns the queries of clips, if the dialogue is more than one bank.
     #[inline]
     pub(crate) fn queries(&self) -> Option<&'static Queries> {
         match self.answers {
@@ -125,7 +126,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The number of the first file behind the base.
+    /// Returns the number of the first file after the base.
     fn behind_base(&self) -> usize {
         match &self.base {
             Base::Bank(_) => 1,
@@ -133,23 +134,23 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// A number that differs between dialogues of different contents: handles that are kept as numbers, and a program that keeps
-    /// more of a version, compare it.
+    /// Returns a number that differs between dialogues of different contents. Compare it to validate handles or other
+    /// data that the program has stored for a version.
     pub const fn version(&self) -> u32 {
         self.origin.to_u32()
     }
 
-    /// The number of files, the index of a set and each of its banks among them.
+    /// Returns the number of files, including the index of a set and each of its banks.
     pub fn file_count(&self) -> usize {
         self.files.count()
     }
 
-    /// The file with this number; `None` if it is not there. A bank of a set is opened now, if it is not open yet.
+    /// Returns the file with this number, or `None` if it is missing. Opens a bank of a set if necessary.
     pub fn file(&self, number: usize) -> Option<&'a DialogueFile<'a>> {
         self.files.file(number)
     }
 
-    /// The index, if the base is a set.
+    /// Returns the index, if the base is a set.
     pub fn set_index(&self) -> Option<SetIndex<'a>> {
         match &self.base {
             Base::Bank(_) => None,
@@ -157,7 +158,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The bank that is the file with this number.
+    /// Returns the bank that is the file with this number.
     pub fn bank(&self, number: usize) -> Option<&'a Bank<'a>> {
         Some(&self.bank_file(number)?.bank)
     }
@@ -169,13 +170,14 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The clip with this id, of the topmost file that has it; `None` if none does, or one above removes it.
+    /// Returns the clip with this id, from the topmost file that has it; `None` if no file has it, or if a patch
+    /// removes it.
     #[inline]
     pub fn clip(&self, id: ClipId) -> Option<Clip<'_>> {
         self.found_clip(self.find(id)?)
     }
 
-    /// The clip with this key, compared whole.
+    /// Returns the clip with this key, which is compared in full.
     #[inline]
     pub fn clip_by_key(&self, key: &str) -> Option<Clip<'_>> {
         let found = self.find(ClipId::from_key(key))?;
@@ -183,58 +185,59 @@ impl<'a> Dialogue<'a> {
         if found.bank.key_bytes(record)? == key.as_bytes() { self.found_clip(found) } else { None }
     }
 
-    /// The clip that was found.
+    /// Returns the clip at this location.
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // short code where memory is scarce
-    fn found_clip(&self, found: Found<'a>) -> Option<Clip<'_>> {
+    fn found_clip(&self, found: FoundClip<'a>) -> Option<Clip<'_>> {
         Clip::new(found.bank, found.slot(), Some(self), found.has_texts())
     }
 
     /// Where the clip with this id is.
     #[inline(always)] // a place in registers
-    fn find(&self, id: ClipId) -> Option<Found<'a>> {
+    fn find(&self, id: ClipId) -> Option<FoundClip<'a>> {
         match self.answers {
-            // On 64-bit processors, search the files directly: that saves a branch and an indirect call, and code is cheap.
+            // On 64-bit processors, search the files directly: that saves a branch and an indirect call, and code is
+            // cheap.
             _ if cfg!(target_pointer_width = "64") => self.find_in_files(id),
-            Answers::Alone(bank) => Some(Found::new(bank, bank.find(id)?.0, true)),
+            Answers::Alone(bank) => Some(FoundClip::new(bank, bank.find(id)?.0, true)),
             Answers::Together(queries) => (queries.find)(self, id),
         }
     }
 
     /// Where the clip with this id is, of the topmost file that has it.
     #[inline(always)] // a place in registers
-    fn find_in_files(&self, id: ClipId) -> Option<Found<'a>> {
+    fn find_in_files(&self, id: ClipId) -> Option<FoundClip<'a>> {
         if self.patch_count != 0 && self.may_be_patched(id) {
             return self.find_patched(id);
         }
         match &self.base {
             Base::Bank(base) => {
                 let (slot, _) = base.bank.find(id)?;
-                Some(Found::new(&base.bank, slot, true))
+                Some(FoundClip::new(&base.bank, slot, true))
             }
             Base::Set(index) => self.find_in_set(index, id),
         }
     }
 
-    /// Whether a patch may say something about the clip with this id: the filters let few ids through that are not those of
-    /// their patches.
+    /// Whether a patch may describe the clip with this id. The filters accept few ids that their patches do not
+    /// contain.
     #[inline(never)] // it is unrolled
     fn may_be_patched(&self, id: ClipId) -> bool {
         self.filters.iter().take_while(|filter| !filter.is_empty()).any(|filter| layer::may_have(filter, id))
     }
 
-    /// The clip with this [slot](Clip::slot) in the file of this [number](Clip::file), without a search, for programs that
-    /// keep numbers and not clips.
+    /// Returns the clip with this [slot](Clip::slot) in the file with this [number](Clip::file), without a search. For
+    /// programs that store numbers, not clips.
     #[inline]
     pub fn clip_at(&self, file: u32, slot: u32) -> Option<Clip<'_>> {
         match self.answers {
-            Answers::Alone(bank) if file == 0 => self.found_clip(Found::new(bank, slot, true)),
+            Answers::Alone(bank) if file == 0 => self.found_clip(FoundClip::new(bank, slot, true)),
             Answers::Alone(_) => None,
             Answers::Together(queries) => self.found_clip((queries.find_at)(self, file, slot)?),
         }
     }
 
-    /// The name that events mention, spelled as there (`amy`); `None` if no event of any file does.
+    /// Returns the name as spelled in events (`amy`); `None` if no event of any file contains it.
     pub fn event_name(&self, name: &str) -> Option<EventName<'_>> {
         match self.answers {
             Answers::Alone(bank) => bank.event_name(name),
@@ -242,7 +245,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The name of [`EventName::to_words`]; `None` if it is from another dialogue.
+    /// Returns the name of [`EventName::to_words`]; `None` if it is from another dialogue.
     pub fn event_name_of_words(&self, words: [u32; 2]) -> Option<EventName<'_>> {
         let key = NameKey::from_words(words);
         match self.answers {
@@ -260,8 +263,8 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The number of the missing bank of a set that would contain the clip with this ID. `None` if that bank is loaded, if a patch
-    /// removes the clip, or if the base is not a set.
+    /// Returns the number of the missing bank of a set that would contain the clip with this id. `None` if that bank is
+    /// loaded, if a patch removes the clip, or if the base is not a set.
     pub fn missing_bank(&self, id: ClipId) -> Option<usize> {
         match self.answers {
             Answers::Alone(_) => None,
@@ -270,7 +273,7 @@ impl<'a> Dialogue<'a> {
     }
 }
 
-/// The files, not their bytes.
+/// Prints the files, not their bytes.
 impl fmt::Debug for Dialogue<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let files = (0..self.files.count()).map(|number| self.files.file_if_open(number));

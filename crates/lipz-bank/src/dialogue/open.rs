@@ -1,4 +1,4 @@
-//! Opening a dialogue: from bytes, or from files that are open.
+//! Opens a dialogue, from bytes or from open files.
 
 use super::file::{BankFile, Contents, FilesRef};
 use super::queries::QUERIES;
@@ -10,14 +10,14 @@ use core::mem::MaybeUninit;
 use lipz_layout::{Tag, U64};
 
 impl<'a> Dialogue<'a> {
-    /// Opens and verifies the files that fill `contents`, and puts them into `files`, which has room for at least as many.
+    /// Opens and verifies the files that fill `contents`, and stores them in `files`, which must be at least as long.
     ///
-    /// The base comes first: a bank, or the index of a set with all of its banks behind it, in the order of the index. Then
-    /// come patches, each over those before it, and text banks, each behind the bank of its clips. Empty bytes stand for a
-    /// bank of a set that is not there yet; its clips are missing.
+    /// The base comes first: a bank, or the index of a set followed by all of its banks, in the order of the index.
+    /// Then come patches, each after those below it, and text banks, each after the bank of its clips. Empty bytes
+    /// stand for a bank of a set that is not loaded yet; its clips are missing.
     ///
     /// # Errors
-    /// The first file that is damaged, or that does not fit those before it.
+    /// The first file that is damaged, or that does not match those before it.
     pub fn open(
         files: &'a mut [DialogueFile<'a>],
         contents: impl IntoIterator<Item = &'a [u8]>,
@@ -25,7 +25,7 @@ impl<'a> Dialogue<'a> {
         Dialogue::open_each(files, contents, Some(crate::verify::core_utf8))
     }
 
-    /// Like [`Dialogue::open`], with a UTF-8 check of the program's own, as for [`Bank::verify_with`].
+    /// Like [`Dialogue::open`], with the program's own UTF-8 check, as for [`Bank::verify_with`].
     ///
     /// # Errors
     /// As [`Dialogue::open`].
@@ -37,11 +37,13 @@ impl<'a> Dialogue<'a> {
         Dialogue::open_each(files, contents, Some(utf8))
     }
 
-    /// Opens the one bank that fills `bytes`, without verifying it, and puts it into `file`: for firmware whose bank was verified
-    /// when it was packed. On 32-bit processors, a program that opens only single banks does not contain the code for verifying,
-    /// patches, sets and text banks, unless it lists locales.
+    /// Opens the one bank that fills `bytes`, without verifying it, and stores it in `file`. For firmware whose bank
+    /// was verified when it was packed.
     ///
-    /// `file` is room that need not be initialised: a place that is [absent](DialogueFile::ABSENT) would be copied from ROM first.
+    /// On 32-bit processors, a program that opens only single banks does not contain the code for verifying, patches,
+    /// sets and text banks, unless it lists locales.
+    ///
+    /// `file` need not be initialised, because an [absent](DialogueFile::ABSENT) file would be copied from ROM first.
     ///
     /// # Errors
     /// As [`Bank::open`]; [`ErrorKind::OtherBase`] for a patch.
@@ -54,16 +56,16 @@ impl<'a> Dialogue<'a> {
             file.write(DialogueFile { contents: Contents::Bank(BankFile { bank, layer: None }) });
         match &file.contents {
             Contents::Bank(base) => Ok(Dialogue::alone(FilesRef::Slice(core::slice::from_ref(file)), base)),
-            // It was just written as a bank.
+            // Unreachable: a bank was just stored.
             _ => Err(Error::new(ErrorKind::OtherBase, 0)),
         }
     }
 
-    /// Like [`Dialogue::open`], without verifying anything, in a time that does not depend on the number of clips. Each text is
-    /// checked to be UTF-8 when it is asked for.
+    /// Like [`Dialogue::open`], without verifying anything, in a time that does not depend on the number of clips. Each
+    /// text is checked to be UTF-8 on each query.
     ///
     /// # Errors
-    /// As [`Dialogue::open`], for what headers, directories and patches show.
+    /// As [`Dialogue::open`], as far as headers, directories and patches show them.
     pub fn open_unverified(
         files: &'a mut [DialogueFile<'a>],
         contents: impl IntoIterator<Item = &'a [u8]>,
@@ -96,19 +98,20 @@ impl<'a> Dialogue<'a> {
         Dialogue::of(FilesRef::Slice(files.get(..count).unwrap_or(files)), false)
     }
 
-    /// The dialogue of these files, which are [opened](DialogueFile::open) and, if the program wants it, verified.
+    /// Returns the dialogue of these files, which are [opened](DialogueFile::open) and optionally verified.
     ///
-    /// A patch fits if the banks that it was made over are below it, in their order. Others may lie between: a mod of the base
-    /// goes over its patch, too. Takes time in proportion to what patches say about the banks below them. Banks of a set are
-    /// not asked for. A patch alone is a dialogue of its own clips, for tools that look into it.
+    /// A patch matches if the banks that it was packed over are below it, in their order. Other banks may be between
+    /// them: a mod of the base also matches on top of the base's patch. Takes time in proportion to the patches'
+    /// descriptions of the banks below. Banks of a set are not opened. A single patch is a dialogue of its own clips,
+    /// for tools that inspect it.
     ///
     /// # Errors
-    /// The first file that does not fit those before it.
+    /// The first file that does not match those before it.
     pub fn new(files: &'a [DialogueFile<'a>]) -> Result<Dialogue<'a>, DialogueError> {
         Dialogue::of(FilesRef::Slice(files), true)
     }
 
-    /// Like [`Dialogue::new`], for files that the program opens when they are asked for. The base must not be a patch.
+    /// Like [`Dialogue::new`], for files that the program opens on demand. The base must not be a patch.
     ///
     /// # Errors
     /// As [`Dialogue::new`].
@@ -116,7 +119,7 @@ impl<'a> Dialogue<'a> {
         Dialogue::of(FilesRef::Lazy(files), false)
     }
 
-    /// `takes_part`: whether a patch may be the base.
+    /// With `takes_part`, the base may be a patch.
     fn of(files: FilesRef<'a>, takes_part: bool) -> Result<Dialogue<'a>, DialogueError> {
         let failed = |number, kind| DialogueError::new(number, Error::new(kind, 0));
         let first = files.file(0).ok_or(failed(0, ErrorKind::LayerCount))?;
@@ -157,18 +160,18 @@ impl<'a> Dialogue<'a> {
         Ok(dialogue)
     }
 
-    /// The dialogue of one bank.
+    /// Returns the dialogue of one bank.
     fn alone(files: FilesRef<'a>, file: &'a BankFile<'a>) -> Dialogue<'a> {
         Dialogue::with_base(files, Answers::Alone(&file.bank), Base::Bank(file), file.bank.origin)
     }
 
-    /// A dialogue without patches.
+    /// Returns a dialogue without patches.
     fn with_base(files: FilesRef<'a>, answers: Answers<'a>, base: Base<'a>, origin: Origin) -> Dialogue<'a> {
         let (patches, filters) = ([None; Dialogue::MAX_PATCHES], [&[] as &[U64]; Dialogue::MAX_PATCHES]);
         Dialogue { files, answers, base, patches, filters, patch_count: 0, origin, removes_locales: false }
     }
 
-    /// Checks that the banks of a set that are there are those that its index names.
+    /// Checks the loaded banks of a set against its index.
     fn check_base(&self) -> Result<(), DialogueError> {
         if let (Base::Set(index), 1..) = (&self.base, self.files.count()) {
             if self.files.count() < self.behind_base() {

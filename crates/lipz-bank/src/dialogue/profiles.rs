@@ -1,4 +1,4 @@
-//! Profiles of babble and of faces in a dialogue: those of one of its banks.
+//! Babble and face profiles of a dialogue, which come from one of its banks.
 
 use super::{Answers, Dialogue};
 use crate::Bank;
@@ -8,32 +8,32 @@ use crate::file::profiles;
 use lipz_layout::{LAYER_BABBLE, LAYER_FACES, Tag};
 
 impl<'a> Dialogue<'a> {
-    /// The babble profile with this name, from the topmost file that sets babble profiles.
+    /// Returns the babble profile with this name, from the topmost file that sets babble profiles.
     pub fn babble(&self, name: &str) -> Option<Babble<'a>> {
         self.bank_of_babble()?.babble(name)
     }
 
-    /// The babble profile of the project; [`Babble::DEFAULT`] if it has none.
+    /// Returns the project's babble profile, or [`Babble::DEFAULT`].
     pub fn default_babble(&self) -> Babble<'a> {
         self.bank_of_babble().map_or(Babble::DEFAULT, Bank::default_babble)
     }
 
-    /// All babble profiles, in the order of their names.
+    /// Returns all babble profiles, ordered by name.
     pub fn babbles(&self) -> impl Iterator<Item = Babble<'a>> + Clone + '_ {
         profiles(section(self.bank_of_babble(), Tag::BABBLE), Babble::split_first)
     }
 
-    /// The face profile with this name, from the topmost file that sets face profiles.
+    /// Returns the face profile with this name, from the topmost file that sets face profiles.
     pub fn face_profile(&self, name: &str) -> Option<FaceProfile<'a>> {
         self.bank_of_faces()?.face_profile(name)
     }
 
-    /// The face profile of the project; [`FaceProfile::DEFAULT`] if it has none.
+    /// Returns the project's face profile, or [`FaceProfile::DEFAULT`].
     pub fn default_face_profile(&self) -> FaceProfile<'a> {
         self.bank_of_faces().map_or(FaceProfile::DEFAULT, Bank::default_face_profile)
     }
 
-    /// All face profiles, in the order of their names.
+    /// Returns all face profiles, ordered by name.
     pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'a>> + Clone + '_ {
         profiles(section(self.bank_of_faces(), Tag::FACES), FaceProfile::split_first)
     }
@@ -54,7 +54,7 @@ impl<'a> Dialogue<'a> {
     }
 }
 
-/// The section of a bank; nothing without one.
+/// Returns the section of a bank, or nothing without a bank.
 fn section<'a>(bank: Option<&'a Bank<'a>>, tag: Tag) -> &'a [u8] {
     bank.map_or(&[], |bank| bank.file.section(tag))
 }

@@ -1,45 +1,46 @@
-//! The queries that the files of a dialogue answer together.
+//! Queries over all files of a dialogue.
 
-use super::{Answers, Dialogue, Found};
+use super::{Answers, Dialogue, FoundClip};
 use crate::event::NameKey;
 use crate::text::FoundText;
 use crate::{Bank, Clip, ClipId, EventName, Locale, Text, Voice, VoicedClip};
 use lipz_layout::ClipRecord;
 
-/// A query for the text of the segment with an index, of the clip with a record of a bank, which may have its texts there.
+/// A query for a segment's text by the record of its clip in a bank. The arguments in parentheses are the index of the
+/// segment, and whether this bank has the texts of the clip.
 type TextQuery = for<'a> fn(&'a Dialogue<'a>, &'a Bank<'a>, &'a ClipRecord, (u32, bool), Locale) -> Option<Text<'a>>;
 /// The same for the place of the text.
 type FindTextQuery =
     for<'a> fn(&'a Dialogue<'a>, &'a Bank<'a>, &'a ClipRecord, (u32, bool), Locale) -> Option<FoundText<'a>>;
 
-/// What the files of a dialogue answer together.
+/// The queries over all files of a dialogue.
 pub(crate) struct Queries {
-    /// Where the clip with an id is.
-    pub(super) find: for<'a> fn(&Dialogue<'a>, ClipId) -> Option<Found<'a>>,
-    /// The clip in a file and a slot, and whether its texts are there, too.
-    pub(super) find_at: for<'a> fn(&Dialogue<'a>, u32, u32) -> Option<Found<'a>>,
+    /// Returns the location of the clip with an id.
+    pub(super) find: for<'a> fn(&Dialogue<'a>, ClipId) -> Option<FoundClip<'a>>,
+    /// Returns the location of the clip in a file and a slot, with the location of its texts.
+    pub(super) find_at: for<'a> fn(&Dialogue<'a>, u32, u32) -> Option<FoundClip<'a>>,
     pub(super) locale: fn(&Dialogue<'_>, &str) -> Option<Locale>,
     pub(super) default_locale: fn(&Dialogue<'_>) -> Option<Locale>,
-    /// The bank that sets the thing of a flag of layers.
+    /// Returns the bank that sets the data of a layer flag.
     pub(super) bank_with: for<'a> fn(&Dialogue<'a>, u32) -> Option<&'a Bank<'a>>,
     pub(super) has_bank: fn(&Dialogue<'_>) -> bool,
     pub(super) missing_bank: fn(&Dialogue<'_>, ClipId) -> Option<usize>,
     pub(super) event_name: for<'a> fn(&Dialogue<'a>, &str) -> Option<EventName<'a>>,
-    /// The voice after another one, or the first.
+    /// Returns the voice after the given one, or the first.
     pub(super) next_voice: fn(&Dialogue<'_>, Option<Voice>) -> Option<Voice>,
     pub(super) voice_tag: for<'a> fn(&Dialogue<'a>, Voice) -> &'a str,
     pub(super) locale_tag: for<'a> fn(&Dialogue<'a>, Locale) -> &'a str,
-    /// The text of the segment with this index of a clip, which may have its texts in its bank.
+    /// Returns the text of the segment with this index of a clip. The clip's bank may contain its texts.
     text: TextQuery,
-    /// The same, not checked to be UTF-8.
+    /// The same, without a UTF-8 check.
     find_text: FindTextQuery,
-    /// The name that a cursor has kept.
+    /// Returns the name that a cursor has stored.
     pub(crate) name: for<'a> fn(&'a Dialogue<'a>, NameKey) -> Option<EventName<'a>>,
-    /// The clip as it is played in a voice.
+    /// Returns the clip as played in a voice.
     pub(crate) in_voice: for<'a> fn(&'a Dialogue<'a>, &Clip<'a>, Voice) -> VoicedClip<'a>,
-    /// The voice whose recording the mouth of a clip belongs to.
+    /// Returns the voice of the recording that a clip was made for.
     pub(crate) voice: for<'a> fn(&'a Dialogue<'a>, &Clip<'a>) -> Option<Voice>,
-    /// The clip of which this one is a dub.
+    /// Returns the original of a dub.
     pub(crate) original: for<'a> fn(&'a Dialogue<'a>, &Clip<'a>) -> Option<Clip<'a>>,
 }
 
@@ -67,7 +68,7 @@ pub(super) static QUERIES: Queries = Queries {
 };
 
 impl<'a> Dialogue<'a> {
-    /// The text of the segment with this index of a clip, which may have its texts in its bank.
+    /// Returns the text of the segment with this index of a clip. The clip's bank may contain its texts.
     #[cfg_attr(target_pointer_width = "64", inline)]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn text(
@@ -83,7 +84,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The same, not checked to be UTF-8.
+    /// The same, without a UTF-8 check.
     #[cfg_attr(target_pointer_width = "64", inline)]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn find_text(
@@ -99,18 +100,18 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The banks that are there.
+    /// Returns the loaded banks.
     fn banks(&self) -> impl Iterator<Item = &'a Bank<'a>> + '_ {
         (0..self.files.count()).filter_map(move |number| self.bank(number))
     }
 
-    /// The name that a cursor has kept, if it is one of these banks.
+    /// Returns the name that a cursor has stored, if it belongs to one of these banks.
     pub(super) fn name(&self, key: NameKey) -> Option<EventName<'a>> {
         let mut open = (0..self.files.count()).filter_map(|number| self.files.file_if_open(number)?.bank());
         EventName::numbered(open.find(|bank| bank.origin == key.bank)?, key.id)
     }
 
-    /// The voice whose recording the mouth of a clip belongs to.
+    /// Returns the voice of the recording that a clip was made for.
     fn voice_of(&self, clip: &Clip<'_>) -> Option<Voice> {
         let of_dub = self.original_id(clip.id()).map(|(voice, _)| voice);
         of_dub.or_else(|| self.voices().next())

@@ -1,34 +1,34 @@
-//! The stack of a dialogue: which files fit over which, and where a clip is.
+//! The stack of a dialogue: the files that match each other, and the locations of clips.
 
 use super::file::{BankFile, TextFile};
-use super::{Base, Dialogue, DialogueError, Found, Layer};
+use super::{Base, Dialogue, DialogueError, FoundClip, Layer};
 use crate::set_index::SetIndex;
 use crate::{Bank, ClipId, Error, ErrorKind};
 use lipz_layout::{U64, shard_of};
 
-/// The filter of a patch that has none: it may say something about every id.
+/// The filter of a patch without a filter: any id may be in the patch.
 const ALL_IDS: [U64; 1] = [U64::MAX_VALUE];
 
-/// Where a clip is: a file, and a slot in it.
+/// The location of a clip: a file, and a slot in it.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct ClipLocation {
     pub(super) file: u32,
     pub(super) slot: u32,
 }
 
-/// Where a clip of a stack is, and where its texts are: mostly the same.
+/// The locations of a clip of a stack and of its texts, which are mostly the same.
 #[derive(Clone, Copy)]
 struct Places {
-    clip: Option<Place>,
-    texts: Option<Place>,
+    clip: Option<ClipLocation>,
+    texts: Option<ClipLocation>,
 }
 
-/// A bank of the stack, for one clip: the base, of a set the bank that has the clip, or a patch.
+/// A bank of the stack, for one clip: the base, the bank of a set that has the clip, or a patch.
 #[derive(Clone, Copy)]
 pub(super) struct Level<'a> {
     pub(super) number: usize,
     pub(super) file: &'a BankFile<'a>,
-    /// What a patch says about the banks below it; `None` for the base, even if it was packed over another bank.
+    /// A patch's description of the banks below it; `None` for the base, even if it was packed over another bank.
     pub(super) layer: Option<&'a Layer<'a>>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Dialogue<'a> {
     pub(super) fn add_patch(&mut self, number: usize, file: &'a BankFile<'a>) -> Result<(), DialogueError> {
         let failed = |kind| DialogueError::new(number, Error::new(kind, 0));
         let layer = file.layer.as_ref().ok_or(failed(ErrorKind::NotALayer))?;
-        // Each is looked for above the one before it.
+        // Each is searched for above the one before it.
         let mut below = (0..=self.patch_count).filter_map(|level| self.checksum_of_level(level));
         if !layer.bases.iter().all(|base| below.any(|checksum| checksum == base.get())) {
             return Err(failed(ErrorKind::OtherBase));
@@ -54,7 +54,7 @@ impl<'a> Dialogue<'a> {
         Ok(())
     }
 
-    /// The checksum of the base, or of the patch on this level.
+    /// Returns the checksum of the base, or of the patch at this level.
     fn checksum_of_level(&self, level: usize) -> Option<u64> {
         match level.checked_sub(1) {
             None => Some(self.files.file(0)?.checksum()),
@@ -62,8 +62,8 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// Whether a bank before the file with this number has the clips that texts are for. The index of a set says it of the
-    /// banks of the set.
+    /// Whether a bank before the file with this number contains the clips of these texts. The index of a set answers
+    /// for the banks of the set.
     pub(super) fn has_bank_of(&self, number: usize, texts: &TextFile<'_>) -> bool {
         if let Base::Set(index) = &self.base {
             if index.banks().any(|bank| bank.fingerprint == texts.fingerprint()) {
@@ -74,13 +74,13 @@ impl<'a> Dialogue<'a> {
         own.filter_map(|number| self.bank_file(number)).any(|file| texts.is_beside(&file.bank))
     }
 
-    /// The patch with this number in the stack, 0 for the one nearest to the base.
+    /// Returns the patch with this number in the stack, where 0 is the one just above the base.
     pub(super) fn patch(&self, patch: usize) -> Option<Level<'a>> {
         let file = (*self.patches.get(patch)?)?;
         Some(Level { number: file.bank.number as usize, file, layer: file.layer.as_ref() })
     }
 
-    /// The base, or of a set the bank that may have the clip with this id.
+    /// Returns the base, or the bank of a set that may have the clip with this id.
     pub(super) fn base_of(&self, id: ClipId) -> Option<Level<'a>> {
         match &self.base {
             Base::Bank(file) => Some(Level { number: 0, file, layer: None }),
@@ -91,7 +91,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The banks that may have the clip with this id, from the top.
+    /// Returns the banks that may have the clip with this id, from the top.
     pub(super) fn levels_of(&self, id: ClipId) -> impl Iterator<Item = Level<'a>> + '_ {
         let patches = (0..self.patch_count).rev().filter_map(move |patch| self.patch(patch));
         let patches = patches.filter(move |level| level.layer.map_or(false, |layer| layer.may_have(id)));
@@ -99,44 +99,44 @@ impl<'a> Dialogue<'a> {
         patches.chain((0..1).filter_map(move |_| self.base_of(id)))
     }
 
-    /// Where the clip of a set with this id is, if no patch has it.
-    // A dub that is asked for by itself costs a search in the index, because it is in the bank of its original.
+    /// Returns the location of the clip of a set with this id, if no patch has it.
+    // A dub that is looked up directly costs a search in the index, because it is in the bank of its original.
     #[inline]
-    pub(super) fn find_in_set(&self, index: &SetIndex<'a>, id: ClipId) -> Option<Found<'a>> {
+    pub(super) fn find_in_set(&self, index: &SetIndex<'a>, id: ClipId) -> Option<FoundClip<'a>> {
         let number = (shard_of(id.get(), index.bank_count() as u32) as usize).saturating_add(1);
-        // Also if that bank is not there: a dub may be in one that is.
-        match self.bank(number).and_then(|bank| Some(Found::new(bank, bank.find(id)?.0, true))) {
+        // Continue even if that bank is missing: a dub may be in a loaded one.
+        match self.bank(number).and_then(|bank| Some(FoundClip::new(bank, bank.find(id)?.0, true))) {
             None if index.moved_count() > 0 => self.find_moved(index, id),
             found => found,
         }
     }
 
-    /// Where the clip with this id is, if the index says that it is not in the bank of its id.
+    /// Returns the location of the clip with this id, if the index states that it is not in the bank of its id.
     #[cold]
-    fn find_moved(&self, index: &SetIndex<'a>, id: ClipId) -> Option<Found<'a>> {
+    fn find_moved(&self, index: &SetIndex<'a>, id: ClipId) -> Option<FoundClip<'a>> {
         let bank = self.bank(index.moved_to(id.get())?.saturating_add(1))?;
-        Some(Found::new(bank, bank.find(id)?.0, true))
+        Some(FoundClip::new(bank, bank.find(id)?.0, true))
     }
 
-    /// Where the clip with this id is, about which a patch may say something.
+    /// Returns the location of the clip with this id, which a patch may describe.
     #[cold]
     #[inline(never)]
-    pub(super) fn find_patched(&self, id: ClipId) -> Option<Found<'a>> {
+    pub(super) fn find_patched(&self, id: ClipId) -> Option<FoundClip<'a>> {
         let Places { clip, texts } = self.places(id);
         let place = clip?;
-        Some(Found::new(self.bank(place.file as usize)?, place.slot, texts == clip))
+        Some(FoundClip::new(self.bank(place.file as usize)?, place.slot, texts == clip))
     }
 
-    /// The clip in this place, with its texts there or elsewhere.
-    pub(super) fn find_at(&self, file: u32, slot: u32) -> Option<Found<'a>> {
+    /// Returns the clip at this location, with the location of its texts.
+    pub(super) fn find_at(&self, file: u32, slot: u32) -> Option<FoundClip<'a>> {
         let bank = self.bank(file as usize)?;
         let id = ClipId::from_u64(bank.keys.get(slot as usize)?.id.get());
         let is_patched = self.patch_count != 0 && self.may_be_patched(id);
-        let has_texts = !is_patched || self.places(id).texts == Some(Place { file, slot });
-        Some(Found::new(bank, slot, has_texts))
+        let has_texts = !is_patched || self.places(id).texts == Some(ClipLocation { file, slot });
+        Some(FoundClip::new(bank, slot, has_texts))
     }
 
-    /// Where the clip with this id is, and where its texts are.
+    /// Returns the locations of the clip with this id and of its texts.
     fn places(&self, id: ClipId) -> Places {
         let mut places = Places { clip: None, texts: None };
         let mut has_texts_of_original = false;
@@ -146,7 +146,7 @@ impl<'a> Dialogue<'a> {
                 (None, Some(layer)) if layer.removes(id) => break,
                 (None, _) => continue,
             };
-            let place = Some(Place { file: number as u32, slot });
+            let place = Some(ClipLocation { file: number as u32, slot });
             let (has_clip, has_texts) = layer.map_or((true, true), |layer| layer.parts(slot));
             if has_texts && !has_texts_of_original {
                 places.texts = places.texts.or(place);
@@ -166,24 +166,25 @@ impl<'a> Dialogue<'a> {
         places
     }
 
-    /// The number of the bank that has the texts of the clip with this id, and its slot there, which is that of its original for
-    /// a dub without texts of its own; `None` if no bank has some. Texts of a locale can be in a text bank of that bank. For tools.
+    /// Returns the number of the bank with the texts of the clip with this id, and the slot there; `None` if no bank
+    /// has texts for it. For a dub without its own texts, the slot is that of its original. Texts of a locale can be in
+    /// a text bank of that bank. For tools.
     pub fn slot_of_texts(&self, id: ClipId) -> Option<(u32, u32)> {
         self.texts_place(id).map(|place| (place.file, place.slot))
     }
 
-    /// Where the texts of the clip with this id are, if any file has some for it.
-    pub(super) fn texts_place(&self, id: ClipId) -> Option<Place> {
+    /// Returns the location of the texts of the clip with this id, if any file has some for it.
+    pub(super) fn texts_place(&self, id: ClipId) -> Option<ClipLocation> {
         self.places(id).texts
     }
 
-    /// Where the texts of the clip with this id are, if it has its own.
-    fn own_texts(&self, id: ClipId) -> Option<Place> {
+    /// Returns the location of the clip's own texts, if it has some.
+    fn own_texts(&self, id: ClipId) -> Option<ClipLocation> {
         for Level { number, file, layer } in self.levels_of(id) {
             match (file.bank.find(id), layer) {
-                (Some((slot, _)), None) => return Some(Place { file: number as u32, slot }),
+                (Some((slot, _)), None) => return Some(ClipLocation { file: number as u32, slot }),
                 (Some((slot, _)), Some(layer)) if layer.parts(slot).1 => {
-                    return Some(Place { file: number as u32, slot });
+                    return Some(ClipLocation { file: number as u32, slot });
                 }
                 (Some((slot, _)), Some(layer)) if layer.has_texts_of_original(slot) => return None,
                 (None, Some(layer)) if layer.removes(id) => return None,
@@ -193,7 +194,7 @@ impl<'a> Dialogue<'a> {
         None
     }
 
-    /// The number of segments of the clip with this id: that of the topmost file which has more than texts of it.
+    /// Returns the number of segments of the clip with this id, from the topmost file that has more of it than texts.
     pub(super) fn segment_count(&self, id: ClipId) -> Option<u32> {
         for Level { file, layer, .. } in self.levels_of(id) {
             match (file.bank.find(id), layer) {
@@ -207,7 +208,7 @@ impl<'a> Dialogue<'a> {
         None
     }
 
-    /// The number of the file that would have the clip with this id, if that is a bank of a set which is not there.
+    /// Returns the number of the missing bank of a set that would contain the clip with this id, if there is one.
     pub(super) fn missing_bank_in_files(&self, id: ClipId) -> Option<usize> {
         let mut patches = (0..self.patch_count).filter_map(|patch| self.patch(patch)?.layer);
         if patches.any(|layer| layer.removes(id)) {
@@ -217,7 +218,8 @@ impl<'a> Dialogue<'a> {
         if self.bank(number).is_none() { Some(number) } else { None }
     }
 
-    /// The bank that sets the thing of a flag of layers: the topmost patch with the flag, or the base, of a set the first bank that is there.
+    /// Returns the bank that sets the data of a layer flag: the topmost patch with the flag, or the base. For a set,
+    /// that is its first loaded bank.
     pub(super) fn bank_with_in_files(&self, flag: u32) -> Option<&'a Bank<'a>> {
         let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
         match patches.find(|level| level.layer.map_or(false, |layer| layer.has(flag))) {

@@ -1,21 +1,21 @@
-//! The voices of a dialogue: which clips are dubs of which others.
+//! The voices of a dialogue, and its dubs with their originals.
 
 use super::stack::Level;
 use super::{Answers, Base, Dialogue, Layer};
-use crate::{Bank, Clip, ClipId, Spoken, Voice, VoicedClip};
+use crate::{Bank, Clip, ClipId, Voice, VoiceSource, VoicedClip};
 use lipz_layout::{DUB_OF, LAYER_DUB, LAYER_DUB_OF, LAYER_NO_DUB, LAYER_OTHER_DUB, LayerDubRecord, NO_DUB, OTHER_DUB};
 
-/// What a file says about a clip in a voice.
-enum Entry {
-    /// Nothing is played for it.
+/// A file's entry for a clip in a voice.
+enum VoiceEntry {
+    /// The clip is not dubbed here.
     Nothing,
     Dub(ClipId),
-    /// The dub in another voice.
+    /// The dub in a different voice.
     OtherDub(ClipId),
     DubOf(ClipId),
 }
 
-/// Whether the entry of a layer is one, whichever clips it is about.
+/// Whether the layer's entry is valid, for any clips.
 pub(super) fn is_entry(dub: &LayerDubRecord) -> bool {
     match dub.kind.get() {
         LAYER_NO_DUB => dub.other_id.get() == 0,
@@ -24,19 +24,19 @@ pub(super) fn is_entry(dub: &LayerDubRecord) -> bool {
     }
 }
 
-/// The patch lists its voices without this one: what is said below it does not count.
+/// The patch lists its voices without this one, so the files below it do not count.
 struct NoVoice;
 
 impl<'a> Dialogue<'a> {
-    /// The voice in this locale, spelled as in the files (`de-de`); `None` if there are no dubs, or the project names no such
-    /// voice: play the clips as they are.
+    /// Returns the voice in this locale, spelled as in the files (`de-de`). `None` if there are no dubs, or if the
+    /// project does not define this voice: play the clips unchanged.
     pub fn voice(&self, tag: &str) -> Option<Voice> {
         self.voices().find(|voice| self.voice_tag(*voice) == tag)
     }
 
-    /// The voices: that of the originals first, then those of the dubs in the order of their tags.
+    /// Returns the voices: that of the originals first, then those of the dubs, ordered by tag.
     ///
-    /// They are those that the files list, from the topmost one on whose list is complete.
+    /// Files list voices. Those below the topmost complete list do not count.
     pub fn voices(&self) -> impl Iterator<Item = Voice> + '_ {
         let (alone, queries) = match self.answers {
             Answers::Alone(bank) => (Some(bank), None),
@@ -47,7 +47,7 @@ impl<'a> Dialogue<'a> {
         alone.into_iter().flat_map(Bank::voices).chain(together)
     }
 
-    /// The voice after another one, or the first.
+    /// Returns the voice after the given one, or the first.
     pub(super) fn next_voice_in_files(&self, before: Option<Voice>) -> Option<Voice> {
         match before {
             None => self.original_voice(),
@@ -56,7 +56,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The voice of dubs with the first tag behind this one.
+    /// Returns the voice of dubs with the first tag after this one.
     fn voice_behind(&self, before: &str) -> Option<Voice> {
         let of_original = self.voice_tag(self.original_voice()?);
         let listed = self.levels_with_voices().flat_map(|level| self.listed(level).skip(1));
@@ -64,7 +64,7 @@ impl<'a> Dialogue<'a> {
         Some(behind.min_by(|(tag, _), (other, _)| tag.cmp(other))?.1)
     }
 
-    /// The locale of a voice: `de-de`. Empty for a voice of another dialogue, and in a damaged file.
+    /// Returns the locale of a voice: `de-de`. Empty for a voice of another dialogue, and in a damaged file.
     pub fn voice_tag(&self, voice: Voice) -> &'a str {
         match self.answers {
             Answers::Alone(bank) => bank.voice_tag(voice),
@@ -82,12 +82,12 @@ impl<'a> Dialogue<'a> {
         find().map_or("", |(tag, _)| tag)
     }
 
-    /// Whether the file with this number is the base, or a bank of the set that is.
+    /// Whether the file with this number is the base, or a bank of the base's set.
     fn is_base(&self, number: usize) -> bool {
         number < self.behind_base()
     }
 
-    /// The voice of the originals, as the topmost file has it that lists voices.
+    /// Returns the voice of the originals, from the topmost file that lists voices.
     fn original_voice(&self) -> Option<Voice> {
         let mut original = None;
         for level in self.levels_with_voices() {
@@ -96,7 +96,7 @@ impl<'a> Dialogue<'a> {
         original.map(|(_, voice)| voice)
     }
 
-    /// The base and the patches over it from the one on whose list of voices is complete, the lowest first.
+    /// Returns the levels from the topmost complete list of voices upwards, or from the base, the lowest first.
     fn levels_with_voices(&self) -> impl Iterator<Item = Level<'a>> + '_ {
         let patches = (0..self.patch_count).filter_map(move |patch| self.patch(patch));
         let complete = |level: &Level<'a>| level.layer.map_or(false, Layer::has_voices);
@@ -106,7 +106,7 @@ impl<'a> Dialogue<'a> {
         bases.chain(patches.skip_while(move |level| last.map_or(false, |last| level.number != last)))
     }
 
-    /// The numbers of the banks that are the base.
+    /// Returns the numbers of the banks that form the base.
     fn bases(&self) -> core::ops::Range<usize> {
         match &self.base {
             Base::Bank(_) => 0..1,
@@ -114,7 +114,7 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// The voices that a file lists, with their tags.
+    /// Returns the voices that a file lists, with their tags.
     fn listed(&self, level: Level<'a>) -> impl Iterator<Item = (&'a str, Voice)> + '_ {
         let bank: &'a Bank<'a> = &level.file.bank;
         let of_base =
@@ -125,23 +125,24 @@ impl<'a> Dialogue<'a> {
         tags.zip(0..=u16::MAX).map(move |(tag, index)| (tag, Voice { origin, file, index }))
     }
 
-    /// The clip as it is played in a voice.
+    /// Returns the clip as played in a voice.
     pub(super) fn clip_in_voice<'d>(&'d self, clip: &Clip<'d>, voice: Voice) -> VoicedClip<'d> {
         let tag = self.voice_tag(voice);
         if tag.is_empty() {
-            return VoicedClip::new(*clip, Spoken::Original);
+            return VoicedClip::new(*clip, VoiceSource::Original);
         }
         let original = match self.original_id(clip.id()).and_then(|(_, original)| self.clip(original)) {
             Some(original) => original,
             None => *clip,
         };
         let played = self.played_in(original.id(), tag).and_then(|(id, spoken)| Some((self.clip(id)?, spoken)));
-        let (clip, spoken) = played.unwrap_or((original, Spoken::Original));
+        let (clip, spoken) = played.unwrap_or((original, VoiceSource::Original));
         VoicedClip::new(clip, spoken)
     }
 
-    /// The clip of which the one with this id is a dub, and the voice; `None` if it is not a dub. No dub is one of another dub, and
-    /// has as many segments as its original: patches that do not know each other can say otherwise.
+    /// Returns the original of the dub with this id, and the voice; `None` if the clip is not a dub. An original is
+    /// never itself a dub, and has as many segments as the dub, but patches that were packed independently of each
+    /// other can contradict this.
     pub(super) fn original_id(&self, id: ClipId) -> Option<(Voice, ClipId)> {
         let (voice, original) = self.said_original(id)?;
         let segment_count = self.segment_count(original)?;
@@ -149,13 +150,13 @@ impl<'a> Dialogue<'a> {
         if fits { Some((voice, original)) } else { None }
     }
 
-    /// The clip of which files say that the one with this id is a dub.
+    /// Returns the original of the clip with this id as stored in the files.
     fn said_original(&self, id: ClipId) -> Option<(Voice, ClipId)> {
         for voice in self.voices().skip(1) {
             let tag = self.voice_tag(voice);
             for level in self.all_levels_of(id) {
                 match entry(level, id, tag) {
-                    Ok(Some(Entry::DubOf(original))) => return Some((voice, original)),
+                    Ok(Some(VoiceEntry::DubOf(original))) => return Some((voice, original)),
                     Ok(None) => {}
                     Ok(Some(_)) | Err(NoVoice) => break,
                 }
@@ -164,37 +165,37 @@ impl<'a> Dialogue<'a> {
         None
     }
 
-    /// The clip that is played in a voice for the original with this id; `None` if the original is. The dub counts wherever it
-    /// is; of those in other voices, that of the topmost file.
-    fn played_in(&self, original: ClipId, voice: &str) -> Option<(ClipId, Spoken)> {
+    /// Returns the clip that is played in a voice for the original with this id; `None` if the original is played. A
+    /// dub in this voice counts in any file. Among dubs in other voices, that of the topmost file counts.
+    fn played_in(&self, original: ClipId, voice: &str) -> Option<(ClipId, VoiceSource)> {
         let mut other: Option<ClipId> = None;
         for level in self.all_levels_of(original) {
             match entry(level, original, voice) {
-                Ok(Some(Entry::Dub(dub))) => {
+                Ok(Some(VoiceEntry::Dub(dub))) => {
                     if self.original_id(dub).map_or(false, |(of, id)| self.voice_tag(of) == voice && id == original) {
-                        return Some((dub, Spoken::Dub));
+                        return Some((dub, VoiceSource::Dub));
                     }
                 }
-                Ok(Some(Entry::OtherDub(dub))) => {
+                Ok(Some(VoiceEntry::OtherDub(dub))) => {
                     if self.original_id(dub).map_or(false, |(_, of)| of == original) {
                         other = other.or(Some(dub));
                     }
                 }
                 Ok(None) => {}
-                Ok(Some(Entry::Nothing | Entry::DubOf(_))) | Err(NoVoice) => break,
+                Ok(Some(VoiceEntry::Nothing | VoiceEntry::DubOf(_))) | Err(NoVoice) => break,
             }
         }
-        other.map(|dub| (dub, Spoken::OtherDub))
+        other.map(|dub| (dub, VoiceSource::OtherDub))
     }
 
-    /// The patches from the top, and the base.
+    /// Returns the patches from the top, then the base.
     fn all_levels_of(&self, id: ClipId) -> impl Iterator<Item = Level<'a>> + '_ {
         (0..self.patch_count).rev().filter_map(move |patch| self.patch(patch)).chain(self.base_of(id))
     }
 }
 
-/// What a file says about a clip in a voice, if it says something.
-fn entry(level: Level<'_>, id: ClipId, voice: &str) -> Result<Option<Entry>, NoVoice> {
+/// Returns a file's entry for a clip in a voice, if there is one.
+fn entry(level: Level<'_>, id: ClipId, voice: &str) -> Result<Option<VoiceEntry>, NoVoice> {
     let layer = match level.layer {
         Some(layer) => layer,
         None => return Ok(in_base(&level.file.bank, id, voice)),
@@ -210,16 +211,16 @@ fn entry(level: Level<'_>, id: ClipId, voice: &str) -> Result<Option<Entry>, NoV
     Ok(dub.map(|dub| {
         let other = ClipId::from_u64(dub.other_id.get());
         match dub.kind.get() {
-            LAYER_DUB => Entry::Dub(other),
-            LAYER_OTHER_DUB => Entry::OtherDub(other),
-            LAYER_DUB_OF => Entry::DubOf(other),
-            _ => Entry::Nothing,
+            LAYER_DUB => VoiceEntry::Dub(other),
+            LAYER_OTHER_DUB => VoiceEntry::OtherDub(other),
+            LAYER_DUB_OF => VoiceEntry::DubOf(other),
+            _ => VoiceEntry::Nothing,
         }
     }))
 }
 
-/// The same in the base, which says it by slots.
-fn in_base(base: &Bank<'_>, id: ClipId, voice: &str) -> Option<Entry> {
+/// Returns the same in the base, which stores it by slots.
+fn in_base(base: &Bank<'_>, id: ClipId, voice: &str) -> Option<VoiceEntry> {
     let dubs = base.dubs().skip(1).find(|dubs| dubs.tag == voice.as_bytes())?;
     let entry = dubs.entry(base.find(id)?.0);
     if entry == NO_DUB {
@@ -227,8 +228,8 @@ fn in_base(base: &Bank<'_>, id: ClipId, voice: &str) -> Option<Entry> {
     }
     let other = base.clip_at(entry & !(DUB_OF | OTHER_DUB))?.id();
     Some(match (entry & DUB_OF != 0, entry & OTHER_DUB != 0) {
-        (true, _) => Entry::DubOf(other),
-        (false, true) => Entry::OtherDub(other),
-        (false, false) => Entry::Dub(other),
+        (true, _) => VoiceEntry::DubOf(other),
+        (false, true) => VoiceEntry::OtherDub(other),
+        (false, false) => VoiceEntry::Dub(other),
     })
 }

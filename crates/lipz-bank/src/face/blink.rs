@@ -1,16 +1,16 @@
-//! Blinks: one now and then, sometimes two.
+//! Blinks: single ones, sometimes two in a row.
 
 use super::chance::{Steps, Stream, draw, part};
 use super::{Emotion, FaceProfile};
 use crate::curve::CurveValue;
 
-/// How far lids are closed that are closed, in thousandths.
+/// How far closed lids are closed, in thousandths.
 const CLOSED: u64 = 1000;
 
-/// How far the lids are closed, in thousandths, where `strongest` is the emotion that leads at a time.
+/// Returns how far the lids are closed, in thousandths. `strongest` is the leading emotion at a time.
 ///
-/// Each interval has a grid of its own with one blink in each slot. Of these, the one counts whose interval is that of the
-/// emotion which leads when it begins.
+/// Each interval has its own grid with one blink in each slot. A blink counts if its interval is that of the leading
+/// emotion when the blink begins.
 pub(super) fn closed(
     profile: &FaceProfile<'_>,
     Steps { seed, ms }: Steps,
@@ -24,16 +24,16 @@ pub(super) fn closed(
             continue;
         }
         let interval = u64::from(*interval);
-        // Slots begin before the start of the clip, so that its first blink comes at any time.
+        // Slots begin before the start of the clip, so that its first blink can come at any time.
         let phase = u64::from(part(interval as u32, draw(seed, Stream::BlinkPhase, interval, 0)));
         let slot = ms.wrapping_add(phase).checked_div(interval).unwrap_or(0);
         for slot in [slot.wrapping_sub(1), slot] {
-            // In the half in the middle of the slot.
+            // In the middle half of the slot.
             let late = part((interval / 2) as u32, draw(seed, Stream::BlinkTime, interval, slot));
             let start = slot.wrapping_mul(interval).wrapping_add(interval / 4).wrapping_add(u64::from(late));
             let passed = match (start.checked_sub(phase), ms.wrapping_add(phase).checked_sub(start)) {
                 (Some(start), Some(passed)) => (start, passed),
-                _ => continue, // before the clip, or still to come
+                _ => continue, // before the clip, or in the future
             };
             let is_double =
                 part(100, draw(seed, Stream::DoubleBlink, interval, slot)) < u32::from(profile.double_blink_percent());
@@ -48,8 +48,9 @@ pub(super) fn closed(
     most as i32
 }
 
-/// How far the lids are closed so long after the start of a blink: they close in a quarter of its length, stay closed for one,
-/// and open in the rest. The second of two begins half a length after the first.
+/// Returns how far the lids are closed `passed_ms` after the start of a blink. They close in a quarter of its length,
+/// stay closed for a quarter, and open in the rest. The second blink of a double one begins half a length after the
+/// first.
 fn closed_after(passed_ms: u64, length_ms: u16, is_double: bool) -> u64 {
     let length = u64::from(length_ms);
     let again = length.wrapping_add(length / 2);

@@ -1,8 +1,8 @@
-//! Chance that is the same on every machine: draws of a hash, and steps from one draw to the next.
+//! Random numbers that are the same on every machine: draws from a hash, and steps from one draw to the next.
 
 use lipz_types::hash::{FINISH, STEP, mix};
 
-/// What a draw is for: draws for different things are independent.
+/// The purpose of a draw: draws with different purposes are independent.
 #[derive(Clone, Copy)]
 #[repr(u8)]
 pub(super) enum Stream {
@@ -20,42 +20,43 @@ pub(super) enum Stream {
     EyeYaw = 12,
 }
 
-/// A number from 0 to 65,535, as likely as any other. `interval` tells the draws of one grid of blinks from another's.
+/// Returns a uniformly distributed number from 0 to 65,535. `interval` distinguishes the draws of different grids of
+/// blinks.
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn draw(seed: u64, stream: Stream, interval: u64, index: u64) -> u32 {
     let stream = interval << 8 | stream as u64;
     (mix(mix(mix(seed ^ stream, STEP) ^ index, FINISH), STEP) >> 48) as u32
 }
 
-/// The part of `amount` that a draw stands for: from 0 on, and less than `amount`.
+/// Maps a draw to a number from 0 up to, but not including, `amount`.
 pub(super) fn part(amount: u32, draw: u32) -> u32 {
     (u64::from(amount).wrapping_mul(u64::from(draw)) >> 16) as u32
 }
 
-/// From -`amount` on, and less than `amount`.
+/// Maps a draw to a number from -`amount` up to, but not including, `amount`.
 pub(super) fn either_side(amount: u32, draw: u32) -> i32 {
     (part(amount.wrapping_mul(2), draw) as i32).wrapping_sub(amount as i32)
 }
 
-/// `value` · `part` / `whole`, towards 0; 0 for nothing of a whole.
+/// Returns `value` · `part` / `whole`, rounded towards 0; 0 if `whole` is 0.
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn scaled(value: i32, part: u64, whole: u64) -> i32 {
     let product = i64::from(value).wrapping_mul(part as i64);
     product.checked_div(whole as i64).unwrap_or(0) as i32
 }
 
-/// A whole of [`Step::part`].
+/// The value of [`ChanceStep::part`] for a finished step.
 pub(super) const WHOLE: u64 = 1 << 16;
 
-/// Where something is that changes every now and then.
-pub(super) struct Step {
+/// The state of a value that changes at random times.
+pub(super) struct ChanceStep {
     pub(super) before: u64,
     pub(super) now: u64,
-    /// How far it has come from `before` to `now`, in 65,536ths.
+    /// How far it has moved from `before` to `now`, in 65,536ths.
     pub(super) part: u64,
 }
 
-/// A time of somebody.
+/// A seed and a time to draw steps for.
 #[derive(Clone, Copy)]
 pub(super) struct Steps {
     pub(super) seed: u64,
@@ -63,23 +64,24 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    /// The step that is being taken: one in each `period_ms`, in its first half, and within `step_ms`, at most half a period.
-    pub(super) fn step(self, stream: Stream, period_ms: u16, step_ms: u16) -> Step {
+    /// Returns the current step. There is one step in each `period_ms`. It starts in the first half of it and takes
+    /// `step_ms`, at most half a period.
+    pub(super) fn step(self, stream: Stream, period_ms: u16, step_ms: u16) -> ChanceStep {
         let period = u64::from(period_ms);
         let number = self.ms.checked_div(period).unwrap_or(0);
         let start = |number: u64| {
             let late = part(u32::from(period_ms / 2), draw(self.seed, stream, 0, number));
             number.wrapping_mul(period).wrapping_add(u64::from(late))
         };
-        // What is before the first step has the number 0, so each step leads to one more than its own.
+        // The state before the first step has the number 0, so each step leads to its own number plus one.
         let begun = if self.ms >= start(number) { Some(number) } else { number.checked_sub(1) };
         let number = match begun {
             Some(number) => number,
-            None => return Step { before: 0, now: 0, part: WHOLE },
+            None => return ChanceStep { before: 0, now: 0, part: WHOLE },
         };
         let (passed, whole) = (self.ms.saturating_sub(start(number)), u64::from(step_ms));
         let part = if passed < whole { (passed << 16).checked_div(whole).unwrap_or(WHOLE) } else { WHOLE };
-        Step { before: number, now: number.wrapping_add(1), part }
+        ChanceStep { before: number, now: number.wrapping_add(1), part }
     }
 }
 
@@ -99,7 +101,7 @@ mod tests {
                 buckets[first as usize] += 1;
                 alike += u32::from(first == second) + u32::from(first == draw(seed, streams[0], 0, index + 1) >> 12);
             }
-            // 4,096 each, and 8,192: five standard deviations are 310 and 440.
+            // Each bucket expects 4,096, and half of them 8,192: five standard deviations are 310 and 440.
             assert!(buckets.iter().all(|count| count.abs_diff(4096) < 310), "{buckets:?}");
             assert!(alike.abs_diff(8192) < 440, "{alike}");
         }

@@ -1,4 +1,5 @@
-//! What a character feels at a time: the curves of a clip that have the names of the twelve attributes, alone or behind a character.
+//! The emotions of a character at a time: the curves of a clip that are named after the twelve attributes, alone or
+//! after a character's name.
 
 use super::Who;
 use super::who::farther;
@@ -22,12 +23,13 @@ pub struct Emotions {
 }
 
 impl Emotions {
-    /// The value of an attribute: 0 to 10, where the file says nothing else.
+    /// Returns the value of an attribute, from 0 to 10 unless the file exceeds this range.
     pub fn get(&self, emotion: Emotion) -> CurveValue {
         self.values.get(emotion as usize).copied().unwrap_or_default()
     }
 
-    /// The attribute with the highest value, the first of several in the order of [`Emotion::ALL`]; `None` if none is above 0.
+    /// Returns the attribute with the highest value, the first of several in the order of [`Emotion::ALL`]; `None` if
+    /// none is above 0.
     pub fn strongest(&self) -> Option<(Emotion, CurveValue)> {
         let mut strongest: Option<(Emotion, CurveValue)> = None;
         for (emotion, value) in self.iter() {
@@ -38,22 +40,24 @@ impl Emotions {
         strongest
     }
 
-    /// The sum of all values. Faces are made for at most 10.
+    /// Returns the sum of all values. Faces are made for at most 10.
     pub fn sum(&self) -> CurveValue {
         let sum = self.values.iter().fold(0_i32, |sum, value| sum.saturating_add(value.thousandths()));
         CurveValue::from_thousandths(sum)
     }
 
-    /// All attributes with their values.
+    /// Returns all attributes with their values.
     pub fn iter(&self) -> impl Iterator<Item = (Emotion, CurveValue)> + '_ {
         Emotion::ALL.iter().copied().zip(self.values.iter().copied())
     }
 }
 
 impl Clip<'_> {
-    /// What a character of the clip feels at `time`: for [`Who::Speaker`] the values of the curves that are named after the
-    /// attributes of emotion; for a name, those with the name in front: `mara feels fear 4` is in the curve `mara.fear`. All are
-    /// 0 without such curves, and without a frame rate.
+    /// Returns the emotions of a character of the clip at `time`.
+    ///
+    /// For [`Who::Speaker`], these are the values of the curves that are named after the attributes of emotion. For a
+    /// name, the curves have the name in front: `mara feels fear 4` is in the curve `mara.fear`. All are 0 without such
+    /// curves, and without a frame rate.
     ///
     /// ```
     /// # use lipz_bank::{Clip, Micros};

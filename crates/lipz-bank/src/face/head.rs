@@ -5,21 +5,24 @@ use super::chance::{Steps, Stream, WHOLE, draw, either_side, part, scaled};
 use super::mouth::{Mouth, SPEAKING};
 use crate::curve::{Curve, CurveKey};
 
-/// A pose: the number that its angles are drawn with, and how far it goes, in thousandths.
+/// A pose: the number that its angles are drawn with, and its share of the full angles, in thousandths.
 #[derive(Clone, Copy)]
-struct Target {
+struct HeadPose {
     number: u64,
     share: u32,
 }
 
-/// The poses that a head is in: it has come so far from the first to the second, and so far from that to the third, in 65,536ths.
+/// The poses that a head turns between: the progress from the first to the second, and from the result to the third, in
+/// 65,536ths.
 struct Turn {
-    targets: [Target; 3],
+    targets: [HeadPose; 3],
     parts: [u64; 2],
 }
 
-/// The generated motion as pitch, yaw and roll, in thousandths of a degree: a pose for each key of the curve `pose`; without it, for
-/// each segment, each pause and, between those, each word of usual length.
+/// Returns the generated motion as pitch, yaw and roll, in thousandths of a degree.
+///
+/// There is one pose for each key of the curve `pose`. Without the curve, there is one for each segment, each pause
+/// and, between those, each word of average length.
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn motion(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>) -> [i32; 3] {
     let speaking = mouth.speaking(steps.ms);
@@ -44,7 +47,7 @@ pub(super) fn motion(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>)
     })
 }
 
-/// From the pose of one key to that of the next, in half the usual time, or until the one behind that.
+/// Turns from the pose of one key to that of the next, in half of `pose_ms` or until the key after that.
 fn at_keys(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>, poses: &Curve<'_>) -> Option<Turn> {
     let index = poses.index_at(mouth.frame_at(steps.ms.wrapping_mul(1000)) as u32);
     let key = poses.key(index)?;
@@ -53,19 +56,19 @@ fn at_keys(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>, poses: &C
     let usual = u64::from(profile.pose_ms() / 2);
     let next = poses.key(index.wrapping_add(1)).map(|next| mouth.start_ms(next.frame).saturating_sub(start));
     let target =
-        |key: CurveKey| Target { number: u64::from(key.frame), share: key.value.thousandths().clamp(0, 1000) as u32 };
+        |key: CurveKey| HeadPose { number: u64::from(key.frame), share: key.value.thousandths().clamp(0, 1000) as u32 };
     Some(Turn {
         targets: [target(before), target(before), target(key)],
         parts: [0, eased(steps.ms.saturating_sub(start), next.unwrap_or(usual).min(usual))],
     })
 }
 
-/// Time is divided into slots, and in each the head begins to turn to another pose. Steps that overlap are added, so that
-/// a pose is a mean of at most three.
+/// Divides time into slots. In each slot, the head begins to turn to a new pose. Overlapping steps are added, so that a
+/// pose is a mean of at most three.
 fn in_slots(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>) -> Turn {
     let slot = steps.ms.checked_div(u64::from(profile.pose_ms())).unwrap_or(0);
-    // The pose that the step of a slot leads to has a number one higher.
-    let target = |number| Target { number, share: 1000 };
+    // The step of a slot leads to the pose with the slot's number plus one.
+    let target = |number| HeadPose { number, share: 1000 };
     Turn {
         targets: [target(slot.saturating_sub(1)), target(slot), target(slot.wrapping_add(1))],
         parts: [
@@ -75,7 +78,7 @@ fn in_slots(profile: &FaceProfile<'_>, steps: Steps, mouth: &Mouth<'_>) -> Turn 
     }
 }
 
-/// How far the step of a slot has come. It takes half a slot.
+/// Returns the progress of a slot's step, which takes half a slot.
 fn in_slot(profile: &FaceProfile<'_>, Steps { seed, ms }: Steps, mouth: &Mouth<'_>, slot: u64) -> u64 {
     let length = u64::from(profile.pose_ms());
     let slot_ms = slot.wrapping_mul(length);
@@ -86,7 +89,7 @@ fn in_slot(profile: &FaceProfile<'_>, Steps { seed, ms }: Steps, mouth: &Mouth<'
     eased(ms.saturating_sub(start), length / 2)
 }
 
-/// How far a step has come after so much of its time, in 65,536ths. It starts and ends slowly: x² · (3 - 2x).
+/// Returns the progress of a step after `passed_ms`, in 65,536ths. It starts and ends slowly: x² · (3 - 2x).
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 fn eased(passed_ms: u64, length_ms: u64) -> u64 {
     let part = (passed_ms << 16).checked_div(length_ms).unwrap_or(WHOLE).min(WHOLE);

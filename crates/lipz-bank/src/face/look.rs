@@ -1,9 +1,10 @@
-//! What eyes look at.
+//! The target of the eyes.
 
 use super::FaceProfile;
 use crate::curve::CurveValue;
 
-/// What somebody looks at, as a direction from the head at rest. A program computes it from where both are.
+/// The target of a character's eyes, as a direction from the head at rest. A program computes it from the positions of
+/// both.
 ///
 /// ```
 /// use lipz_bank::Micros;
@@ -22,21 +23,21 @@ pub struct LookAt {
     is_person: bool,
 }
 
-/// How far a head turns, in thousandths of a degree.
+/// The greatest turn of the head, in thousandths of a degree.
 const HEAD_MOST: i32 = 60_000;
 
 impl LookAt {
-    /// Somebody straight ahead.
+    /// A person straight ahead.
     pub const AHEAD: LookAt =
         LookAt { pitch: CurveValue::from_thousandths(0), yaw: CurveValue::from_thousandths(0), is_person: true };
 
-    /// Somebody whose eyes are in this direction, in degrees: the eyes go over their eyes and mouth, and now and then over
-    /// hands and body.
+    /// Returns a person with eyes in this direction, in degrees. The character looks at their eyes and mouth, and
+    /// sometimes at their hands and body.
     pub const fn person(pitch: CurveValue, yaw: CurveValue) -> LookAt {
         LookAt { pitch, yaw, is_person: true }
     }
 
-    /// Something in this direction, in degrees, that eyes stay on: what a character `sees` or `stares` at.
+    /// Returns a target in this direction, in degrees, at which the eyes stay: for `sees` and `stares`.
     pub const fn point(pitch: CurveValue, yaw: CurveValue) -> LookAt {
         LookAt { pitch, yaw, is_person: false }
     }
@@ -45,14 +46,14 @@ impl LookAt {
         self.is_person
     }
 
-    /// Pitch and yaw.
+    /// Returns pitch and yaw, in thousandths of a degree.
     pub(super) const fn thousandths(self) -> (i32, i32) {
         (self.pitch.thousandths(), self.yaw.thousandths())
     }
 }
 
 impl FaceProfile<'_> {
-    /// An angle, shared between eyes and head: the eyes turn as far as they may, the head by the rest.
+    /// Divides an angle between eyes and head: the eyes turn as far as the profile allows, and the head turns the rest.
     pub(super) fn shared(&self, angle: i32) -> (i32, i32) {
         let most = i32::from(self.head_follows_thousandths());
         let eyes = angle.clamp(most.wrapping_neg(), most);

@@ -1,7 +1,9 @@
-//! The whole face at a time: what is generated, and the curves that win over it (`docs/guides/faces.md`, "Specials").
+//! The whole face at a time: generated motion, and the curves that override it (`docs/guides/faces.md`, "Generated
+//! motion").
 
 mod blink;
 mod chance;
+mod check;
 mod emotions;
 mod eyes;
 mod head;
@@ -10,6 +12,7 @@ mod mouth;
 mod profile;
 mod who;
 
+pub(crate) use check::check;
 pub use emotions::Emotions;
 pub use lipz_types::{Emotion, FaceCurve};
 pub use look::LookAt;
@@ -23,12 +26,12 @@ use lipz_types::{Fps, Micros, Position};
 use mouth::Mouth;
 use who::farther;
 
-/// What a face does at a time, besides its mouth and its emotions. Angles are in degrees: pitch is positive upwards, yaw to
+/// The state of a face at a time, except mouth and emotions. Angles are in degrees: pitch is positive upwards, yaw to
 /// the left of the character, roll towards the left shoulder.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[non_exhaustive]
 pub struct Face {
-    /// How far the lids are closed: 0 to 1.
+    /// How far the lids are closed, from 0 to 1.
     pub blink: CurveValue,
     /// How far the head is raised.
     pub head_pitch: CurveValue,
@@ -40,28 +43,29 @@ pub struct Face {
     pub eye_pitch: CurveValue,
     /// How far the eyes are turned in the head.
     pub eye_yaw: CurveValue,
-    /// How far the brows are raised: 0 to 1. Only curves raise them.
+    /// How far the brows are raised, from 0 to 1. Only curves raise them.
     pub brows: CurveValue,
-    /// A shrug of the face, 0 to 1. Only curves make one.
+    /// A shrug of the face, from 0 to 1. Only curves set it.
     pub shrug: CurveValue,
-    /// How hard somebody breathes: 0 to 10. Only curves say so.
+    /// How hard the character breathes, from 0 to 10. Only curves set it.
     pub breath: CurveValue,
 }
 
 /// Degrees of the head for one unit of the curves `nod` and `shake`.
 const DEGREES_PER_UNIT: i32 = 2;
-/// Where `nod` and `shake` are neutral, in thousandths.
+/// The neutral value of `nod` and `shake`, in thousandths.
 const NEUTRAL: i32 = 5000;
 
 impl Clip<'_> {
-    /// The face of the speaker or of another character at `time`, generated as `profile` says, with eyes that look at `look`.
-    /// Curves of the clip win over what is generated.
+    /// Returns the face of the speaker or of another character at `time`, generated from `profile`, with the eyes on
+    /// `look`. Curves of the clip override generated values.
     ///
-    /// Other characters listen: they have the curves with their name in front, blink by the strongest of their own emotions,
-    /// and move their head only for these curves and for what they look at.
+    /// Other characters listen. They use the curves with their name in front, blink according to the strongest of their
+    /// own emotions, and move their head only for these curves and for `look`.
     ///
-    /// Nothing is kept from frame to frame: the face depends on the time, the profile and the id of the clip alone, and is the
-    /// same on every machine. Before the start it is as at the start; after the end, it goes on blinking.
+    /// Nothing is kept from frame to frame: the face depends only on the time, the profile and the id of the clip, and
+    /// is the same on every machine. Before the start, it is the same as at the start; after the end, it continues to
+    /// blink.
     ///
     /// ```
     /// use lipz_bank::face::{LookAt, Who};
@@ -69,7 +73,7 @@ impl Clip<'_> {
     ///
     /// # let bytes: &[u8] = include_bytes!("../../examples/act1.lipzbank");
     /// let bank = Bank::open(bytes)?.verify()?;
-    /// let profile = bank.default_face_profile(); // [face] of lipz.toml, or what is usual
+    /// let profile = bank.default_face_profile(); // [face] of lipz.toml, or the default
     /// for clip in bank.clips() {
     ///     let face = clip.face_at(Micros(1_500_000), Who::Speaker, &profile, LookAt::AHEAD);
     ///     println!("lids {}, head {}°", face.blink, face.head_yaw);
@@ -92,7 +96,7 @@ impl Clip<'_> {
         self.face_in(who, (milliseconds(time), self.position(time)), profile, look)
     }
 
-    /// What is generated of the face.
+    /// Returns the generated part of the face.
     fn generated(&self, who: Who<'_>, ms: u64, profile: &FaceProfile<'_>, look: LookAt) -> Face {
         let is_pose = |curve: &Curve<'_>| who.purpose(curve.name().bytes()) == Some(FaceCurve::Pose.name().as_bytes());
         let (seed, mouth) = self.moved(who, self.curves().filter(is_pose).fold(None, named_pose));
@@ -111,7 +115,7 @@ impl Clip<'_> {
         }
     }
 
-    /// What a face is drawn with, and the mouth that moves its head: that of a speaker.
+    /// Returns the seed of a face, and the visemes that move its head, if it is the speaker's.
     fn moved<'m>(&'m self, who: Who<'_>, poses: Option<Curve<'m>>) -> (u64, Option<Mouth<'m>>) {
         match who {
             Who::Speaker | Who::SpeakerNamed(_) => (self.id().get(), Mouth::of(self, poses)),
@@ -119,12 +123,12 @@ impl Clip<'_> {
         }
     }
 
-    /// The emotion that leads.
+    /// Returns the leading emotion.
     fn strongest(&self, who: Who<'_>, ms: u64) -> Option<(Emotion, CurveValue)> {
         self.emotions_at(Micros(ms.wrapping_mul(1000) as i64), who).strongest()
     }
 
-    /// The face at a time that is given in milliseconds and in frames.
+    /// Returns the face at a time in milliseconds and in frames.
     fn face_in(
         &self,
         who: Who<'_>,
@@ -132,7 +136,7 @@ impl Clip<'_> {
         profile: &FaceProfile<'_>,
         look: LookAt,
     ) -> Face {
-        let mut curves = Curves::default();
+        let mut curves = CurveValues::default();
         let mut poses = None;
         for curve in self.curves() {
             let known = who
@@ -150,8 +154,8 @@ impl Clip<'_> {
 }
 
 impl FaceProfile<'_> {
-    /// The face of somebody who says nothing: they blink and look. `time` counts from anywhere; `seed` tells them apart from
-    /// others, so that not everybody blinks at once.
+    /// Returns the face of a silent character, who blinks and looks. `time` may start anywhere. Give each character a
+    /// different `seed`, so that they do not blink at the same time.
     ///
     /// ```
     /// use lipz_bank::Seconds;
@@ -161,12 +165,12 @@ impl FaceProfile<'_> {
     /// ```
     pub fn idle_at<T: Time>(&self, time: T, seed: u64, look: LookAt) -> Face {
         let steps = Steps { seed, ms: milliseconds(time) };
-        let moment = Moment { profile: self, steps, mouth: None, curves: Curves::default() };
+        let moment = Moment { profile: self, steps, mouth: None, curves: CurveValues::default() };
         moment.face(look, |_| None)
     }
 }
 
-/// Of two curves of poses, the one with the character's name in front.
+/// Selects the one of two curves of poses that has the character's name in front.
 fn named_pose<'m>(before: Option<Curve<'m>>, curve: Curve<'m>) -> Option<Curve<'m>> {
     match before {
         Some(before) if before.name().bytes().len() > curve.name().bytes().len() => Some(before),
@@ -174,7 +178,7 @@ fn named_pose<'m>(before: Option<Curve<'m>>, curve: Curve<'m>) -> Option<Curve<'
     }
 }
 
-/// Whole milliseconds since the start; 0 before it, and as many as fit after 49 days.
+/// Returns the whole milliseconds since the start, or 0 before it. Saturates after 49 days.
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // needed twice
 fn milliseconds<T: Time>(time: T) -> u64 {
     const MILLISECONDS: Fps = Fps::whole(1000);
@@ -187,11 +191,11 @@ fn milliseconds<T: Time>(time: T) -> u64 {
 
 /// The values of known curves, in thousandths.
 #[derive(Clone, Copy, Default)]
-struct Curves {
+struct CurveValues {
     values: [Option<i32>; FaceCurve::ALL.len()],
 }
 
-impl Curves {
+impl CurveValues {
     fn set(&mut self, curve: FaceCurve, thousandths: i32) {
         let neutral = if matches!(curve, FaceCurve::Nod | FaceCurve::Shake) { NEUTRAL } else { 0 };
         if let Some(place) = self.values.get_mut(curve as usize) {
@@ -203,24 +207,24 @@ impl Curves {
         self.values.get(curve as usize).copied().flatten()
     }
 
-    /// The value, 0 without such a curve.
+    /// Returns the value, or 0 without such a curve.
     fn or_zero(&self, curve: FaceCurve) -> i32 {
         self.get(curve).unwrap_or(0)
     }
 
-    /// The degrees of a curve that is neutral at 5.
+    /// Returns the degrees of a curve that is neutral at 5.
     fn swing(&self, curve: FaceCurve) -> i32 {
         self.get(curve).unwrap_or(NEUTRAL).saturating_sub(NEUTRAL).saturating_mul(DEGREES_PER_UNIT)
     }
 }
 
-/// What a face depends on.
+/// The inputs of a face.
 struct Moment<'m> {
     profile: &'m FaceProfile<'m>,
     steps: Steps,
-    /// The mouth that is heard; `None` for somebody who says nothing.
+    /// The visemes being spoken; `None` for a silent character.
     mouth: Option<Mouth<'m>>,
-    curves: Curves,
+    curves: CurveValues,
 }
 
 impl Moment<'_> {

@@ -1,10 +1,10 @@
-//! When a mouth moves, and where its words may begin: pauses and segments, which a bank knows.
+//! The times at which a mouth moves, and at which words may begin: pauses and segments, which are in the bank.
 
 use crate::curve::Curve;
 use crate::{Clip, Micros, Time, Viseme, segment};
 use lipz_types::StoredFps;
 
-/// The mouth of a clip that has a frame rate.
+/// The visemes of a clip with a frame rate.
 pub(super) struct Mouth<'m> {
     clip: &'m Clip<'m>,
     frames: &'m [u8],
@@ -13,26 +13,26 @@ pub(super) struct Mouth<'m> {
     pub(super) poses: Option<Curve<'m>>,
 }
 
-/// Microseconds in which a head comes to rest when the mouth has, and before it begins.
+/// The microseconds in which a head comes to rest after the mouth stops, and starts before the mouth moves.
 const NEAR_US: u64 = 250_000;
-/// A mouth that moves.
+/// The value for a moving mouth.
 pub(super) const SPEAKING: u64 = 1000;
-/// Milliseconds of a slot of poses in which changes are looked for: it bounds the work where poses last for long.
+/// The part of a slot of poses that is searched for changes, in milliseconds. It limits the work for long poses.
 const LOOKED_AT_MS: u64 = 1000;
 
 impl<'m> Mouth<'m> {
-    /// The mouth of a clip that turns its head as `poses` says; `None` without a frame rate.
+    /// Returns the visemes of a clip, with the curve `poses` for its head; `None` without a frame rate.
     pub(super) fn of(clip: &'m Clip<'_>, poses: Option<Curve<'m>>) -> Option<Mouth<'m>> {
         let fps = clip.stored_fps().filter(|fps| fps.checked().is_some())?;
         Some(Mouth { clip, frames: clip.frames(), fps, poses })
     }
 
-    /// The milliseconds at which a frame starts.
+    /// Returns the start of a frame, in milliseconds.
     pub(super) fn start_ms(&self, frame: u32) -> u64 {
         self.fps.start_of_frame_us(frame) / 1000
     }
 
-    /// The frame that shows at a time; of the last ones after the clip.
+    /// Returns the frame at a time, or the last one after the end of the clip.
     pub(super) fn frame_at(&self, us: u64) -> usize {
         Micros(us as i64).frame(self.fps, u32::MAX).unwrap_or(u32::MAX) as usize
     }
@@ -41,7 +41,8 @@ impl<'m> Mouth<'m> {
         self.frames.get(start.min(self.frames.len())..end.min(self.frames.len())).unwrap_or(&[])
     }
 
-    /// How much the mouth moves, in thousandths: fully in a frame that is not at rest, less the farther away the nearest is.
+    /// Returns how much the mouth moves, in thousandths: fully in a frame that is not at rest, and less with the
+    /// distance to the nearest such frame.
     pub(super) fn speaking(&self, ms: u64) -> u64 {
         let now_us = ms.wrapping_mul(1000);
         let now = self.frame_at(now_us);
@@ -59,12 +60,12 @@ impl<'m> Mouth<'m> {
         NEAR_US.wrapping_sub(nearest).wrapping_mul(SPEAKING) / NEAR_US
     }
 
-    /// When something else begins to be said in the slot of so many milliseconds: the last segment that starts in it, or else the
-    /// first pause that begins or ends there. `None` if the mouth moves on, or rests, as before.
+    /// Returns the time of a change in the slot of this length: the start of the last segment that starts in it, or
+    /// else of the first pause that begins or ends there. `None` if the mouth continues to move, or to rest.
     pub(super) fn change_ms(&self, slot_ms: u64, length_ms: u64) -> Option<u64> {
         let start_us = slot_ms.wrapping_mul(1000);
         let end_us = start_us.wrapping_add(length_ms.min(LOOKED_AT_MS).wrapping_mul(1000));
-        // Frames that start in the slot; the first frame of all changes nothing.
+        // The frames that start in the slot. The first frame of the clip is never a change.
         let before = self.frame_at(start_us.saturating_sub(1));
         let codes = self.within(before, self.frame_at(end_us.saturating_sub(1)).saturating_add(1));
         let last = before.wrapping_add(codes.len()).checked_sub(1)?;

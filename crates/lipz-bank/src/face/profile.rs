@@ -1,4 +1,4 @@
-//! Face profiles: how often somebody blinks, and how far head and eyes move.
+//! Face profiles: the frequency of blinks, and the range of head and eyes.
 
 use super::Emotion;
 use crate::Bank;
@@ -7,10 +7,10 @@ use core::fmt;
 use lipz_layout::{FaceRecord, Tag};
 use zerocopy::FromBytes;
 
-/// Blink intervals of a profile: of a calm face, then of each attribute of emotion.
+/// The blink intervals of a profile: for a calm face, then for each attribute of emotion.
 const INTERVALS: usize = 1 + Emotion::ALL.len();
 
-/// How a face moves by itself: `[face]` in `lipz.toml`, or [`FaceProfile::DEFAULT`].
+/// The parameters of generated motion: `[face]` in `lipz.toml`, or [`FaceProfile::DEFAULT`].
 ///
 /// ```
 /// use lipz_bank::face::{Emotion, FaceProfile};
@@ -33,7 +33,7 @@ pub struct FaceProfile<'data> {
 }
 
 impl FaceProfile<'static> {
-    /// What is usual (`docs/guides/faces.md` says why), which needs no bank.
+    /// The default, which needs no bank (`docs/guides/faces.md` gives the reasons).
     pub const DEFAULT: FaceProfile<'static> = FaceProfile {
         name: b"default",
         // Sadness, anger, joy, fear, disgust, surprise, shock, perplexed, asleep, pain, exertion, shout.
@@ -50,7 +50,7 @@ impl FaceProfile<'static> {
 }
 
 impl<'data> FaceProfile<'data> {
-    /// The profile that `bytes` start with, and what is behind it; `None` if they are cut off.
+    /// Returns the profile at the start of `bytes`, and the bytes after it; `None` if they are cut off.
     pub(crate) fn split_first(bytes: &'data [u8]) -> Option<(FaceProfile<'data>, &'data [u8])> {
         let (record, rest) = FaceRecord::ref_from_prefix(bytes).ok()?;
         let length = usize::from(record.name_length_bytes.get());
@@ -86,9 +86,9 @@ impl<'data> FaceProfile<'data> {
             && (200..=LONGEST_MS).contains(&self.fixation_ms)
     }
 
-    /// The profile for faces without the curves of their clips: what is generated, as the curves that replace it would have it:
-    /// `blink`, the motion of the head and where the eyes look, each whole and without what is added to it. `lipz face --curve
-    /// blink` samples it.
+    /// Returns the profile for faces without the curves of their clips. It generates what the curves would replace:
+    /// `blink`, the motion of the head and the direction of the eyes, each complete and without additions. `lipz
+    /// convert --write-curves=blink` samples it.
     #[must_use]
     pub const fn without_curves(mut self) -> FaceProfile<'data> {
         self.is_without_curves = true;
@@ -99,7 +99,7 @@ impl<'data> FaceProfile<'data> {
         self.is_without_curves
     }
 
-    /// The name of the profile. Empty only in a damaged bank.
+    /// Returns the name of the profile. Empty only in a damaged bank.
     pub fn name(&self) -> &'data str {
         core::str::from_utf8(self.name).unwrap_or("")
     }
@@ -108,7 +108,8 @@ impl<'data> FaceProfile<'data> {
         self.name
     }
 
-    /// Milliseconds from blink to blink, on average, while this emotion leads, or on a calm face; 0 for no blinks.
+    /// Returns the average interval between blinks in milliseconds, for this leading emotion or a calm face; 0 for no
+    /// blinks.
     pub fn blink_interval_ms(&self, leads: Option<Emotion>) -> u16 {
         let place = leads.map_or(0, |emotion| (emotion as usize).wrapping_add(1));
         self.blink_interval_ms.get(place).copied().unwrap_or(0)
@@ -118,38 +119,38 @@ impl<'data> FaceProfile<'data> {
         &self.blink_interval_ms
     }
 
-    /// Milliseconds from the moment at which lids begin to close until they are open again.
+    /// Returns the milliseconds from the start of a blink until the lids are open again.
     pub const fn blink_length_ms(&self) -> u16 {
         self.blink_length_ms
     }
 
-    /// How many of 100 blinks are double.
+    /// Returns the percentage of blinks that are double.
     pub const fn double_blink_percent(&self) -> u8 {
         self.double_blink_percent
     }
 
-    /// Percentage of the time in which the eyes glance at hands and body of the other.
+    /// Returns the percentage of time in which the eyes glance at the other person's hands and body.
     pub const fn glance_percent(&self) -> u8 {
         self.glance_percent
     }
 
-    /// How far the head turns to each side while the mouth moves, in thousandths of a degree. It nods two thirds of that, and
-    /// tilts half.
+    /// Returns how far the head turns to each side while the mouth moves, in thousandths of a degree. It nods two
+    /// thirds of that, and tilts half.
     pub const fn head_motion_thousandths(&self) -> u16 {
         self.head_motion
     }
 
-    /// How far the eyes turn before the head follows them, in thousandths of a degree.
+    /// Returns how far the eyes turn before the head follows them, in thousandths of a degree.
     pub const fn head_follows_thousandths(&self) -> u16 {
         self.head_follows
     }
 
-    /// Milliseconds from one pose of the head to the next, on average: a word.
+    /// Returns the average interval between poses of the head in milliseconds: one word.
     pub const fn pose_ms(&self) -> u16 {
         self.pose_ms
     }
 
-    /// Milliseconds from one place that the eyes look at to the next, on average.
+    /// Returns the average length of a fixation of the eyes, in milliseconds.
     pub const fn fixation_ms(&self) -> u16 {
         self.fixation_ms
     }
@@ -162,17 +163,17 @@ impl fmt::Debug for FaceProfile<'_> {
 }
 
 impl<'data> Bank<'data> {
-    /// The face profile with this name.
+    /// Returns the face profile with this name.
     pub fn face_profile(&self, name: &str) -> Option<FaceProfile<'data>> {
         self.face_profiles().find(|profile| profile.name == name.as_bytes())
     }
 
-    /// The profile of the project, `[face]` in its settings; [`FaceProfile::DEFAULT`] if it has none.
+    /// Returns the project's profile, `[face]` in its settings, or [`FaceProfile::DEFAULT`].
     pub fn default_face_profile(&self) -> FaceProfile<'data> {
         self.face_profile("default").unwrap_or(FaceProfile::DEFAULT)
     }
 
-    /// All face profiles of the bank, in the order of their names.
+    /// Returns all face profiles of the bank, ordered by name.
     pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'data>> + Clone {
         profiles(self.file.section(Tag::FACES), FaceProfile::split_first)
     }

@@ -1,12 +1,12 @@
-//! Whose curves: those of the speaker have no name in front, those of others have.
+//! The character whose curves count: curves of the speaker have no name in front, those of other characters do.
 
-/// Whose face and emotions of a clip are asked for: that decides which curves count.
+/// The character whose face and emotions are queried, which decides the curves that count.
 ///
 /// ```
 /// # use lipz_bank::{Clip, Micros};
 /// # use lipz_bank::face::Who;
 /// # fn draw(clip: &Clip<'_>, now: Micros) {
-/// // Otto speaks, and his events say `otto feels joy 2, mara feels fear 4`.
+/// // Otto speaks, and his events are `otto feels joy 2, mara feels fear 4`.
 /// let speaker = clip.emotions_at(now, Who::SpeakerNamed("otto"));
 /// let listener = clip.emotions_at(now, "mara");
 /// # }
@@ -15,15 +15,15 @@
 pub enum Who<'name> {
     /// The speaker: the curves without a name, such as `fear`.
     Speaker,
-    /// The speaker, whose name the program knows: also the curves with that name, such as `mara.fear`, so that `mara feels fear`
-    /// in her own line moves her face as `feels fear` does. Of two that are for the same, the one counts that is farther from
-    /// neutral; of two curves of poses, the one with the name.
+    /// The speaker, with a name: curves with that name, such as `mara.fear`, count as well, so that `mara feels fear`
+    /// in her own line moves her face like `feels fear`. If two curves have the same purpose, the value farther from
+    /// neutral counts; for poses, the curve with the name.
     SpeakerNamed(&'name str),
-    /// Somebody else: the curves with this name.
+    /// Another character: the curves with this name.
     Other(&'name str),
 }
 
-/// Somebody else.
+/// Another character.
 impl<'name> From<&'name str> for Who<'name> {
     fn from(name: &'name str) -> Self {
         Who::Other(name)
@@ -31,7 +31,8 @@ impl<'name> From<&'name str> for Who<'name> {
 }
 
 impl Who<'_> {
-    /// What the curve with this name is for, without the character: `fear` for `mara.fear`. `None` if it is about a different character.
+    /// Returns the purpose of the curve with this name, without the character: `fear` for `mara.fear`. `None` if it
+    /// belongs to a different character.
     pub(crate) fn purpose(self, curve: &[u8]) -> Option<&[u8]> {
         let behind =
             |character: &str| curve.strip_prefix(character.as_bytes()).and_then(|rest| rest.strip_prefix(b"."));
@@ -43,7 +44,7 @@ impl Who<'_> {
     }
 }
 
-/// Of two values for the same, the one that is farther from neutral.
+/// Returns the one of two values that is farther from neutral.
 pub(crate) fn farther(one: i32, other: i32, neutral: i32) -> i32 {
     if other.abs_diff(neutral) > one.abs_diff(neutral) { other } else { one }
 }

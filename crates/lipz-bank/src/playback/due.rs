@@ -8,22 +8,22 @@ use core::ops::Range;
 
 /// Segments whose events are due, in order.
 ///
-/// [`Segment::event`] is the event string of one, in whatever syntax. [`DueSegments::events`] gives the events of
-/// all, if they are Character Event Syntax.
+/// [`Segment::event`] returns the event string of one segment, in any syntax. [`DueSegments::events`] returns the
+/// events of all segments, if they are Character Event Syntax.
 #[derive(Clone, Debug)]
 pub struct DueSegments<'a> {
     clip: Clip<'a>,
-    /// Who speaks, if the program has said so.
+    /// The speaker, if the program has set one.
     speaker: Option<NameKey>,
     next: u32,
     end: u32,
-    /// After `end`, it goes on from segment 0 up to this one.
+    /// After `end`, the iterator continues from segment 0 up to, but not including, this one.
     around_to: u32,
 }
 
 impl<'a> DueSegments<'a> {
-    /// The segments of `range`, then those from 0 up to and without `around_to`, as far as the clip has them: the
-    /// numbers may be those of another clip.
+    /// Returns the segments of `range`, then those from 0 up to, but not including, `around_to`. Numbers outside the
+    /// clip are skipped: they may be those of another clip.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // a clip is many words, and several calls need this
     #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn new(cursor: &Cursor, clip: &Clip<'a>, range: Range<u32>, around_to: u32) -> Self {
@@ -32,19 +32,18 @@ impl<'a> DueSegments<'a> {
         DueSegments { clip: *clip, speaker: cursor.speaker(), next, end, around_to: around_to.min(count) }
     }
 
-    /// The events of the segments. Those without a character are the
-    /// [speaker](Cursor::with_speaker)'s.
+    /// Returns the events of the segments. Those without a character are the [speaker](Cursor::with_speaker)'s.
     #[inline]
     pub fn events(self) -> impl Iterator<Item = Event<'a>> + 'a {
         let speaker = self.speaker_name();
         self.flat_map(move |segment| events(&segment, speaker))
     }
 
-    /// The name of the speaker.
-    #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // once per call of the cursor
+    /// Returns the name of the speaker.
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))] // called once per call of the cursor
     #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn speaker_name(&self) -> Option<EventName<'a>> {
-        // Mostly no segment is due, and then the name is not needed.
+        // Usually no segment is due, and then the name is not needed.
         if self.next >= self.end && self.around_to == 0 {
             return None;
         }
@@ -52,7 +51,7 @@ impl<'a> DueSegments<'a> {
     }
 }
 
-/// The events of one segment; those without a character are the speaker's.
+/// Returns the events of one segment; those without a character are the speaker's.
 pub(super) fn events<'a>(segment: &Segment<'a>, speaker: Option<EventName<'a>>) -> impl Iterator<Item = Event<'a>> {
     segment.events().map(move |event| Event { character: event.character.or(speaker), ..event })
 }

@@ -1,37 +1,37 @@
-//! Consonant hold: consonants that last long enough to be read.
+//! Consonant hold: keeps consonants long enough to be seen.
 
 use crate::{Clip, Fps, VisemeType};
 
-/// How long a consonant is shown at least.
+/// The minimal duration of consonants.
 ///
-/// "You must have two frames to be able to read it": consonants last two frames at 24 fps or longer, and
-/// take the time from their neighbours (Talking Heads, "Hold your consonants"). A hold as long as a display shows one
-/// picture also keeps consonants from falling between two pictures.
+/// "You must have two frames to be able to read it": consonants last two frames at 24 fps or longer, and take the time
+/// from their neighbours (Talking Heads, "Hold your consonants"). A hold as long as one rendered frame also keeps
+/// consonants from being skipped between two rendered frames.
 ///
-/// A consonant that is too short goes on into the vowels and rests behind it. Where the next consonant leaves too few
-/// of those, it begins early and takes from what is before it. Consonants take nothing from each other, and of
-/// vowels and rests between two consonants, one frame is always left.
-/// The shapes of loudness (`rms`) are no consonants: nothing is held there, nor if the viseme type is unspecified.
+/// A consonant that is too short extends into the vowels and rests after it. If the next consonant leaves too few of
+/// those, it begins early and takes frames from before it. Consonants take nothing from each other, and at least one
+/// frame of vowels and rests remains between two consonants.
+/// The shapes of loudness (`rms`) are not consonants: nothing is held there, nor if the viseme type is unspecified.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct ConsonantHold {
     frames: u8,
 }
 
 impl ConsonantHold {
-    /// Every frame as it is in the clip.
+    /// Every frame as in the clip.
     pub const NONE: ConsonantHold = ConsonantHold { frames: 0 };
 
-    /// So many frames of the clip.
+    /// Returns a hold of this number of frames of the clip.
     pub const fn frames(count: u8) -> ConsonantHold {
         ConsonantHold { frames: count }
     }
 
-    /// The number of frames.
+    /// Returns the number of frames.
     pub const fn frame_count(self) -> u8 {
         self.frames
     }
 
-    /// Two frames at 24 fps, the least that is read, in frames of `fps`: the nearest number.
+    /// Returns the number of frames of `fps` nearest to two frames at 24 fps, the minimum for reading.
     ///
     /// ```
     /// use lipz_bank::Fps;
@@ -39,19 +39,19 @@ impl ConsonantHold {
     /// assert_eq!(ConsonantHold::readable(Fps::whole(24)), ConsonantHold::frames(2));
     /// assert_eq!(ConsonantHold::readable(Fps::whole(60)), ConsonantHold::frames(5));
     /// ```
-    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the sum
+    #[allow(clippy::arithmetic_side_effects)] // the sum fits 64 bits
     pub const fn readable(fps: Fps) -> ConsonantHold {
         let twelfths = 12 * fps.denominator() as u64;
-        // No rate has a denominator of zero; checked division keeps a panic out of the machine code.
+        // No rate has a denominator of zero. Checked division keeps a panic out of the machine code.
         match (fps.numerator() as u64 + twelfths / 2).checked_div(twelfths) {
             Some(frames) => ConsonantHold::at_most(frames),
             None => ConsonantHold::NONE,
         }
     }
 
-    /// As long as a display shows one picture, in frames of `fps`: every consonant that has the room
-    /// is on at least one picture.
-    #[allow(clippy::arithmetic_side_effects)] // 64 bits hold the products
+    /// Returns the length of one rendered frame in frames of `fps`. Every consonant with enough room is then in at
+    /// least one rendered frame.
+    #[allow(clippy::arithmetic_side_effects)] // the products fit 64 bits
     pub const fn for_display(picture_us: u32, fps: Fps) -> ConsonantHold {
         let (frames, second) = (picture_us as u64 * fps.numerator() as u64, fps.denominator() as u64 * 1_000_000);
         match (frames.checked_div(second), frames.checked_rem(second)) {
@@ -64,7 +64,7 @@ impl ConsonantHold {
         ConsonantHold { frames: if frames < u8::MAX as u64 { frames as u8 } else { u8::MAX } }
     }
 
-    /// The frame whose shape shows at `frame`. A clip without a viseme type is of type `or`.
+    /// Returns the frame whose shape shows at `frame`. `or` is the viseme type of clips without one.
     #[inline]
     pub(super) fn frame(self, clip: &Clip<'_>, or: Option<VisemeType>, frame: u32) -> u32 {
         match clip.viseme_type().or(or) {
@@ -73,7 +73,7 @@ impl ConsonantHold {
         }
     }
 
-    /// The frame whose shape shows at `at`, after a look at no more than a few times the hold around it.
+    /// Returns the frame whose shape shows at `at`. Reads at most a few times the hold around it.
     fn shown(self, kind: VisemeType, codes: &[u8], at: usize) -> usize {
         let hold = usize::from(self.frames);
         let (before, behind) = match (codes.get(..at), codes.get(at..)) {
@@ -81,7 +81,7 @@ impl ConsonantHold {
             _ => return at,
         };
         let is_open = |code: &&u8| !is_consonant(kind, **code);
-        // The stretch of vowels and rests that `at` is in, as far as the hold of a neighbour reaches.
+        // The stretch of vowels and rests around `at`, as far as the hold of a neighbour reaches.
         let open_before = before.iter().rev().take(hold).take_while(is_open).count();
         let open_behind = behind.iter().take(hold).take_while(is_open).count();
         let spare = open_before.saturating_add(open_behind);
@@ -105,7 +105,7 @@ impl ConsonantHold {
     }
 }
 
-/// How many frames the run that `codes` starts with needs to last for the whole hold; 0 if there is none.
+/// Returns how many frames the run at the start of `codes` lacks for the whole hold; 0 if there is no run.
 fn missing<'c>(hold: usize, codes: &mut impl Iterator<Item = &'c u8>) -> usize {
     match codes.next() {
         None => 0,
@@ -144,16 +144,16 @@ mod tests {
             ("-MAAA-", 2, "-MMAA-"),
             ("-MAAA-", 3, "-MMMA-"),
             ("-MMMA-", 3, "-MMMA-"),   // long enough
-            ("AAMSAA", 2, "AMMSSA"),   // S is behind M: M begins early
-            ("AAAMA", 3, "AMMMA"),     // one frame of the vowel behind is left
-            ("MAM", 2, "MAM"),         // the one frame of a vowel stays
+            ("AAMSAA", 2, "AMMSSA"),   // S follows M: M begins early
+            ("AAAMA", 3, "AMMMA"),     // one frame of the vowel after it is left
+            ("MAM", 2, "MAM"),         // the single frame of a vowel stays
             ("MAAM", 2, "MMAM"),       // one of two goes to the first
             ("MAAAMS", 3, "MMMAMS"),   // and all that can be spared, if it needs them
-            ("MAAAAMS", 3, "MMMAMMS"), // then to the one behind
+            ("MAAAAMS", 3, "MMMAMMS"), // then to the one after
             ("M", 2, "M"),
             ("MSFL", 2, "MSFL"),
             ("----", 2, "----"),
-            ("AAAAAAM", 4, "AAAMMMM"), // at the end, it takes from before
+            ("AAAAAAM", 4, "AAAMMMM"), // at the end, it takes frames from before
             ("MUUUUUU", 4, "MMMMUUU"),
         ] {
             assert_eq!(held(VisemeType::Blair, codes, frames), shown, "{codes} {frames}");
@@ -190,7 +190,7 @@ mod tests {
             }
         }
 
-        /// Alone between vowels, a consonant lasts as long as it should.
+        /// Alone between vowels, a consonant lasts for the whole hold.
         #[test]
         fn the_hold_is_kept(run in 1_usize..6, frames in 0_u8..9, start in 1_usize..20) {
             let (vowels, run) = ("A".repeat(start), "M".repeat(run));

@@ -1,4 +1,4 @@
-//! Playing a clip: a cursor that follows the sound, and fires each event once.
+//! Playing a clip: a cursor that follows the audio and fires each event once.
 
 mod cursor;
 mod due;

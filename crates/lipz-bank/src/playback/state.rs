@@ -1,29 +1,29 @@
-//! What outlasts an event: what characters feel, stare and point at.
+//! The lasting effects of events: emotions, stares and pointing.
 
 use super::{DueSegments, due};
 use crate::{Command, Event, EventName};
 use core::iter::FusedIterator;
 
-/// Segments and events that one query looks at: far more than clips have. It keeps a forged bank, in which
-/// thousands of segments share one string of thousands of events, from stopping a program.
+/// The most segments and events that one query evaluates, which is far more than clips have. In a forged bank,
+/// thousands of segments can share one string of thousands of events; this limit keeps it from stopping a program.
 const MAX_STEPS: u32 = 1 << 20;
 
-/// What of a character's events lasts (Lipz specification, "Character Event Syntax").
+/// The lasting effects of a character's events (Lipz specification, "Character Event Syntax").
 ///
-/// `sees`, `does` and gestures such as `nods` are for a moment and leave no state.
+/// `sees`, `does` and gestures such as `nods` are momentary and leave no state.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[non_exhaustive]
 pub struct CharacterState<'a> {
-    /// What the character feels, until changed; `None` if no event has said.
+    /// The emotion of the character, until changed; `None` if no event has set it.
     pub emotion: Option<EventName<'a>>,
-    /// What the character stares at, until `stops staring`.
+    /// The target of the character's stare, until `stops staring`.
     pub stares_at: Option<EventName<'a>>,
-    /// What the character points at, until `stops pointing`.
+    /// The target at which the character points, until `stops pointing`.
     pub points_at: Option<EventName<'a>>,
 }
 
 impl<'a> CharacterState<'a> {
-    /// The character does `command`.
+    /// Applies `command` to the state.
     pub fn apply(&mut self, command: Command<EventName<'a>>) {
         match command {
             Command::Feels(emotion) => self.emotion = Some(emotion),
@@ -31,12 +31,12 @@ impl<'a> CharacterState<'a> {
             Command::StopsStaring => self.stares_at = None,
             Command::Points(target) => self.points_at = Some(target),
             Command::StopsPointing => self.points_at = None,
-            _ => {} // for a moment
+            _ => {} // momentary
         }
     }
 }
 
-/// The state of `character` after the events of `segments`; `None` stands for the speaker.
+/// Returns the state of `character` after the events of `segments`; `None` stands for the speaker.
 pub(super) fn after<'a>(segments: DueSegments<'a>, character: Option<EventName<'_>>) -> CharacterState<'a> {
     let speaker = segments.speaker_name();
     let is_asked = |of: Option<EventName<'_>>| match (of, character) {
@@ -54,7 +54,7 @@ pub(super) fn after<'a>(segments: DueSegments<'a>, character: Option<EventName<'
     state
 }
 
-/// Calls `see` with the events of `segments`, as long as there are `steps` left.
+/// Calls `see` with the events of `segments`, while `steps` are left.
 fn each_event<'a>(segments: DueSegments<'a>, steps: &mut u32, mut see: impl FnMut(Event<'a>)) {
     let speaker = segments.speaker_name();
     for segment in segments {
@@ -70,14 +70,14 @@ fn each_event<'a>(segments: DueSegments<'a>, steps: &mut u32, mut see: impl FnMu
     }
 }
 
-/// The characters of a clip with their states, in the order of their names.
+/// The characters of a clip with their states, ordered by name.
 #[derive(Clone)]
 pub(super) struct Characters<'a> {
-    /// All segments, whose events have the characters.
+    /// All segments, whose events name the characters.
     all: DueSegments<'a>,
-    /// Those whose events make the states.
+    /// The segments whose events determine the states.
     past: DueSegments<'a>,
-    /// The last one given: first the speaker without a name, then by name.
+    /// The last character returned: first the speaker without a name, then by name.
     last: Option<Option<EventName<'a>>>,
     steps: u32,
 }

@@ -1,4 +1,4 @@
-//! Clip records, in the order of their keys, and what they own.
+//! Checks clip records, ordered by key, and the data that they own.
 
 use super::error_at;
 use super::strings::Strings;
@@ -8,17 +8,16 @@ use crate::{Bank, ClipId, Error, ErrorKind, VisemeType};
 use lipz_layout::{ClipRecord, FLAG_VISEMES, KeyRecord, MAX_INTEGER_FPS, NO_RATE, RateRecord};
 use lipz_types::StoredFps;
 
-/// How many segments the clips so far have: those of clips with events come first.
+/// The segments counted so far: those of clips with events come first.
 struct Segments {
     with_events: usize,
     others: usize,
 }
 
-/// Checks every clip with its texts, and with `CONTENTS` the codes of its frames; returns where the keys end in the pool of
-/// names.
+/// Checks every clip with its texts, and with `CONTENTS` the codes of its frames. Returns the end of the keys in the
+/// pool of names.
 ///
-/// Keys that ascend strictly are distinct, so the order table, which has as many entries as there
-/// are clips, names every clip once.
+/// Keys that ascend strictly are distinct, so the order table, which has one entry per clip, names every clip once.
 pub(super) fn clips<const CONTENTS: bool>(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut segments = Segments { with_events: 0, others: bank.event_refs.len() };
     let texts = TextCheck::new(&bank.file, &bank.texts, CONTENTS);
@@ -48,7 +47,7 @@ pub(super) fn clips<const CONTENTS: bool>(bank: &Bank<'_>) -> Result<u32, Error>
     if segments.with_events != bank.event_refs.len() {
         return Err(error_at(bank, ErrorKind::EventReference, bank.event_refs));
     }
-    // From the first frame of all to the last, as each clip starts where another ends.
+    // These cover the first frame of all to the last, because each clip starts where another ends.
     let ends = (bank.starts.first().map(|first| first.get()), bank.starts.get(segments.others..));
     match ends {
         (Some(0), Some([last])) if last.get() as usize == bank.frames.len() => {}
@@ -57,7 +56,7 @@ pub(super) fn clips<const CONTENTS: bool>(bank: &Bank<'_>) -> Result<u32, Error>
     Ok(keys.end())
 }
 
-/// Checks what a clip record says of frames and segments.
+/// Checks the frames and segments of a clip record.
 fn contents<const CONTENTS: bool>(
     bank: &Bank<'_>,
     record: &ClipRecord,
@@ -101,7 +100,7 @@ fn contents<const CONTENTS: bool>(
     if !CONTENTS || VisemeType::ALL.iter().any(may_be) { Ok(()) } else { Err(ErrorKind::FrameCode) }
 }
 
-/// Checks the frame rates that are no whole numbers, of which there are no more than a clip record can name.
+/// Checks the frame rates that are not whole numbers. There are at most as many as a clip record can refer to.
 pub(super) fn rates(bank: &Bank<'_>) -> Result<(), Error> {
     let is_valid =
         |rate: &RateRecord| rate.fps_denominator.get() != 1 && rate.fps().and_then(StoredFps::checked).is_some();

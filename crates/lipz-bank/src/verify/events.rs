@@ -1,11 +1,11 @@
-//! Event strings, the typed events that they are made of, and the names in those.
+//! Checks event strings, their typed events, and the names in these.
 
 use super::error_at;
 use super::strings::Strings;
 use crate::event::{Event, typed_events};
 use crate::{Bank, Error, ErrorKind};
 
-/// Checks what the event sections hold, each entry once.
+/// Checks the event sections, each entry once.
 pub(super) fn events(bank: &Bank<'_>) -> Result<(), Error> {
     let strings_end = strings(bank)?;
     names(bank, strings_end)?;
@@ -22,8 +22,8 @@ pub(super) fn events(bank: &Bank<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Event strings follow each other in their pool, and so do their typed events, which are all of the
-/// table; returns where the strings end.
+/// Checks that event strings follow each other in their pool, and that their typed events follow each other and fill
+/// the table. Returns the end of the strings.
 fn strings(bank: &Bank<'_>) -> Result<u32, Error> {
     let mut strings = Strings::new(bank.event_strings, 0);
     let mut typed_end = 0_u32;
@@ -43,7 +43,7 @@ fn strings(bank: &Bank<'_>) -> Result<u32, Error> {
     Ok(strings.end())
 }
 
-/// Names ascend strictly and fill the pool from `start` on.
+/// Checks that names ascend strictly and fill the pool from `start` on.
 fn names(bank: &Bank<'_>, start: u32) -> Result<(), Error> {
     let mut names = Strings::new(bank.event_strings, start);
     for record in bank.event_names {

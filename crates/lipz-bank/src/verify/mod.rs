@@ -1,20 +1,15 @@
-//! The full check of a bank: every byte and every reference, with constant stack and in a time that
-//! is proportional to the length of the file, whatever the bytes are.
+//! The full check of a bank: every byte and every reference, with constant stack and in a time that is proportional to
+//! the length of the file, whatever the bytes are.
 //!
-//! What the clips own lies in the order of their keys, without gaps and without overlap, as the
-//! compiler writes it. That is checked, too: it is what keeps a forged bank, in which all clips
-//! claim the same bytes, from being checked over and over.
+//! The data of the clips follows in the order of their keys, without gaps or overlap, as the compiler writes it. This
+//! is checked as well. Otherwise, the clips of a forged bank could all refer to the same bytes, which would then be
+//! checked over and over.
 
-mod babble;
 mod clips;
-mod curves;
 mod events;
-mod faces;
-mod recordings;
 mod sections;
 mod strings;
 mod texts;
-mod voices;
 
 use crate::file::File;
 use crate::locale::LocaleTable;
@@ -23,10 +18,10 @@ use crate::{Bank, Error, ErrorKind};
 use strings::Strings;
 use texts::TextCheck;
 
-/// Gives bytes as a string if they are UTF-8.
+/// Returns bytes as a string if they are UTF-8.
 pub(crate) type Utf8<'data> = fn(&'data [u8]) -> Option<&'data str>;
 
-/// The check of the standard library.
+/// The UTF-8 check of the standard library.
 pub(crate) fn core_utf8(bytes: &[u8]) -> Option<&str> {
     core::str::from_utf8(bytes).ok()
 }
@@ -37,29 +32,29 @@ pub(crate) fn verify<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result
     optional(bank)
 }
 
-/// Checks everything but the checksum and what frames and texts say.
+/// Checks everything except the checksum and the contents of frames and texts.
 pub(crate) fn tables(mut bank: Bank<'_>) -> Result<(), Error> {
     required::<false>(&mut bank, core_utf8)?;
     optional(&bank)
 }
 
-/// Checks the sections that a bank need not have.
+/// Checks the optional sections of a bank. The check of a section's contents is next to its queries.
 fn optional(bank: &Bank<'_>) -> Result<(), Error> {
     sections::optional_sections(bank)?;
-    babble::babble(bank)?;
-    faces::faces(bank)?;
-    recordings::recordings(bank)?;
-    curves::curves(bank)?;
-    voices::voices(bank)
+    crate::babble::check(bank)?;
+    crate::face::check(bank)?;
+    crate::recording::check(bank)?;
+    crate::curve::check(bank)?;
+    crate::voice::check(bank)
 }
 
-/// Checks what all banks have, mouth shapes, texts and events, and marks the pools as checked.
+/// Checks visemes, texts and events, which all banks have, and marks the pools as checked.
 pub(crate) fn lines<'data>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     checksum(&bank.file)?;
     required::<true>(bank, utf8)
 }
 
-/// Checks the sections that all banks have; without `CONTENTS`, not what frames and texts say.
+/// Checks the sections that all banks have. Without `CONTENTS`, the contents of frames and texts are skipped.
 fn required<'data, const CONTENTS: bool>(bank: &mut Bank<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     sections::sections(&bank.file)?;
     sections::table_lengths(bank)?;
@@ -79,7 +74,7 @@ fn required<'data, const CONTENTS: bool>(bank: &mut Bank<'data>, utf8: Utf8<'dat
     Ok(())
 }
 
-/// Checks the texts in a file against the bank of their clips, which must be verified, and marks their pools as checked.
+/// Checks the texts in a file against the verified bank of their clips, and marks their pools as checked.
 pub(crate) fn text_file<'data>(
     file: &File<'data>,
     table: &mut LocaleTable<'data>,
@@ -95,7 +90,7 @@ pub(crate) fn text_file<'data>(
     for pool in [&mut table.names, &mut table.texts] {
         check_pool(file, pool, utf8)?;
     }
-    // Another bank's tags stand behind its keys.
+    // In a bank, the tags follow the keys.
     let start = table.records.first().map_or(0, |first| first.tag_offset_bytes.get());
     locales(file, table, start)?;
     let is_about_bank = table.segment_count == bank.texts.segment_count;
@@ -109,7 +104,7 @@ pub(crate) fn text_file<'data>(
     Ok(())
 }
 
-/// Checks checksum and sections of the index of a set, and gives its names as checked.
+/// Checks the checksum and the sections of a set's index, and returns its names as checked.
 pub(crate) fn set_index<'data>(file: &File<'data>, mut names: Pool<'data>) -> Result<Pool<'data>, Error> {
     checksum(file)?;
     sections::sections(file)?;
@@ -125,21 +120,21 @@ fn checksum(file: &File<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// An error at the place of `item`, which lies in the file.
-fn error_in<T: ?Sized>(file: &File<'_>, kind: ErrorKind, item: &T) -> Error {
+/// Returns an error at the offset of `item`, which must be in the file.
+pub(crate) fn error_in<T: ?Sized>(file: &File<'_>, kind: ErrorKind, item: &T) -> Error {
     let item = item as *const T as *const u8 as usize;
     Error::new(kind, item.wrapping_sub(file.bytes.as_ptr() as usize) as u32)
 }
 
-/// An error at the place of `item`, which lies in the bank.
-fn error_at<T: ?Sized>(bank: &Bank<'_>, kind: ErrorKind, item: &T) -> Error {
+/// Returns an error at the offset of `item`, which must be in the bank.
+pub(crate) fn error_at<T: ?Sized>(bank: &Bank<'_>, kind: ErrorKind, item: &T) -> Error {
     error_in(&bank.file, kind, item)
 }
 
 /// Checks the strings of a pool, and marks them as checked.
 fn check_pool<'data>(file: &File<'data>, pool: &mut Pool<'data>, utf8: Utf8<'data>) -> Result<(), Error> {
     let bytes = pool.bytes();
-    // A string that is not these very bytes would be an answer to another question.
+    // Reject a string that is not made of these very bytes.
     let checked = utf8(bytes).filter(|text| core::ptr::eq(text.as_bytes(), bytes));
     match checked.map_or_else(|| core::str::from_utf8(bytes), Ok) {
         Ok(text) => {
@@ -153,7 +148,8 @@ fn check_pool<'data>(file: &File<'data>, pool: &mut Pool<'data>, utf8: Utf8<'dat
     }
 }
 
-/// Tags ascend strictly and fill the pool of names from `start` on; one locale at most is the default.
+/// Checks that tags ascend strictly and fill the pool of names from `start` on, and that at most one locale is the
+/// default.
 fn locales(file: &File<'_>, table: &LocaleTable<'_>, start: u32) -> Result<(), Error> {
     let mut tags = Strings::new(table.names, start);
     let mut known_flags = lipz_layout::LOCALE_DEFAULT;

@@ -1,4 +1,4 @@
-//! Every text of every clip in every locale is a string of the pool.
+//! Checks that every text of every clip in every locale is a string of the pool.
 
 use super::error_in;
 use crate::file::File;
@@ -7,28 +7,28 @@ use crate::text::TextPlace;
 use crate::{Error, ErrorKind};
 use lipz_layout::{ClipRecord, KeyRecord, NO_TEXT, TEXT_FALLBACK, TEXT_HAS_LENGTH, TEXT_MAX_BYTES, TEXT_OFFSET, U32};
 
-/// The check of the texts while the clips are gone through.
+/// The state of the check of texts, while the clips are visited.
 pub(super) struct TextCheck<'a, 'data> {
     file: &'a File<'data>,
     table: &'a LocaleTable<'data>,
-    /// Whether the texts are there, and not only their places.
+    /// Whether to check the texts, in addition to their places.
     has_contents: bool,
 }
 
 impl<'a, 'data> TextCheck<'a, 'data> {
-    /// The check of the texts of `table`, which is that of `file`.
+    /// Starts the check of the texts of `table`, which belongs to `file`.
     pub(super) fn new(file: &'a File<'data>, table: &'a LocaleTable<'data>, has_contents: bool) -> Self {
         TextCheck { file, table, has_contents }
     }
 
-    /// Checks the texts of a clip, whose segments are checked, in all locales.
+    /// Checks the texts of a clip in all locales. The segments of the clip are already checked.
     pub(super) fn clip(&self, clip: &ClipRecord, key: &KeyRecord) -> Result<(), Error> {
         let count = usize::from(key.segment_count.get());
         let mut first = clip.segments_first.get() as usize;
         for _ in self.table.records {
             let starts = self.table.starts.get(first..=first.wrapping_add(count));
             let fault = match starts {
-                // Nearly all clips pass this test. Only where code is cheap.
+                // Nearly all clips pass this test. It is used only where code is cheap.
                 Some(starts) if cfg!(target_pointer_width = "64") && self.has_plain_texts(starts) => None,
                 Some(starts) => self.fault(starts),
                 None => self.table.starts.first(),
@@ -41,8 +41,8 @@ impl<'a, 'data> TextCheck<'a, 'data> {
         Ok(())
     }
 
-    /// Whether the texts of a clip are of one kind, have no counts and follow each other in the pool. If not, they may still be
-    /// valid.
+    /// Whether the texts of a clip are of one kind, have no counts and follow each other in the pool. Other texts may
+    /// still be valid.
     #[inline(always)]
     fn has_plain_texts(&self, starts: &[U32]) -> bool {
         let pool = self.table.texts.bytes();
@@ -65,8 +65,8 @@ impl<'a, 'data> TextCheck<'a, 'data> {
             && is_behind(last)
     }
 
-    /// The first entry at fault: a clip has a text in none of its segments or in all, own ones or those of another
-    /// locale. `starts` has the entry behind its own, too.
+    /// Returns the first invalid entry. A clip has a text in all of its segments or in none, and all are its own or all
+    /// come from another locale. `starts` also has the entry after the clip's own.
     #[cfg_attr(target_pointer_width = "64", cold, inline(never))]
     fn fault<'s>(&self, starts: &'s [U32]) -> Option<&'s U32> {
         let first = starts.first().map_or(NO_TEXT, |first| first.get());
@@ -77,7 +77,7 @@ impl<'a, 'data> TextCheck<'a, 'data> {
         })
     }
 
-    /// Whether an entry is that of a text, and of the same kind as the `first` one.
+    /// Whether an entry has a text, and is of the same kind as `first`.
     fn is_text(&self, entry: U32, next: U32, first: u32) -> bool {
         let texts = self.table.texts;
         let is_string = |place: TextPlace| if self.has_contents { place.is_valid(texts) } else { place.fits(texts) };
@@ -85,7 +85,7 @@ impl<'a, 'data> TextCheck<'a, 'data> {
     }
 }
 
-/// Whether a character of UTF-8 starts at this place in the pool.
+/// Whether a UTF-8 character starts at this offset in the pool.
 #[inline(always)]
 fn starts_character(pool: &[u8], offset: u32) -> bool {
     pool.get(offset as usize).map_or(false, |byte| byte & 0xC0 != 0x80)

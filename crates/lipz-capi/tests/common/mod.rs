@@ -1,4 +1,4 @@
-//! Calling functions of C from Rust.
+//! Helpers to call functions of C from Rust.
 #![allow(dead_code, reason = "each test uses some of it")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -47,17 +47,17 @@ pub(crate) const DIALOGUES: [&[&[u8]]; 11] = [
     &[SET, FIRST_OF_SET, SECOND_OF_SET],
 ];
 
-/// What a function answers; its status if there is none. An answer that is not there is written all the same.
+/// Returns the answer of a function, or its status. An empty answer is written as well.
 #[track_caller]
 pub(crate) fn ask<T: Default>(call: impl FnOnce(Option<&mut MaybeUninit<T>>) -> Status) -> Result<T, Status> {
     let mut out = MaybeUninit::uninit();
     let status = call(Some(&mut out));
-    // SAFETY: functions that are given a place for their answer write to it.
+    // SAFETY: functions always write to the place for their answer.
     let value = unsafe { out.assume_init() };
     if status == LIPZ_OK { Ok(value) } else { Err(status) }
 }
 
-/// A dialogue, opened by the functions and by the reader, for as long as the test runs.
+/// A dialogue, opened by the functions and by the reader, for the duration of the test.
 pub(crate) struct Opened {
     pub(crate) of_c: Dialogue,
     pub(crate) reader: lipz_bank::Dialogue<'static>,
@@ -71,11 +71,11 @@ pub(crate) fn places(count: usize) -> &'static mut [FilePlace] {
     vec![FilePlace { words: [0; LIPZ_FILE_WORDS] }; count].leak()
 }
 
-/// Opens files by the functions; the status and the problem if they make no dialogue.
+/// Opens files with the functions. Fails with the status and the problem if they do not form a dialogue.
 pub(crate) fn opened(files: &[&[u8]], places: &mut [FilePlace], flags: u32) -> Result<Dialogue, (Status, Problem)> {
     let contents: Vec<Bytes> = files.iter().map(|file| bytes(file)).collect();
     let (mut dialogue, mut problem) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-    // SAFETY: there are as many places as contents; both structs are written in any case.
+    // SAFETY: there are as many places as contents; both structs are always written.
     unsafe {
         let (files, contents, count) = (places.as_mut_ptr(), contents.as_ptr(), contents.len());
         let status = lipz_dialogue_open(Some(&mut dialogue), files, contents, count, flags, Some(&mut problem));
@@ -115,7 +115,7 @@ pub(crate) fn ptr(text: &str) -> (*const c_char, usize) {
 }
 
 pub(crate) fn text_of(string: String) -> &'static str {
-    // SAFETY: strings of files that live as long as the program.
+    // SAFETY: the strings are in files that live as long as the program.
     let bytes = unsafe { std::slice::from_raw_parts(string.data.cast(), string.length_bytes) };
     std::str::from_utf8(bytes).unwrap()
 }
@@ -136,12 +136,12 @@ pub(crate) fn seconds_f32(seconds: f32) -> Time {
     Time { count: seconds.to_bits().into(), rate_hz: LIPZ_SECONDS_F32, reserved: 0 }
 }
 
-/// The name, unless there is none.
+/// Returns the name, unless it is missing.
 pub(crate) fn name_of(name: Name) -> Option<&'static str> {
     (name.bank != LIPZ_NO_NAME).then(|| text_of(name.name))
 }
 
-/// An event as it is written in Lipz files.
+/// Returns an event as written in Lipz files.
 pub(crate) fn written(event: &Event) -> std::string::String {
     let of_specification = ["", "feels", "sees", "stares", "stops staring", "points", "stops pointing", "does"];
     let verbs = [&of_specification[..], &["nods", "shakes", "breathes", "blinks", "looks away"]].concat();

@@ -1,22 +1,22 @@
-//! Why a build script failed.
+//! Errors of build scripts.
 
-use crate::{LocaleError, VoiceError};
+use crate::project::{LocaleError, VoiceError};
 use std::{fmt, io};
 
-/// Why a build script failed, for `main` to return.
+/// An error of a build script, for `main` to return.
 pub enum BuildError {
-    /// Diagnostics at error level. Cargo shows each.
+    /// Diagnostics at error level, which cargo shows.
     Diagnostics {
-        /// How many.
+        /// Their number.
         errors: usize,
     },
     /// The script sets an invalid locale.
     Locale(LocaleError),
     /// The script sets an invalid voice.
     Voice(VoiceError),
-    /// `OUT_DIR` is not set: the program is not a build script that cargo runs.
+    /// `OUT_DIR` is not set, because the program is not a build script run by cargo.
     NoOutputFolder,
-    /// Standard output, where cargo reads, cannot be written.
+    /// Writing to standard output, where cargo reads, failed.
     Unheard(io::Error),
 }
 
@@ -28,14 +28,14 @@ impl fmt::Display for BuildError {
             BuildError::Locale(error) => write!(f, "{error}"),
             BuildError::Voice(error) => write!(f, "{error}"),
             BuildError::NoOutputFolder => {
-                f.write_str("OUT_DIR is not set: `lipz_compiler::Build` runs in build scripts of cargo only")
+                f.write_str("OUT_DIR is not set: `lipz_compiler::Build` runs only in cargo build scripts")
             }
             BuildError::Unheard(error) => write!(f, "standard output cannot be written: {error}"),
         }
     }
 }
 
-/// The same words: this is what a `main` that returns the error prints.
+/// The same text as `Display`, because it is printed when `main` returns the error.
 impl fmt::Debug for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -44,14 +44,14 @@ impl fmt::Debug for BuildError {
 
 impl std::error::Error for BuildError {}
 
-/// So that `?` passes on what a setter of [`Options`](crate::Options) refuses.
+/// Allows `?` on the setters of [`Options`](crate::Options).
 impl From<LocaleError> for BuildError {
     fn from(error: LocaleError) -> BuildError {
         BuildError::Locale(error)
     }
 }
 
-/// The same for the methods of [`Voices`](crate::Voices).
+/// Allows `?` on the methods of [`Voices`](crate::Voices).
 impl From<VoiceError> for BuildError {
     fn from(error: VoiceError) -> BuildError {
         BuildError::Voice(error)

@@ -1,12 +1,16 @@
-//! Banks from `build.rs`: the one part of this library that prints, and that reads the environment.
+//! Banks from `build.rs`. Only this part of the library prints, and reads the environment.
 
 mod error;
 
 pub use error::BuildError;
 
-use crate::ids::{self, Language};
-use crate::settings::Settings;
-use crate::{Compiled, Compiler, Input, Options, Outputs, Replace, depend, discover, replace_file};
+use crate::files::path::display;
+use crate::files::{Replace, replace_file};
+use crate::project::settings::Settings;
+use crate::project::{Options, depend};
+use crate::run::{Compiled, Compiler, Outputs};
+use crate::sources::Input;
+use crate::views::ids::{self, Language};
 use lipz_bank::Dialogue;
 use lipz_bank::files::{DialogueError, DialogueFile};
 use lipz_diagnostics::reports::count;
@@ -24,9 +28,9 @@ use std::path::{Path, PathBuf};
 /// }
 /// ```
 ///
-/// Two files appear in the folder `OUT_DIR` that cargo gives to each build script: the bank
+/// The build writes two files to the folder `OUT_DIR`, which cargo sets for each build script: the bank
 /// `dialogue.lipzbank`, and `dialogue.rs` with a constant per clip and per locale (see [`ids`]). The
-/// program takes them from there:
+/// program includes them from there:
 ///
 /// ```text
 /// static BANK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/dialogue.lipzbank"));
@@ -38,8 +42,8 @@ use std::path::{Path, PathBuf};
 /// let clip = bank.clip(dialogue::act1::MARA_GOOD_EVENING); // misspelt, it does not compile
 /// ```
 ///
-/// With the feature `cache`, a third file, `dialogue.lipzcache`, remembers the Lipz files, so that the next run
-/// reads only those that changed.
+/// With the feature `cache`, a third file, `dialogue.lipzcache`, stores the checked Lipz files, so that the next run
+/// reads only those that have changed.
 ///
 /// Diagnostics appear as warnings and errors of cargo (1.84 or later), one line each. The script runs
 /// again when a file of the sources changes, is added or removed.
@@ -54,7 +58,7 @@ pub struct Build {
     parts: Parts,
 }
 
-/// What goes into files of its own.
+/// The parts of a bank that are written to separate files.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 enum Parts {
     #[default]
@@ -65,28 +69,27 @@ enum Parts {
     Voices,
 }
 
-/// What the outputs are called unless the build names them.
+/// The default name of the outputs.
 const DEFAULT_NAME: &str = "dialogue";
 
 impl Build {
-    /// A build of the Lipz files in `source`: a folder, a file or a glob pattern, relative to the
-    /// package.
+    /// Creates a build of the Lipz files in `source`: a folder, a file or a glob pattern, relative to the package.
     ///
-    /// It goes by the settings of the project, as `lipz pack` does with the same source: by the `lipz.toml` beside or
-    /// above the source, else that of the package. That takes the feature `settings`; without it, or if
-    /// [`options`](Build::options) decides instead, a warning says that the file is not used.
+    /// Like `lipz pack`, it uses the settings of the project: from the nearest `lipz.toml` next to or above the source,
+    /// or else that of the package. This requires the feature `settings`. Without it, or if [`options`](Build::options)
+    /// replaces the settings, a warning reports that the file is not used.
     pub fn new(source: impl Into<PathBuf>) -> Build {
         Build { sources: vec![source.into()], ..Build::default() }
     }
 
-    /// A build by the settings of a project, `lipz.toml`. What the methods below set goes before them. Its
-    /// `output`, `split-locales` and `split-voices` are left alone: the outputs are those of a build script.
+    /// Creates a build with the settings of a project, `lipz.toml`, which the methods below override. Its `output`,
+    /// `split-locales` and `split-voices` are ignored, because the outputs are those of a build script.
     #[cfg(feature = "settings")]
     pub fn from_settings(file: impl Into<PathBuf>) -> Build {
         Build { settings_file: Some(file.into()), ..Build::default() }
     }
 
-    /// Uses no `lipz.toml`: the script alone decides. For projects that have one, which is not for this bank.
+    /// Ignores `lipz.toml`, so that only the script decides. Use it if that file belongs to a different bank.
     #[must_use]
     pub fn without_settings(mut self) -> Build {
         self.ignores_settings = true;
@@ -100,14 +103,14 @@ impl Build {
         self
     }
 
-    /// Makes keys paths below this folder, not below each source.
+    /// Makes keys relative to this folder instead of each source.
     #[must_use]
     pub fn root(mut self, root: impl Into<PathBuf>) -> Build {
         self.root = Some(root.into());
         self
     }
 
-    /// Sets what the project decides about its files, in place of a `lipz.toml`.
+    /// Sets the options of the project, in place of a `lipz.toml`.
     #[must_use]
     pub fn options(mut self, options: Options) -> Build {
         self.options = Some(options);
@@ -121,35 +124,34 @@ impl Build {
         self
     }
 
-    /// Packs the texts of each locale into a text bank, `NAME.LOCALE.lipztexts`; `NAME.lipzbank` has everything
-    /// else. For programs that ship or load one language at a time.
+    /// Packs the texts of each locale into a text bank, `NAME.LOCALE.lipztexts`; `NAME.lipzbank` contains everything
+    /// else. Use it for programs that ship or load one language at a time.
     #[must_use]
     pub fn split_locales(mut self, is_split: bool) -> Build {
         self.parts = if is_split { Parts::Locales } else { Parts::Nothing };
         self
     }
 
-    /// Packs the dubs of each voice into a bank of its own, `NAME.LOCALE.lipzbank`, a layer over `NAME.lipzbank`, which has the
-    /// originals and all texts. For programs whose players choose a voice. A bank is split by locale or by voice: the method
-    /// that is called last counts.
+    /// Packs the dubs of each voice into a separate bank, `NAME.LOCALE.lipzbank`. It is a layer on top of
+    /// `NAME.lipzbank`, which contains the originals and all texts. Use it for programs with a choice of voices. A bank
+    /// is split either by locale or by voice: the last call takes precedence.
     #[must_use]
     pub fn split_voices(mut self, is_split: bool) -> Build {
         self.parts = if is_split { Parts::Voices } else { Parts::Nothing };
         self
     }
 
-    /// Packs the bank, writes it and its ids, and tells cargo what was found.
+    /// Packs the bank, writes it and its ids, and reports the diagnostics to cargo.
     ///
     /// # Errors
-    /// Diagnostics at error level, all of which were printed; and whatever keeps the script from
-    /// running. The outputs of the run before are unchanged then. Return the error from `main`: that
-    /// fails the build.
+    /// If there are diagnostics at error level, all of which are printed, or if the script cannot run. The outputs of
+    /// the previous run stay unchanged. Return the error from `main` to fail the build.
     pub fn run(self) -> Result<(), BuildError> {
         let folder = env::var_os("OUT_DIR").ok_or(BuildError::NoOutputFolder)?;
         self.run_in(Path::new(&folder), &mut io::stdout().lock())
     }
 
-    /// Does it with the outputs in `folder`; `cargo` is where cargo reads.
+    /// Runs with the outputs in `folder`. `cargo` is the stream that cargo reads.
     fn run_in(&self, folder: &Path, cargo: &mut dyn Write) -> Result<(), BuildError> {
         let (settings, mut reports) = self.settings();
         if !lipz_diagnostics::reports::have_errors(&reports) {
@@ -165,7 +167,7 @@ impl Build {
         }
     }
 
-    /// The settings of the project, with what the build sets over them, and what is wrong with them.
+    /// Returns the settings of the project, overridden by those of the build, and their problems.
     fn settings(&self) -> (Settings, Vec<Report>) {
         let (mut settings, report) = self.file_settings();
         if !self.sources.is_empty() {
@@ -177,7 +179,7 @@ impl Build {
         (settings, vec![report])
     }
 
-    /// The settings in the file of the project: in the one that the script names, or in the one that is found.
+    /// Returns the settings in the project's file, which is named by the script or found.
     fn file_settings(&self) -> (Settings, Report) {
         if let Some(file) = &self.settings_file {
             return read_settings(file);
@@ -186,23 +188,23 @@ impl Build {
             (Some(file), None) => read_settings(&file),
             (Some(file), Some(_)) => {
                 let help = "call `Build::from_settings` without options, or `Build::without_settings`";
-                (Settings::default(), unused(&file, "the build script decides with `Build::options`", help))
+                (Settings::default(), unused(&file, "the build script calls `Build::options`", help))
             }
             (None, _) => Default::default(),
         }
     }
 
-    /// The settings file of the sources, which nobody has named; `None` if there is none, or the script uses none.
+    /// Returns the settings file found for the sources; `None` if there is none, or if the script uses none.
     fn found_settings(&self) -> Option<PathBuf> {
         if self.ignores_settings || self.settings_file.is_some() { None } else { Settings::find_of(&self.sources) }
     }
 
-    /// Writes the outputs if nothing that was found is an error.
+    /// Writes the outputs if there are no errors.
     fn pack(&self, settings: &Settings, folder: &Path) -> Vec<Report> {
         let name = self.name.as_deref().unwrap_or(DEFAULT_NAME);
         if Path::new(name).file_name() != Some(OsStr::new(name)) {
-            let message = format!("`{name}` is not the name of a file");
-            return vec![Report::failure("", Code::OutputFailed, message, "name the outputs without folders")];
+            let message = format!("`{name}` is not a file name");
+            return vec![Report::failure("", Code::OutputFailed, message, "name the outputs without a folder")];
         }
         let path = |extension: &str| folder.join(format!("{name}.{extension}"));
         let bank = path("lipzbank");
@@ -213,9 +215,9 @@ impl Build {
             Ok(())
         };
         if settings.audio.in_bank && settings.options.recordings.is_empty() {
-            let message = "the settings put recordings into the bank, but the build script reads none";
+            let message = "the settings put recordings into the bank, but the build script does not read any";
             let help =
-                "hand what `lipz_sync::in_bank` returns to `Options::recordings`, or set `in-bank = false` in [audio]";
+                "pass the result of `lipz_sync::in_bank` to `Options::recordings`, or set `in-bank = false` in [audio]";
             reports.push(Report::failure("", Code::SettingValue, message, help));
         }
         let compiler = Compiler::new(settings.options.clone());
@@ -228,7 +230,7 @@ impl Build {
             #[cfg(feature = "cache")]
             false => compiler.pack_cached_if(&inputs, &bank, &path("lipzcache"), accept),
             #[cfg(not(feature = "cache"))]
-            false => compiler.pack_if(&inputs, &bank, accept),
+            false => compiler.pack_if_accepted(&inputs, &bank, accept),
         };
         reports.append(&mut compiled.reports);
         if compiled.bank.is_some() {
@@ -248,20 +250,20 @@ fn read_settings(file: &Path) -> (Settings, Report) {
 fn read_settings(file: &Path) -> (Settings, Report) {
     let help = "add `features = [\"settings\"]` to lipz-compiler in [build-dependencies], or call \
                 `Build::without_settings`";
-    (Settings::default(), unused(file, "lipz-compiler is built without its feature `settings`", help))
+    (Settings::default(), unused(file, "lipz-compiler is built without the feature `settings`", help))
 }
 
-/// The warning that the settings of the project do not count for this bank, and so it may be another than that of
+/// Returns the warning that this bank does not use the settings of the project, so that it may differ from that of
 /// `lipz pack`.
 fn unused(file: &Path, why: &str, help: &str) -> Report {
-    let file = discover::display(file);
+    let file = display(file);
     let message = format!("the settings file `{file}` is not used: {why}");
     let mut diagnostic = Diagnostic::new(Code::SettingsUnreadable, message).help(help);
     diagnostic.severity = Severity::Warning;
     Report::about(file, diagnostic)
 }
 
-/// Packs `inputs` into a bank and the files beside it, if `accept` finds nothing in the whole.
+/// Packs `inputs` into a bank and separate files, if `accept` finds no errors in the whole bank.
 fn split(
     compiler: &Compiler<'_>,
     inputs: &[Input],
@@ -277,23 +279,23 @@ fn split(
     compiled
 }
 
-/// The ids of a bank's clips, or which ones are the same.
+/// Returns the ids of a bank's clips, or a report about equal ones.
 fn rust_ids(bank: &[u8], settings: &Settings) -> Result<String, Report> {
     let damaged = |found: DialogueError| vec![Diagnostic::new(Code::BankDamaged, found.error().kind().message())];
     let mut files = [DialogueFile::ABSENT];
     let dialogue = Dialogue::open_unverified(&mut files, [bank]).map_err(damaged);
     let ids = dialogue.and_then(|dialogue| ids::generate(&dialogue, Language::Rust, None));
     ids.map_err(|diagnostics| {
-        let path = settings.sources.first().map(|source| discover::display(source)).unwrap_or_default();
+        let path = settings.sources.first().map(|source| display(source)).unwrap_or_default();
         Report::all_about(path, diagnostics)
     })
 }
 
-/// The lines that run the script again when something at `paths` changes; cargo looks at all that
-/// is below a folder. A path that one line cannot spell is spelled so that it does not exist: then
-/// the script always runs.
+/// Returns the lines that make cargo run the script again when something at `paths` changes, including everything below
+/// a folder. A path that does not fit into one line is written as a path that does not exist, so that the script always
+/// runs.
 fn rerun_lines(paths: &[PathBuf]) -> String {
-    paths.iter().map(|path| format!("cargo::rerun-if-changed={}\n", escape::text(&discover::display(path)))).collect()
+    paths.iter().map(|path| format!("cargo::rerun-if-changed={}\n", escape::text(&display(path)))).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
-//! What a build script writes, and what it tells cargo.
+//! Tests of the outputs of a build script, and of its messages to cargo.
 
 use super::*;
+use crate::files::path::display;
+use crate::sources::discover;
 use lipz_bank::Bank;
 use std::fs;
 
@@ -8,7 +10,7 @@ const CLIP: &str = r#"{ "fps": 24, "visemes": "MAEO-", "viseme_type": "blair", "
 
 const OUTPUTS: [&str; 3] = ["dialogue.lipzbank", "dialogue.lipzcache", "dialogue.rs"];
 
-/// Runs a build of `files` in `voices`; what it told cargo, and the names of its outputs.
+/// Runs a build of `files` in `voices`. Returns its messages to cargo, and the names of its outputs.
 fn run(scene: &Path, build: impl FnOnce(Build) -> Build, files: &[(&str, &str)]) -> (String, Vec<String>) {
     for (name, text) in files {
         let path = scene.join("voices").join(name);
@@ -18,7 +20,7 @@ fn run(scene: &Path, build: impl FnOnce(Build) -> Build, files: &[(&str, &str)])
     let (mut cargo, outputs) = (Vec::new(), scene.join("out"));
     fs::create_dir_all(&outputs).unwrap();
     let result = build(Build::new(scene.join("voices"))).run_in(&outputs, &mut cargo);
-    let lines = String::from_utf8(cargo).unwrap().replace(&*discover::display(scene), "SCENE");
+    let lines = String::from_utf8(cargo).unwrap().replace(&*display(scene), "SCENE");
     assert_eq!(result.is_err(), lines.contains("cargo::error="), "{result:?}: {lines}");
     let mut names: Vec<String> =
         fs::read_dir(outputs).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -112,7 +114,7 @@ fn dubs_are_banks_of_their_own() {
         Options::new()
             .default_locale("en-us")
             .unwrap()
-            .voices(crate::Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap())
+            .voices(crate::project::Voices::new("en-us").unwrap().dub("de-de", "de/{key}").unwrap())
     };
     let files = [("mayor.lipz", clip), ("de/mayor.lipz", r#"{ "viseme_type": "blair", "visemes": "EAE" }"#)];
     let build = |build: Build| build.options(voices()).split_locales(true).split_voices(true);

@@ -1,21 +1,29 @@
-//! Segments in which a translation shows nothing, although the default locale does.
+//! Segments of a translation that show nothing although the text of the default locale does.
 
-use super::elements::{Roles, TextElement};
+use super::elements::TextElement;
 use super::texts::{SHOWN, more};
-use crate::Options;
+use super::trigger::{Check, CheckedClip, CleanFile, Run, Trigger};
 use crate::clip::{ClipData, ClipText, Locales};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use lipz_file::text;
 
-/// Reports the segments of the texts of a clip that are blank, where the text of the default locale is not. Texts that
-/// display nothing at all are reported as such, and those with another number of segments have none to compare.
-pub(super) fn report(
-    roles: &Roles<'_>,
-    clip: &ClipData,
-    options: &Options,
-    locales: &Locales,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
+/// The check for blank segments of translations.
+pub(super) const CHECKS: &[Check] = &[Check { trigger: Trigger::File(may_be_blank), run: Run::Clip(report) }];
+
+/// Whether a text shows nothing in a segment in which the text of the default locale shows something.
+fn may_be_blank(file: &CleanFile<'_>) -> bool {
+    let CleanFile { clip, locales, options, has_blank, .. } = *file;
+    let default = || options.default_locale.as_deref().and_then(|tag| locales.get(tag));
+    let spoken = || clip.texts.iter().find(|text| Some(text.locale) == default());
+    let Some(spoken) = has_blank.then(spoken).flatten() else { return false };
+    let is_silent = |text, segment| clip.is_blank(text, segment) && !clip.is_blank(spoken, segment);
+    clip.texts.iter().any(|text| (0..clip.starts.len()).any(|segment| is_silent(text, segment)))
+}
+
+/// Reports the blank segments of a clip's texts where the text of the default locale is not blank. Texts that are blank
+/// as a whole have a report of their own. Texts with a different number of segments cannot be compared.
+fn report(file: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    let CheckedClip { roles, clip, locales, options } = *file;
     let Some(default) = options.default_locale.as_deref().and_then(|tag| locales.get(tag)) else { return };
     let count = clip.starts.len();
     let Some(spoken) = roles.texts.iter().find(|text| text.locale == default && has(text, count)) else { return };
@@ -27,10 +35,10 @@ pub(super) fn report(
         let silent: Vec<usize> = (0..count).filter(is_silent).collect();
         for (index, &segment) in silent.iter().take(SHOWN).enumerate() {
             let (name, default_name) = (&element.name.text, &spoken.name.text);
-            let message = format!("segment {} of `{name}` shows nothing, but `{default_name}` does", segment + 1);
+            let message = format!("segment {} of `{name}` is blank, but not that of `{default_name}`", segment + 1);
             let diagnostic = Diagnostic::at(Code::BlankSegment, span(element, segment, false), message)
                 .also(span(spoken, segment, true), "players of the default locale see this")
-                .help("translate it, or move a part of the text here from the segment before or behind");
+                .help("translate it, or move a part of the text here from the segment before or after");
             diagnostics.push(more(diagnostic, index, silent.len()));
         }
     }
@@ -41,14 +49,14 @@ fn has(text: &TextElement<'_>, count: usize) -> bool {
     text::segment_count(&text.string.text) == count
 }
 
-/// The display texts of an element, which are in the order of their tags.
+/// Returns the display texts of an element. The texts of a clip are sorted by tag.
 fn run<'c>(clip: &'c ClipData, text: &TextElement<'_>, locales: &Locales) -> Option<&'c ClipText> {
     let tag = locales.tag(text.locale);
     let at = clip.texts.binary_search_by(|run| locales.tag(run.locale).cmp(tag)).ok()?;
     clip.texts.get(at)
 }
 
-/// Where a segment is in the file, without the white space around it if it `is_text`.
+/// Returns the position of a segment in the file. If it `is_text`, the surrounding white space is left out.
 fn span(text: &TextElement<'_>, segment: usize, is_text: bool) -> Span {
     let string = text.string;
     let Some(range) = text::segments(&string.text).nth(segment) else { return string.span() };

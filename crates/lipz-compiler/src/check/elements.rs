@@ -1,43 +1,42 @@
-//! Which element plays which role.
+//! The roles of a file's elements.
 
-use super::Spoken;
+use super::ClipSpeech;
 use super::locales::{keep_names_apart, text_locale};
 use super::{names, types};
-use crate::Options;
 use crate::clip::Locales;
+use crate::project::Options;
 use foldhash::HashMap;
 use lipz_diagnostics::{Code, Diagnostic, bound};
 use lipz_file::{Document, Element};
-use lipz_file::{JsonString, Raw, curve};
+use lipz_file::{JsonString, RawJson, curve};
 
-/// Texts that are looked through one by one: for so few, a table costs more.
+/// The maximum number of texts that are searched one by one, because a hash table costs more for so few.
 const FEW_TEXTS: usize = 32;
 
-/// Elements of the format by role, with values of the right type.
+/// The elements of the format by role. Their values have the right types.
 #[derive(Default)]
 pub(super) struct Roles<'d> {
-    pub(super) fps: Option<&'d Raw<'d>>,
+    pub(super) fps: Option<&'d RawJson<'d>>,
     pub(super) viseme_type: Option<&'d JsonString<'d>>,
     pub(super) visemes: Option<&'d JsonString<'d>>,
     pub(super) events: Option<&'d JsonString<'d>>,
-    pub(super) curves: Option<&'d Raw<'d>>,
-    /// Texts in file order, no locale twice.
+    pub(super) curves: Option<&'d RawJson<'d>>,
+    /// Texts in file order, at most one per locale.
     pub(super) texts: Vec<TextElement<'d>>,
-    /// Where the text of each locale is among them, if they are many.
+    /// The index of each locale's text, if there are many texts.
     places: HashMap<u32, usize>,
 }
 
 /// A text element whose locale is known.
 pub(super) struct TextElement<'d> {
-    /// Number of the locale.
+    /// The number of the locale.
     pub(super) locale: u32,
     pub(super) name: &'d JsonString<'d>,
     pub(super) string: &'d JsonString<'d>,
 }
 
 impl<'d> Roles<'d> {
-    /// Sorts the elements of `document` into roles; reports unknown names, wrong types and odd
-    /// locales.
+    /// Assigns roles to the elements of `document`. Reports unknown names, wrong types and unusual locales.
     pub(super) fn assign(
         document: &'d Document<'d>,
         options: &Options,
@@ -63,8 +62,9 @@ impl<'d> Roles<'d> {
         roles
     }
 
-    /// The element that says how many segments the clip has: `visemes`, or else the text of the default locale, or
-    /// that of the first tag, or the events. Not the first of the file: the order of elements means nothing.
+    /// Returns the element that determines the number of segments of the clip: `visemes`, or else the text of the
+    /// default locale, or else the text with the first tag, or else the events. The first element of the file would be
+    /// wrong because the order of elements does not have a meaning.
     pub(super) fn reference(&self, options: &Options, locales: &Locales) -> Option<&'d JsonString<'d>> {
         let default = options.default_locale.as_deref();
         let rank = |text: &&TextElement<'d>| {
@@ -75,11 +75,12 @@ impl<'d> Roles<'d> {
         self.visemes.or_else(first_text).or(self.events)
     }
 
-    /// The texts: first that in the locale of the voice, then that of the default locale, then in the order of their tags.
+    /// Returns the texts: first the one in the locale of the voice, then the one in the default locale, then the rest
+    /// by tag.
     pub(super) fn texts_by_voice(
         &self,
         options: &Options,
-        spoken: Spoken<'_>,
+        spoken: ClipSpeech<'_>,
         locales: &Locales,
     ) -> Vec<&TextElement<'d>> {
         let mut texts: Vec<_> = self.texts.iter().collect();
@@ -101,13 +102,9 @@ impl<'d> Roles<'d> {
         if let Some(before) = self.text_in(locale) {
             let tag = locales.tag(locale);
             diagnostics.push(
-                Diagnostic::at(
-                    Code::SameLocaleTwice,
-                    element.name.span(),
-                    format!("a second text for the locale `{tag}`"),
-                )
-                .also(before.name.span(), "the first one")
-                .help("remove or rename one of the two"),
+                Diagnostic::at(Code::SameLocaleTwice, element.name.span(), format!("the locale `{tag}` has two texts"))
+                    .also(before.name.span(), "first definition")
+                    .help("remove or rename one of the two"),
             );
             return;
         }
@@ -120,7 +117,7 @@ impl<'d> Roles<'d> {
         self.texts.push(TextElement { locale, name: &element.name, string });
     }
 
-    /// The text in this locale.
+    /// Returns the text in this locale.
     fn text_in(&self, locale: u32) -> Option<&TextElement<'d>> {
         match self.places.is_empty() {
             true => self.texts.iter().find(|text| text.locale == locale),

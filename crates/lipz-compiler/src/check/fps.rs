@@ -1,12 +1,12 @@
-//! The frame rate: an exact ratio between 1 and 1000.
+//! The frame rate, an exact ratio between 1 and 1000.
 
 use lipz_bank::Fps;
 use lipz_diagnostics::{Code, Diagnostic};
-use lipz_file::Raw;
+use lipz_file::RawJson;
 use lipz_file::rate;
 
-/// The rate that the element `fps` spells.
-pub(super) fn rate(number: &Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Fps> {
+/// Returns the frame rate in the element `fps`.
+pub(super) fn rate(number: &RawJson<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Fps> {
     let rate = rate::parse(&number.text);
     let fps = rate.and_then(|rate| Fps::new(rate.numerator, rate.denominator));
     let (Some(rate), Some(fps)) = (rate, fps) else {
@@ -24,19 +24,18 @@ pub(super) fn rate(number: &Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Optio
             Diagnostic::at(Code::FpsInexact, number.span, message)
                 .note("a bank stores frame rates as ratios of 32-bit numbers")
                 .help(match denominator {
-                    1 => format!("write {numerator}, if that is what was meant"),
-                    1001 => format!(
-                        "write {}, if {numerator}/1001 is what was meant",
-                        f64::from(numerator) / f64::from(denominator)
-                    ),
-                    _ => "write at most nine digits, if the rate has no more".to_owned(),
+                    1 => format!("write {numerator} if you meant that rate"),
+                    1001 => {
+                        format!("write {} if you meant {numerator}/1001", f64::from(numerator) / f64::from(denominator))
+                    }
+                    _ => "write at most nine digits".to_owned(),
                 }),
         );
     }
     Some(fps)
 }
 
-/// The number, or its start if nobody would want to read the whole.
+/// Returns the number, or its start if it is too long to read.
 fn shortened(number: &str) -> String {
     match number.get(..24) {
         Some(start) if number.len() > 27 => format!("{start}…"),

@@ -1,19 +1,18 @@
-//! Elements whose number of segments differs from the clip's, where the project lowers LZ0601: they
-//! are joined to one segment.
+//! Joins elements to one segment if their number of segments differs from the clip's, and the project lowers LZ0601.
 
-use crate::strings::Strings;
+use crate::util::strings::Strings;
 use lipz_file::event;
 
-/// Joins the display texts of a clip with `count` segments, if theirs is another number, in the first
-/// segment: with blanks.
+/// Joins the display texts of an element in the first segment, separated by spaces, unless it has `count` segments like
+/// the clip.
 pub(super) fn texts(segments: &mut Strings, count: usize) {
     if segments.count() != count {
         into_first(segments, " ", count);
     }
 }
 
-/// Joins the event strings of a clip with `count` segments, if theirs is another number, in the first
-/// segment: with `,` if all are Character Event Syntax, otherwise with blanks.
+/// Joins the event strings of an element in the first segment, unless it has `count` segments like the clip. The
+/// separator is `,` if all of them are Character Event Syntax, and a space otherwise.
 pub(super) fn events(segments: &mut Strings, count: usize) {
     if segments.count() != count {
         let separator = if segments.iter().all(|segment| event::parse(segment).is_some()) { ", " } else { " " };
@@ -21,7 +20,7 @@ pub(super) fn events(segments: &mut Strings, count: usize) {
     }
 }
 
-/// Makes of `segments` as many as `count`: what is not empty of them, joined, then empty ones.
+/// Replaces `segments` with `count` segments: the non-empty ones joined, then empty ones.
 fn into_first(segments: &mut Strings, separator: &str, count: usize) {
     let joined = segments.iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(separator);
     segments.clear();

@@ -1,14 +1,14 @@
-//! The locale of a text element, by its name.
+//! The locale in the name of a text element.
 
-use crate::Options;
 use crate::clip::Locales;
+use crate::project::Options;
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::locale::{self, TextName};
 use lipz_file::{Document, Element};
 use std::collections::HashMap;
 
-/// The locale of a text element, after reporting what is odd about its name; no locale if there is
-/// none to be used, `None` if the name is not that of a text.
+/// Returns the locale of a text element, or `Some(None)` if its name does not contain a usable one, and `None` if it is
+/// not a text element. Reports problems with the name.
 pub(super) fn text_locale(
     element: &Element<'_>,
     options: &Options,
@@ -25,7 +25,7 @@ pub(super) fn text_locale(
     Some(tag.map(|tag| locales.number(&tag, diagnostics.len() == before)))
 }
 
-/// The tag that the name of a text element means.
+/// Returns the tag in the name of a text element.
 fn tag_of(
     element: &Element<'_>,
     name: TextName,
@@ -48,7 +48,7 @@ fn tag_of(
             default
         }
         TextName::OtherShape(_, Some(tag)) if options.extended_locales => {
-            // Tags differ in case by custom (zh-Hant); only separators are misspelt.
+            // By convention, the case of tags varies (zh-Hant). Only wrong separators are misspelt.
             if !element.name.text.eq_ignore_ascii_case(&format!("text_{tag}")) {
                 diagnostics.push(misspelt(element, &tag));
             }
@@ -68,7 +68,8 @@ fn misspelt(element: &Element<'_>, locale: &str) -> Diagnostic {
     renamed(diagnostic, element, locale)
 }
 
-/// The project's default locale in its canonical form; those who fix a single file may spell it as they like.
+/// Returns the default locale of the project in canonical form. Callers that fix a single file may pass a different
+/// spelling.
 fn default_locale(options: &Options) -> Option<String> {
     locale::canonical_tag(options.default_locale.as_deref()?, options.extended_locales)
 }
@@ -89,13 +90,13 @@ fn no_locale(element: &Element<'_>, default: Option<&str>, options: &Options) ->
     renamed(diagnostic, element, default)
 }
 
-/// The help and the fix to name the element `text_` and the locale.
+/// Adds the help and the fix that rename the element to `text_` and the locale.
 fn renamed(diagnostic: Diagnostic, element: &Element<'_>, locale: &str) -> Diagnostic {
     let name = format!("\"text_{locale}\"");
     diagnostic.help(format!("write {name}")).fix(element.name.span(), name)
 }
 
-/// Takes back fixes that would give two elements one name.
+/// Removes fixes that would give two elements the same name.
 pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagnostic]) {
     let renames = |diagnostic: &Diagnostic| {
         matches!(diagnostic.code, Code::LocaleSpelling | Code::TextWithoutLocale | Code::LocaleShape)
@@ -115,7 +116,7 @@ pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagn
     }
 }
 
-/// The diagnostic for a locale that the run does not accept; `is_tag` if it is one of BCP 47.
+/// Returns the diagnostic for a locale that the options do not allow. `is_tag` states whether it is a tag of BCP 47.
 fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Options) -> Diagnostic {
     let shown = escape::quoted(locale);
     let diagnostic = if options.extended_locales {
@@ -131,23 +132,21 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
             let name = format!("\"text_{tag}\"");
             diagnostic.help(format!("remove the space: {name}")).fix(element.name.span(), name)
         }
-        _ if is_tag => {
-            diagnostic.help("name a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml")
-        }
+        _ if is_tag => diagnostic.help("add a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml"),
         _ => diagnostic.help("write \"text_ll-cc\", for example \"text_en-us\""),
     }
 }
 
-/// The warning for a language or a country that is in no ISO list.
+/// Returns the warning for a language or a country that is not in an ISO list.
 fn unknown_parts(element: &Element<'_>, tag: &str) -> Option<Diagnostic> {
     let diagnostic = Diagnostic::at(Code::UnknownLocale, element.name.span(), in_no_list(tag)?);
     Some(diagnostic.help(match tag {
-        "en-uk" => "the United Kingdom is gb: \"text_en-gb\"",
-        _ => "languages are ISO 639-1 codes, countries ISO 3166-1 alpha-2 codes",
+        "en-uk" => "write \"text_en-gb\"; the code of the United Kingdom is gb",
+        _ => "use an ISO 639-1 code for the language and an ISO 3166-1 alpha-2 code for the country",
     }))
 }
 
-/// Which parts of an `ll-cc` tag are in no ISO list, as a sentence; `None` if both are in one.
+/// Returns a sentence about the parts of an `ll-cc` tag that are not in an ISO list, or `None` if both are.
 pub(crate) fn in_no_list(tag: &str) -> Option<String> {
     let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
     let what = match locale::unknown_parts(tag) {

@@ -1,13 +1,13 @@
-//! Names that are not of the format, and those that were probably meant.
+//! Names that are not in the format, and suggestions for them.
 
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
 use lipz_file::Element;
 use lipz_file::locale::{self, TextName};
 
-/// Names of the elements of the format that are not texts.
+/// Names of elements in the format, except texts.
 const NAMES: [&str; 5] = ["fps", "visemes", "viseme_type", "events", "curves"];
 
-/// The diagnostic for a name that is not of the format.
+/// Returns the diagnostic for a name that is not in the format.
 pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
     let name = element.name.text.as_ref();
     let message = if name.is_empty() {
@@ -19,11 +19,11 @@ pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
         .note("it is kept for unpacking; games do not see it")
         .help(match suggestion(name) {
             Some(known) => format!("did you mean `{known}`?"),
-            None => "the elements are fps, viseme_type, visemes, text_ll-cc, events, curves".to_owned(),
+            None => "use one of fps, viseme_type, visemes, text_ll-cc, events, curves".to_owned(),
         })
 }
 
-/// The element that someone who wrote `name` probably meant.
+/// Returns the element that was probably meant by `name`.
 fn suggestion(name: &str) -> Option<String> {
     let written = name.to_lowercase();
     // `Text_en-us`, `texten-us`

@@ -1,15 +1,30 @@
-//! Limits of texts: how much a screen holds, and how fast a player reads.
+//! Limits of texts: the size of a screen, and the reading speed of players.
 
 use super::texts::{SHOWN, more};
-use crate::TextLimits;
+use super::trigger::{Check, CheckedText, Run, Trigger};
 use crate::clip::ClipData;
+use crate::project::{Options, TextLimits};
 use lipz_bank::Fps;
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::{JsonString, text};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-/// The time that the segments of a clip are shown.
-pub(super) struct Times<'c> {
+/// The checks of texts against the limits for screens and reading speed.
+pub(super) const CHECKS: &[Check] = &[Check { trigger: Trigger::Options(has_limits), run: Run::Text(of_text) }];
+
+fn has_limits(options: &Options) -> bool {
+    options.text_limits != TextLimits::default()
+}
+
+fn of_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    if has_limits(text.options) && text.is_divided {
+        let times = Times::new(text.clip);
+        check(text.string, text.displays.iter(), times.as_ref(), &text.options.text_limits, diagnostics);
+    }
+}
+
+/// The times for which the segments of a clip are shown.
+struct Times<'c> {
     /// Start frames of all segments.
     starts: &'c [u32],
     frame_count: u32,
@@ -17,13 +32,13 @@ pub(super) struct Times<'c> {
 }
 
 impl<'c> Times<'c> {
-    /// The times of a clip; `None` if it has no mouth shapes or no frame rate.
-    pub(super) fn new(clip: &'c ClipData) -> Option<Times<'c>> {
+    /// Returns the times of a clip, or `None` if it does not have visemes or a frame rate.
+    fn new(clip: &'c ClipData) -> Option<Times<'c>> {
         let fps = clip.fps.filter(|_| clip.has_visemes)?;
         Some(Times { starts: &clip.starts, frame_count: clip.frames.len() as u32, fps })
     }
 
-    /// Seconds that a segment lasts.
+    /// Returns the length of a segment in seconds.
     fn seconds(&self, segment: usize) -> Option<f64> {
         let start = self.starts.get(segment)?;
         let end = self.starts.get(segment + 1).copied().unwrap_or(self.frame_count);
@@ -32,7 +47,7 @@ impl<'c> Times<'c> {
 }
 
 /// Checks the display texts of one element, segment by segment.
-pub(super) fn check<'t>(
+fn check<'t>(
     string: &JsonString<'_>,
     displays: impl Iterator<Item = &'t str>,
     times: Option<&Times<'_>>,
@@ -51,7 +66,7 @@ pub(super) fn check<'t>(
             }),
         );
         tall.extend(too_many_lines(display, limits).map(|message| {
-            Diagnostic::at(Code::TooManyLines, span, message).help("shorten it, or divide the segment with `|`")
+            Diagnostic::at(Code::TooManyLines, span, message).help("shorten it, or split the segment with `|`")
         }));
         let seconds = times.and_then(|times| times.seconds(segment));
         fast.extend(seconds.and_then(|seconds| too_fast(display, seconds, limits)).map(|message| {
@@ -69,16 +84,16 @@ pub(super) fn check<'t>(
 fn too_wide(display: &str, limits: &TextLimits) -> Option<String> {
     let limit = limits.line_columns?;
     let columns = display.lines().map(UnicodeWidthStr::width).max()?;
-    (columns > limit as usize).then(|| format!("a line of this text has {columns} columns, the limit is {limit}"))
+    (columns > limit as usize).then(|| format!("a line of this text has {columns} columns, but the limit is {limit}"))
 }
 
 fn too_many_lines(display: &str, limits: &TextLimits) -> Option<String> {
     let limit = limits.lines?;
     let lines = display.lines().count();
-    (lines > limit as usize).then(|| format!("this text has {lines} lines, the limit is {limit}"))
+    (lines > limit as usize).then(|| format!("this text has {lines} lines, but the limit is {limit}"))
 }
 
-/// Characters are those that take room: combining marks belong to what they stand on.
+/// Only characters with a width count, because combining marks belong to their base characters.
 fn too_fast(display: &str, seconds: f64, limits: &TextLimits) -> Option<String> {
     let limit = limits.characters_per_second?;
     let characters = display.chars().filter(|character| character.width().is_some_and(|width| width > 0)).count();
@@ -86,9 +101,10 @@ fn too_fast(display: &str, seconds: f64, limits: &TextLimits) -> Option<String> 
         return None;
     }
     if seconds == 0.0 {
-        return Some("this text is in a segment without frames: nobody has time to read it".to_owned());
+        return Some("this text is in a segment without frames, so it is shown for no time".to_owned());
     }
     let speed = characters as f64 / seconds;
-    (speed > limit)
-        .then(|| format!("{characters} characters in {seconds:.2} s are {speed:.1} a second, the limit is {limit}"))
+    (speed > limit).then(|| {
+        format!("{characters} characters in {seconds:.2} s are {speed:.1} per second, but the limit is {limit}")
+    })
 }

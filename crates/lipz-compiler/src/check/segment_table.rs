@@ -1,29 +1,29 @@
-//! Two elements with different numbers of segments side by side, around the place where they part.
+//! A table of two elements with different numbers of segments, around the position where they diverge.
 
 use lipz_diagnostics::escape;
 use lipz_file::{JsonString, text};
 use std::ops::Range;
 use unicode_width::UnicodeWidthStr;
 
-/// Segments shown side by side; the rest is counted.
+/// The maximum number of segments in the table; the rest are counted.
 const SHOWN: usize = 12;
-/// Rows that are shown after one of the elements has ended.
+/// Rows to show after the end of the shorter element.
 const SHOWN_ALONE: usize = 2;
-/// Columns of a segment that are shown.
+/// Columns to show of a segment.
 const WIDTH: usize = 36;
-/// All of an element, when its segments are compared with those of another.
+/// The length of an element when its segments are compared with those of another one.
 const WHOLE: u64 = 1 << 20;
 
 /// An element with its segments.
-struct Column<'d> {
+struct SegmentColumn<'d> {
     name: &'d str,
     text: &'d str,
     segments: Vec<Range<usize>>,
 }
 
-impl<'d> Column<'d> {
-    fn new((name, string): (&'d str, &'d JsonString<'d>)) -> Column<'d> {
-        Column { name, text: &string.text, segments: text::segments(&string.text).collect() }
+impl<'d> SegmentColumn<'d> {
+    fn new((name, string): (&'d str, &'d JsonString<'d>)) -> SegmentColumn<'d> {
+        SegmentColumn { name, text: &string.text, segments: text::segments(&string.text).collect() }
     }
 
     /// The lengths of the segments as parts of [`WHOLE`].
@@ -33,7 +33,7 @@ impl<'d> Column<'d> {
         lengths.map(|length| length * WHOLE / sum).collect()
     }
 
-    /// The name, then the segments of these rows.
+    /// Returns the name, then the segments of these rows.
     fn cells(&self, rows: Range<usize>) -> Vec<String> {
         let segments = rows.map(|row| match self.segments.get(row) {
             Some(range) => cell(&self.text[range.clone()]),
@@ -43,13 +43,13 @@ impl<'d> Column<'d> {
     }
 }
 
-/// A note for each row of a table of both elements, the first of them with their names; before and behind them, how
-/// many segments are not shown.
+/// Returns a note for each row of a table of both elements. The first row has their names. Notes before and after the
+/// table state the number of hidden segments.
 pub(super) fn side_by_side<'d>(
     left: (&'d str, &'d JsonString<'d>),
     right: (&'d str, &'d JsonString<'d>),
 ) -> Vec<String> {
-    let [left, right] = [left, right].map(Column::new);
+    let [left, right] = [left, right].map(SegmentColumn::new);
     let (a, b) = (left.segments.len(), right.segments.len());
     let rows = a.max(b).min(a.min(b) + SHOWN_ALONE);
     let first = match rows <= SHOWN {
@@ -69,7 +69,7 @@ pub(super) fn side_by_side<'d>(
     before.into_iter().chain(table).chain(behind).collect()
 }
 
-/// How many segments are not shown, if there are any.
+/// Returns the note about hidden segments, if there are any.
 fn hidden(count: usize, more: &str, place: &str) -> Option<String> {
     match count {
         0 => None,
@@ -78,8 +78,8 @@ fn hidden(count: usize, more: &str, place: &str) -> Option<String> {
     }
 }
 
-/// The segment, from 0, of the shorter element that fits best to several of the longer one: there a `|` is missing, or
-/// there is one too many. The lengths before it and behind it then fit best, too.
+/// Returns the index of the segment in the shorter element that best fits several segments of the longer one, together
+/// with the lengths of the segments before and after it. At this position, a `|` is missing or extra.
 fn parting(a: &[u64], b: &[u64]) -> usize {
     let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
     let surplus = long.len() - short.len();
@@ -98,7 +98,7 @@ fn parting(a: &[u64], b: &[u64]) -> usize {
     best.1
 }
 
-/// A segment as far as there is room.
+/// Returns the start of a segment that fits into a cell.
 fn cell(segment: &str) -> String {
     let mut cell = String::new();
     for character in text::trim(segment).chars() {
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     fn parting_of(a: &str, b: &str) -> usize {
-        let parts = |text| Column { name: "", text, segments: text::segments(text).collect() }.parts();
+        let parts = |text| SegmentColumn { name: "", text, segments: text::segments(text).collect() }.parts();
         parting(&parts(a), &parts(b))
     }
 

@@ -1,75 +1,77 @@
-//! Segment counts: every element has as many segments as `visemes`.
+//! Checks that every element has as many segments as `visemes`.
 
 use super::elements::Roles;
 use super::segment_table::side_by_side;
 use super::visemes::DELIMITER_LOOKALIKES;
-use crate::Options;
 use crate::clip::Locales;
+use crate::project::Options;
 use lipz_diagnostics::{Code, Diagnostic, bound};
 use lipz_file::JsonString;
 use lipz_file::text;
 
 /// An element with its number of segments.
 #[derive(Clone, Copy)]
-struct Segmented<'d> {
+struct SegmentedElement<'d> {
     name: &'d str,
     string: &'d JsonString<'d>,
     count: usize,
 }
 
-impl<'d> Segmented<'d> {
+impl<'d> SegmentedElement<'d> {
     fn new(name: &'d str, string: &'d JsonString<'d>) -> Self {
         let count = text::segment_count(&string.text);
-        Segmented { name, string, count }
+        SegmentedElement { name, string, count }
     }
 }
 
-/// Reports the elements that have another number of segments than the clip.
+/// Reports the elements whose number of segments differs from the clip's.
 pub(super) fn report_differing(
     roles: &Roles<'_>,
     options: &Options,
     locales: &Locales,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let visemes = roles.visemes.map(|visemes| Segmented::new("visemes", visemes));
-    let texts = roles.texts.iter().map(|text| Segmented::new(&text.name.text, text.string));
-    let events = roles.events.map(|events| Segmented::new("events", events));
-    let all: Vec<Segmented<'_>> = visemes.into_iter().chain(texts).chain(events).collect();
+    let visemes = roles.visemes.map(|visemes| SegmentedElement::new("visemes", visemes));
+    let texts = roles.texts.iter().map(|text| SegmentedElement::new(&text.name.text, text.string));
+    let events = roles.events.map(|events| SegmentedElement::new("events", events));
+    let all: Vec<SegmentedElement<'_>> = visemes.into_iter().chain(texts).chain(events).collect();
     let Some(string) = roles.reference(options, locales) else { return };
     let (reference, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| std::ptr::eq(one.string, string));
     let Some(&reference) = reference.first() else { return };
     report(reference, &others, visemes.is_some(), options.levels.lowers(Code::SegmentCount), diagnostics);
 }
 
-/// What becomes of an element that differs, in a project that lowers the diagnostic.
+/// Returns the sentence about the segments of a differing element, for a project that lowers the diagnostic.
 fn joined(what: &str, is_event: bool, count: usize) -> String {
     match (count, is_event) {
         (1, _) => format!("the only segment of the clip gets all of {what}"),
         (_, false) => format!(
-            "the first segment gets all of {what}, the others nothing: players see the whole text until the second \
-             segment starts, and then none"
+            "the first segment gets all of {what} and the others nothing, so players see the whole text until the \
+                second segment starts"
         ),
         (_, true) => {
-            format!("the first segment gets all of {what}, the others nothing: all of it happens when the clip starts")
+            format!(
+                "the first segment gets all of {what} and the others nothing, so all events happen when the clip starts"
+            )
         }
     }
 }
 
 fn report(
-    reference: Segmented<'_>,
-    others: &[Segmented<'_>],
+    reference: SegmentedElement<'_>,
+    others: &[SegmentedElement<'_>],
     is_visemes: bool,
     is_lowered: bool,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    // Delimiters that are reported as foreign codes already.
+    // Delimiters that have been reported as foreign codes already.
     let lookalikes = if is_visemes { reference.string.text.matches(DELIMITER_LOOKALIKES).count() } else { 0 };
     let differing = || others.iter().filter(|other| other.count != reference.count);
-    let is_explained = |other: &Segmented<'_>| lookalikes > 0 && other.count == reference.count + lookalikes;
+    let is_explained = |other: &SegmentedElement<'_>| lookalikes > 0 && other.count == reference.count + lookalikes;
     if let ([first, _, ..], true) = (others, is_visemes)
         && others.iter().all(|other| other.count == first.count && damage(other, reference).is_none())
     {
-        // All the others agree: one diagnostic, about `visemes`.
+        // All other elements agree, so there is only one diagnostic, about `visemes`.
         if !is_explained(first) {
             let message =
                 format!("`visemes` has {}, but all other elements have {}", plural(reference.count), first.count);
@@ -97,8 +99,8 @@ fn report(
     }
 }
 
-/// Two elements that differ, with their segments side by side.
-fn mismatch(message: String, blamed: Segmented<'_>, reference: Segmented<'_>) -> Diagnostic {
+/// Returns the diagnostic for two elements that differ, with a table of their segments.
+fn mismatch(message: String, blamed: SegmentedElement<'_>, reference: SegmentedElement<'_>) -> Diagnostic {
     let diagnostic = Diagnostic::at(Code::SegmentCount, blamed.string.span(), message)
         .label(plural(blamed.count))
         .also(reference.string.span(), plural(reference.count))
@@ -112,22 +114,22 @@ fn plural(count: usize) -> String {
     if count == 1 { "1 segment".to_owned() } else { format!("{count} segments") }
 }
 
-/// What an element with too few segments probably has for `|`.
-fn damage(element: &Segmented<'_>, reference: Segmented<'_>) -> Option<String> {
+/// Returns the help about the characters that probably replaced `|` in an element with too few segments.
+fn damage(element: &SegmentedElement<'_>, reference: SegmentedElement<'_>) -> Option<String> {
     if element.count >= reference.count {
         return None;
     }
     let text = element.string.text.as_ref();
     if let Some(bar) = text.chars().find(|c| !c.is_ascii() && DELIMITER_LOOKALIKES.contains(c)) {
-        return Some(format!("this looks like `{bar}` used for `|`"));
+        return Some(format!("write `|` instead of `{bar}`"));
     }
     looks_like_printed(text).then(|| {
-        "this looks like `l` or `I` used for `|`: files copied from the published specification have this damage".into()
+        "write `|` instead of `l` or `I`; files copied from the published specification have this damage".into()
     })
 }
 
-/// Whether a text contains what a printed `|` was read as: `l` or `I` before a capital letter, or
-/// after white space as the start of a word that is none (`lIt was you!`, `   lpoints butler`).
+/// Whether a text contains a misread printed `|`: `l` or `I` before a capital letter, or after white space at the start
+/// of something that is not a word (`lIt was you!`, `   lpoints butler`).
 fn looks_like_printed(text: &str) -> bool {
     let starts_word = |before: char| before.is_whitespace() || before.is_ascii_punctuation();
     let mut before = None;

@@ -1,16 +1,17 @@
-//! Texts: display forms, and what is odd about them.
+//! The display forms of texts, and the checks of texts.
 
-use crate::Options;
-use crate::strings::Strings;
+use super::trigger::{Check, CheckedText, CleanFile, Run, Trigger};
+use crate::project::Options;
+use crate::util::strings::Strings;
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::JsonString;
 use lipz_file::text;
 use std::borrow::Cow;
 
-/// Diagnostics of one kind that one text shows in full; the rest is counted.
+/// The maximum number of diagnostics of one kind per text that are shown in full; the rest are counted.
 pub(super) const SHOWN: usize = 3;
 
-/// Makes `displays` the display texts of all segments.
+/// Fills `displays` with the display texts of all segments.
 pub(super) fn display_texts(
     string: &JsonString<'_>,
     options: &Options,
@@ -38,30 +39,46 @@ pub(super) fn display_texts(
             string.span_of(at..at + 1),
             format!("this `{brace}` has no `{partner}` in its segment and is displayed"),
         )
-        .help("braces enclose meta information that is not displayed, and end in the segment where they begin");
+        .help("add the other brace in the same segment; braces enclose meta, which is not displayed");
         diagnostics.push(more(diagnostic, index, unbalanced.len()));
     }
     for (index, &at) in nested.iter().take(SHOWN).enumerate() {
-        let diagnostic = Diagnostic::at(
-            Code::NestedBraces,
-            string.span_of(at..at + 1),
-            "the meta information that starts here contains braces",
-        )
-        .help("everything up to its own `}` is left out of the display");
+        let diagnostic =
+            Diagnostic::at(Code::NestedBraces, string.span_of(at..at + 1), "the meta that starts here contains braces")
+                .help("remove the inner braces; everything up to the matching `}` is hidden");
         diagnostics.push(more(diagnostic, index, nested.len()));
     }
-    nul(string, Code::NulInText, "the text contains", diagnostics);
-    if displays.text().is_empty() {
-        let diagnostic = Diagnostic::at(Code::EmptyDisplayText, string.span(), "nothing of this text is displayed");
+}
+
+/// The checks of a text, in the order of their reports.
+pub(super) const CHECKS: &[Check] = &[
+    // U+0000 can only come from an escape.
+    Check { trigger: Trigger::Unclean, run: Run::Text(nul_in_text) },
+    Check { trigger: Trigger::File(|file| file.has_blank && shows_nothing(file)), run: Run::Text(nothing_displayed) },
+];
+
+fn nul_in_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    nul(text.string, Code::NulInText, "the text contains", diagnostics);
+}
+
+/// Whether nothing is displayed of a text in a file.
+fn shows_nothing(file: &CleanFile<'_>) -> bool {
+    file.displays().any(<[u8]>::is_empty)
+}
+
+fn nothing_displayed(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    let CheckedText { string, options, .. } = *text;
+    if text.displays.text().is_empty() {
+        let diagnostic = Diagnostic::at(Code::EmptyDisplayText, string.span(), "this text displays nothing");
         diagnostics.push(if options.literal_braces || !string.text.contains('{') {
-            diagnostic.help("leave the element out, so that players see the text of the fallback locale")
+            diagnostic.help("remove the element so that players see the text of the fallback locale")
         } else {
-            diagnostic.note("all of it is {meta}, which the format does not display")
+            diagnostic.note("the whole text is {meta}, which is not displayed")
         });
     }
 }
 
-/// Says behind the last diagnostic that is shown how many of the kind are not.
+/// Adds the number of hidden diagnostics of the same kind to the last one that is shown.
 pub(super) fn more(diagnostic: Diagnostic, index: usize, count: usize) -> Diagnostic {
     match count.saturating_sub(SHOWN) {
         rest if rest > 0 && index + 1 == SHOWN => diagnostic.note(format!("{rest} more in this text are not shown")),
@@ -69,9 +86,9 @@ pub(super) fn more(diagnostic: Diagnostic, index: usize, count: usize) -> Diagno
     }
 }
 
-/// Reports U+0000, at which programs in C would stop reading.
+/// Reports U+0000, at which C programs would stop reading.
 pub(super) fn nul(string: &JsonString<'_>, code: Code, what: &str, diagnostics: &mut Vec<Diagnostic>) {
-    // As it stands, JSON allows no U+0000: only an escape makes one.
+    // JSON does not allow a literal U+0000, so it can only come from an escape.
     if matches!(string.text, Cow::Borrowed(_)) {
         return;
     }
@@ -79,7 +96,7 @@ pub(super) fn nul(string: &JsonString<'_>, code: Code, what: &str, diagnostics: 
         diagnostics.push(
             Diagnostic::at(code, string.span_of(at..at + 1), format!("{what} U+0000"))
                 .note("it is kept; programs in C must use the length that comes with every string")
-                .help("remove it unless it is there on purpose"),
+                .help("remove it unless you need it"),
         );
     }
 }

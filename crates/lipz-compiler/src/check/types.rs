@@ -1,9 +1,9 @@
-//! Types of values: strings, and the number `fps`.
+//! The types of values: strings, the number `fps`, and objects.
 
 use lipz_diagnostics::{Code, Diagnostic, escape};
-use lipz_file::{Element, JsonString, Raw, Value};
+use lipz_file::{Element, JsonString, RawJson, Value};
 
-/// The string that the element must have.
+/// Returns the string of an element that requires one.
 pub(super) fn string<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d JsonString<'d>> {
     if let Value::String(string) = &element.value {
         return Some(string);
@@ -18,8 +18,8 @@ pub(super) fn string<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
     None
 }
 
-/// The number that the element must have.
-pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d Raw<'d>> {
+/// Returns the number of an element that requires one.
+pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d RawJson<'d>> {
     match &element.value {
         Value::Number(number) => return Some(number),
         Value::String(string) if is_rate(&string.text) => diagnostics.push(
@@ -32,8 +32,8 @@ pub(super) fn number<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
     None
 }
 
-/// The object that the element must have.
-pub(super) fn object<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d Raw<'d>> {
+/// Returns the object of an element that requires one.
+pub(super) fn object<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'d RawJson<'d>> {
     match &element.value {
         Value::Other(value) if value.text.starts_with('{') => return Some(value),
         _ => diagnostics.push(
@@ -44,7 +44,7 @@ pub(super) fn object<'d>(element: &'d Element<'d>, diagnostics: &mut Vec<Diagnos
     None
 }
 
-/// Whether the text is a frame rate as JSON spells numbers: not `024`, not `24.`.
+/// Whether the text is a frame rate in the form of a JSON number: not `024`, not `24.`.
 fn is_rate(text: &str) -> bool {
     let is_number = || lipz_file::parse(format!("{{\"fps\":{text}}}").as_bytes()).document.is_some();
     lipz_file::rate::parse(text).is_some() && is_number()

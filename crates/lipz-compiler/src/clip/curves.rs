@@ -1,4 +1,4 @@
-//! The curves of clips, flat.
+//! The curves of clips in flat arrays.
 
 use lipz_bank::curve::CurveValue;
 use std::collections::BTreeMap;
@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 /// A key: frame and value.
 pub(crate) type Key = (u32, CurveValue);
 
-/// Curves one behind the other.
+/// Curves, one after the other.
 #[derive(Debug, Default)]
 pub(crate) struct Curves {
     names: Vec<Box<str>>,
-    /// Where the keys of each curve end.
+    /// The end of the keys of each curve.
     ends: Vec<usize>,
     keys: Vec<Key>,
 }
@@ -23,12 +23,12 @@ impl Curves {
         self.ends.push(self.keys.len());
     }
 
-    /// Number of curves.
+    /// Returns the number of curves.
     pub(crate) fn count(&self) -> usize {
         self.names.len()
     }
 
-    /// The curves with these numbers: names and keys.
+    /// Returns names and keys of the curves with these numbers.
     pub(crate) fn range(&self, numbers: std::ops::Range<usize>) -> impl Iterator<Item = (&str, &[Key])> {
         numbers.map(|number| {
             let start = number.checked_sub(1).map_or(0, |before| self.ends[before]);
@@ -36,12 +36,12 @@ impl Curves {
         })
     }
 
-    /// All curves.
+    /// Returns all curves.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &[Key])> {
         self.range(0..self.count())
     }
 
-    /// Adds curves, unless there are some with their names. All are in the order of their names then.
+    /// Adds curves whose names are not yet present. All are sorted by name afterwards.
     pub(crate) fn add_missing(&mut self, mut curves: BTreeMap<String, Vec<Key>>) {
         if curves.is_empty() {
             return;
@@ -51,12 +51,12 @@ impl Curves {
         curves.into_iter().for_each(|(name, keys)| self.push(&name, keys));
     }
 
-    /// Removes all curves and keeps the room.
+    /// Removes all curves and keeps the allocation.
     pub(crate) fn clear(&mut self) {
         self.keep_first(0);
     }
 
-    /// Removes all curves but the first ones.
+    /// Removes all curves except the first `count`.
     pub(crate) fn keep_first(&mut self, count: usize) {
         self.names.truncate(count);
         self.ends.truncate(count);

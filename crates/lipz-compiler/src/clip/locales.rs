@@ -2,25 +2,25 @@
 
 use foldhash::HashMap;
 
-/// The locales that a thread has met, by number.
+/// The locales found by a thread, by number.
 ///
-/// Nearly every name of a text is one that was seen before: what was found about its locale then is
-/// remembered here, so that lists of languages and countries are asked once.
+/// Nearly every name of a text has occurred before. The properties of its locale are cached here, so that lists of
+/// languages and countries are searched only once.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Locales {
     tags: Vec<Box<str>>,
-    numbers: HashMap<Box<str>, Known>,
+    numbers: HashMap<Box<str>, KnownLocale>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct KnownLocale {
     number: u32,
     is_clean: bool,
 }
 
 impl Locales {
-    /// The number of the locale with this tag. `is_clean` says that the name of a text which spells
-    /// just this tag gives no diagnostic.
+    /// Returns the number of the locale with this tag. `is_clean` states that an element name with exactly this tag
+    /// causes no diagnostic.
     pub(crate) fn number(&mut self, tag: &str, is_clean: bool) -> u32 {
         if let Some(known) = self.numbers.get_mut(tag) {
             known.is_clean |= is_clean;
@@ -28,26 +28,26 @@ impl Locales {
         }
         let number = self.tags.len() as u32;
         self.tags.push(tag.into());
-        self.numbers.insert(tag.into(), Known { number, is_clean });
+        self.numbers.insert(tag.into(), KnownLocale { number, is_clean });
         number
     }
 
-    /// The number of a locale whose tag gives no diagnostic in the name of a text.
+    /// Returns the number of a locale whose tag causes no diagnostic in the name of a text.
     pub(crate) fn clean(&self, tag: &str) -> Option<u32> {
         self.numbers.get(tag).filter(|known| known.is_clean).map(|known| known.number)
     }
 
-    /// The number of a locale that was met.
+    /// Returns the number of a locale that has occurred.
     pub(crate) fn get(&self, tag: &str) -> Option<u32> {
         self.numbers.get(tag).map(|known| known.number)
     }
 
-    /// The tag of a locale.
+    /// Returns the tag of a locale.
     pub(crate) fn tag(&self, number: u32) -> &str {
         &self.tags[number as usize]
     }
 
-    /// The tags of all locales, in the order of their numbers.
+    /// Returns the tags of all locales, sorted by number.
     pub(crate) fn tags(&self) -> &[Box<str>] {
         &self.tags
     }

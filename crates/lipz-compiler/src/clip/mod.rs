@@ -1,105 +1,110 @@
-//! A checked clip: what a Lipz file means, free of how it is written.
+//! A checked clip: the meaning of a Lipz file, independent of its spelling.
 
 mod batches;
 mod curves;
+mod hashed_part;
 mod locales;
-mod packed;
+#[cfg(feature = "shards")]
+mod on_disk;
 mod part;
 mod runs;
-#[cfg(feature = "shards")]
-mod staying;
+pub(crate) mod source_record;
 mod store;
 
 pub(crate) use batches::Batches;
 pub(crate) use curves::{Curves, Key};
+pub(crate) use hashed_part::HashedPart;
 pub(crate) use locales::Locales;
+#[cfg(feature = "shards")]
+pub(crate) use on_disk::{ClipFile, PartOnDisk, SectionStarts, SourceOnDisk, Window};
 pub(crate) use part::Part;
 pub(crate) use runs::{Runs, split_run};
-#[cfg(feature = "shards")]
-pub(crate) use staying::{ClipFile, SectionStarts, StayingPart, StayingSource, Window};
 pub(crate) use store::{Clip, Clips};
 
 #[cfg(feature = "shards")]
-use crate::hashed::hash;
-use crate::strings::Strings;
+use crate::util::hash::hash;
+use crate::util::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use lipz_layout::{TEXT_COUNT_BYTES, U16};
 use std::ops::Range;
 
-/// One clip as the check makes it. A thread fills the same one for all of its files, so that its
-/// buffers are made once, and adds it to its [`Clips`].
+/// One clip as the check produces it. A thread reuses the same one for all of its files to keep its buffers, and adds
+/// it to its [`Clips`].
 #[derive(Debug, Default)]
 pub(crate) struct ClipData {
-    /// Frame rate, of the file or the project's default.
+    /// The frame rate of the file, or the project's default.
     pub(crate) fps: Option<Fps>,
-    /// Viseme type, of the file or the project's default.
+    /// The viseme type of the file, or the project's default.
     pub(crate) viseme_type: Option<VisemeType>,
     /// Whether the file has a `visemes` element.
     pub(crate) has_visemes: bool,
     /// Frame codes, without delimiters.
     pub(crate) frames: Vec<u8>,
-    /// Start frames of all segments; the first is 0.
+    /// The start frames of all segments; the first is 0.
     pub(crate) starts: Vec<u32>,
-    /// Texts in the order of their locales' tags.
+    /// Texts, sorted by the tags of their locales.
     pub(crate) texts: Vec<ClipText>,
     /// The runs of all texts.
     pub(crate) runs: Runs,
-    /// Room for the display texts of one locale that may change before they become a run.
+    /// A buffer for display texts of one locale that may still change before they become a run.
     pub(crate) displays: Strings,
     /// Whether the file has an `events` element.
     pub(crate) has_events: bool,
-    /// Trimmed event strings of all segments, if it has.
+    /// Trimmed event strings of all segments, if there is one.
     pub(crate) events: Strings,
-    /// Curves in the order of their names.
+    /// Curves, sorted by name.
     pub(crate) curves: Curves,
-    /// Whether an element has another number of segments than the clip, and was joined to one.
+    /// Whether an element has a different number of segments than the clip, and was joined into one.
     pub(crate) has_joined: bool,
-    /// What the above lost of the file; see `source_record`. Empty when stripped.
+    /// The difference between the file and the fields above; see `source_record`. Empty when stripped.
     pub(crate) source: Vec<u8>,
 }
 
 /// The display texts of a clip in one locale: one of its runs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClipText {
-    /// Number of the locale in [`Locales`].
+    /// The number of the locale in [`Locales`].
     pub(crate) locale: u32,
-    /// Where the run starts among the clip's, and where it ends, with [`IS_FALLBACK`]; in [`Clips`], the texts alone among all of
-    /// the locale, or where they stay. There are millions: 16 bytes for each will do.
+    /// The start of the run among the clip's runs; its end follows, with [`IS_FALLBACK`]. In [`Clips`], the position of
+    /// the texts alone among all texts of the locale, or in their file. Each text takes 16 bytes, because there are
+    /// millions.
     start: u32,
     end: u32,
-    /// Hash of the texts: made while it is in the cache.
+    /// The hash of the texts, computed while they are in the cache.
     pub(crate) hash: u32,
 }
 
-/// A bit of the end of a run. A file, and so its texts, has less than 2²⁸ bytes; all texts of a locale in [`Clips`] less than 2³⁰.
+/// A bit in the end of a run. A file, and therefore its texts, has less than 2²⁸ bytes; all texts of a locale in
+/// [`Clips`] have less than 2³⁰.
 const IS_FALLBACK: u32 = 1 << 31;
-/// A bit of the end of texts that stay in the pool of a bank, where the last of them is counted. A pool has less than 2³⁰ bytes.
+/// A bit in the end of texts that stay in the pool of a bank, if the last of them is counted. A pool has less than 2³⁰
+/// bytes.
 const IS_COUNTED: u32 = 1 << 30;
 
 impl ClipText {
-    /// Where the run lies among the clip's.
+    /// Returns the range of the run among the clip's runs.
     fn place(&self) -> Range<usize> {
         self.start as usize..(self.end & !(IS_FALLBACK | IS_COUNTED)) as usize
     }
 
-    /// The same where its texts stand elsewhere.
+    /// Returns the same text at a different position.
     fn at(&self, place: Range<usize>) -> ClipText {
         ClipText { start: place.start as u32, end: place.end as u32 | self.end & IS_FALLBACK, ..*self }
     }
 
-    /// The texts that stay at a place in the pool of a bank, with a count before the last one or without.
+    /// Creates texts that stay at a position in the pool of a bank, with or without a count before the last one.
     #[cfg(feature = "shards")]
     pub(crate) fn staying(locale: u32, place: Range<usize>, is_counted: bool, displays: &[u8]) -> ClipText {
         let counted = if is_counted { IS_COUNTED } else { 0 };
         ClipText { locale, start: place.start as u32, end: place.end as u32 | counted, hash: hash(displays) as u32 }
     }
 
-    /// Whether there is nothing in texts that are alone, here or elsewhere.
+    /// Whether texts without a table of ends are empty, in memory or in a file.
     pub(crate) fn is_empty(&self) -> bool {
         self.place().len() == if self.end & IS_COUNTED != 0 { TEXT_COUNT_BYTES } else { 0 }
     }
 
-    /// Whether the last of texts that stay is counted.
+    /// Whether the last of texts that stay in a file is counted.
     #[cfg(feature = "shards")]
     fn is_counted(&self) -> bool {
         self.end & IS_COUNTED != 0
@@ -110,14 +115,14 @@ impl ClipText {
         self.end & IS_FALLBACK != 0
     }
 
-    /// The same text for another locale, which has none.
+    /// Returns the same text for a locale without a text of its own.
     pub(crate) fn as_fallback_of(&self, locale: u32) -> ClipText {
         ClipText { locale, end: self.end | IS_FALLBACK, ..*self }
     }
 }
 
 impl ClipData {
-    /// Makes it a clip of nothing, and keeps its buffers.
+    /// Resets it to an empty clip, and keeps its buffers.
     pub(crate) fn clear(&mut self) {
         self.frames.clear();
         self.starts.clear();
@@ -131,7 +136,7 @@ impl ClipData {
         (self.fps, self.viseme_type) = (None, None);
     }
 
-    /// The first frame of a segment; behind the last one, the end of the clip.
+    /// Returns the first frame of a segment; after the last segment, the end of the clip.
     pub(crate) fn segment_start(&self, segment: usize) -> u32 {
         self.starts.get(segment).copied().unwrap_or(self.frames.len() as u32)
     }
@@ -142,30 +147,30 @@ impl ClipData {
         self.end_run(locale, false);
     }
 
-    /// Adds texts that lie in a bank, one per segment, as those of a locale.
+    /// Adds texts from a bank, one per segment, as those of a locale.
     pub(crate) fn add_texts<'b>(&mut self, locale: u32, texts: impl Iterator<Item = &'b [u8]>, is_fallback: bool) {
         texts.for_each(|text| self.runs.push(text));
         self.end_run(locale, is_fallback);
     }
 
-    /// Makes the run that was pushed to `self.runs` the texts of a locale.
+    /// Assigns the run that was pushed to `self.runs` to a locale.
     pub(crate) fn end_run(&mut self, locale: u32, is_fallback: bool) {
         let (place, hash) = self.runs.end();
         let own = ClipText { locale, start: place.start as u32, end: place.end as u32, hash: hash as u32 };
         self.texts.push(if is_fallback { own.as_fallback_of(locale) } else { own });
     }
 
-    /// The run of a text: the segments, and where each of them ends.
+    /// Returns the run of a text: the segments, and the end of each of them.
     pub(crate) fn whole_run(&self, text: &ClipText) -> &[u8] {
         self.runs.get(text.place())
     }
 
-    /// The display texts alone, one behind the other.
+    /// Returns the display texts alone, one after the other.
     pub(crate) fn text_of(&self, text: &ClipText) -> &[u8] {
         split_run(self.whole_run(text), self.starts.len()).0
     }
 
-    /// Bytes of the display texts alone, without the table of ends.
+    /// Returns the length of the display texts in bytes, without the table of ends.
     pub(crate) fn text_bytes(&self, text: &ClipText) -> usize {
         text.place().len() - size_of::<U16>() * self.starts.len()
     }

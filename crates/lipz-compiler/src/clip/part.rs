@@ -1,7 +1,7 @@
-//! The parts of a clip that take most of its memory: frames, texts, its source record.
+//! The parts of a clip that take most of its memory: frames, texts, and its source record.
 
 #[cfg(feature = "shards")]
-use super::staying::StayingPart;
+use super::on_disk::PartOnDisk;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -12,11 +12,11 @@ pub(crate) enum Part<'c> {
     Here(&'c [u8]),
     /// In the file of an object.
     #[cfg(feature = "shards")]
-    Stays(StayingPart<'c>),
+    Stays(PartOnDisk<'c>),
 }
 
 impl<'c> Part<'c> {
-    /// The bytes, which are read if they are not here.
+    /// Returns the bytes. Reads them if they are in a file.
     pub(crate) fn bytes(self) -> Cow<'c, [u8]> {
         match self {
             Part::Here(bytes) => Cow::Borrowed(bytes),
@@ -25,7 +25,7 @@ impl<'c> Part<'c> {
         }
     }
 
-    /// Where they are in which file; none if they are here.
+    /// Returns their position and file; `None` if they are in memory.
     pub(crate) fn place(self) -> Option<(*const (), Range<usize>)> {
         match self {
             Part::Here(_) => None,
@@ -34,7 +34,7 @@ impl<'c> Part<'c> {
         }
     }
 
-    /// How many they are.
+    /// Returns their length in bytes.
     pub(crate) fn length(self) -> usize {
         match self {
             Part::Here(bytes) => bytes.len(),

@@ -8,12 +8,12 @@ pub(crate) mod shards;
 use lipz_compiler::{Content, discover};
 use std::path::{Path, PathBuf};
 
-/// A folder of the repository's fixtures.
+/// Returns a folder of the repository's fixtures.
 pub(crate) fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(name)
 }
 
-/// Keys and contents of the Lipz files in a folder of the fixtures.
+/// Returns keys and contents of the Lipz files in a folder of the fixtures.
 pub(crate) fn files(name: &str) -> Vec<(String, Vec<u8>)> {
     let inputs = discover(&[folder(name)], None).unwrap();
     inputs

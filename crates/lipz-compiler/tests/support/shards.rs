@@ -1,4 +1,4 @@
-//! Projects in shards: objects of all kinds of clips.
+//! Projects in shards: objects with all kinds of clips.
 
 use lipz_bank::Recording;
 use lipz_compiler::shard::{Shard, shard_of_key};
@@ -24,19 +24,19 @@ pub(crate) fn objects(compiler: &Compiler<'_>, inputs: &[Input], shards: u16, fo
     (0..shards).map(of_shard).collect()
 }
 
-/// The clips of the drama in the fixtures.
+/// Returns the clips of the drama in the fixtures.
 pub(crate) fn drama() -> Vec<Input> {
     super::files("drama").into_iter().map(|(key, bytes)| Input::from_bytes(key, bytes)).collect()
 }
 
-/// Options that change what a bank contains.
+/// Returns options that affect the contents of a bank.
 pub(crate) fn variants() -> [Options; 3] {
     let plain = Options::new().default_locale("en-us").unwrap();
     let some_locales = plain.clone().locales(["de-de", "fr-fr"]).unwrap().fallback("fr-fr", ["de-de"]).unwrap();
     [plain.clone(), plain.pseudo(true).strip(true), some_locales]
 }
 
-/// A clip with texts in some locales, events, and curves.
+/// Generates a clip with texts in some locales, events, and curves.
 fn file() -> impl Strategy<Value = String> {
     let text = "[a-zéß日{} ]{0,8}";
     let texts = proptest::collection::btree_map("(en-us|de-de|de-at|fr-fr|ja-jp)", text, 0..4);
@@ -44,7 +44,7 @@ fn file() -> impl Strategy<Value = String> {
     (texts, events, proptest::option::of("[MAEO]{1,9}"), 0..4_u8).prop_map(|(texts, events, visemes, extra)| {
         let mut elements = serde_json::Map::new();
         for (tag, text) in texts {
-            // Braces have to be in pairs.
+            // Braces must be in pairs.
             elements.insert(format!("text_{tag}"), text.replace(['{', '}'], "").into());
         }
         elements.extend(events.map(|events| ("events".to_owned(), events.into())));
@@ -64,7 +64,7 @@ fn file() -> impl Strategy<Value = String> {
     })
 }
 
-/// A project: clips, some of them with dubs, some with recordings, and how they are packed.
+/// Generates a project: clips, some of them with dubs or recordings, and its options.
 pub(crate) fn project() -> impl Strategy<Value = (Options, Vec<Input>)> {
     let files = proptest::collection::btree_map("[a-d]{1,2}/line-[0-9]{1,3}", (file(), file(), 0..6_u8), 0..40);
     (files, any::<bool>(), any::<bool>()).prop_map(|(files, pseudo, chooses)| {
@@ -74,7 +74,7 @@ pub(crate) fn project() -> impl Strategy<Value = (Options, Vec<Input>)> {
                 recordings.push((key.clone(), Recording::new(u64::from(kind) * 7 + 1, 3)));
             }
             let dub = ["de/", "fr/"].get(usize::from(kind)).map(|voice| format!("{voice}{key}"));
-            // No text that contradicts that of the original.
+            // Texts must not contradict those of the original.
             inputs.extend(dub.map(|key| (key, other.replace("text_", "note_"))));
             inputs.insert(key, file);
         }

@@ -1,5 +1,5 @@
-//! What build scripts print for cargo (The Cargo Book, "Outputs of the Build Script"): one line per
-//! message, nothing of which can be taken for another.
+//! Output of build scripts for cargo (The Cargo Book, "Outputs of the Build Script"): one line per message, which
+//! cannot be mistaken for a different instruction.
 
 use super::places::Places;
 use crate::Report;
@@ -8,10 +8,10 @@ use crate::{Code, Diagnostic, Severity};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Diagnostics of one code that are printed; the others are counted.
+/// The most diagnostics of one code that are printed; the rest are counted.
 const PRINTED_PER_CODE: usize = 100;
 
-/// Lines that a build script prints for cargo: one per diagnostic, and one per code that has more than 100.
+/// Returns lines for a build script to print: one per diagnostic, and one per code with more than 100.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, render};
@@ -44,11 +44,11 @@ fn line(lines: &mut String, severity: Severity, message: &str) {
     let _ = writeln!(lines, "cargo::{severity}={}", escape::text(message));
 }
 
-/// `voices/mayor.lipz:3:16: what is wrong [LZ0401]; help: what to do`.
+/// Returns `voices/mayor.lipz:3:16: message [LZ0401]; help: advice`.
 fn message(path: &str, places: &Places, found: &Diagnostic) -> String {
     let mut message = places.prefix(path, found);
     let _ = write!(message, "{} [{}]", found.message, found.code);
-    // Notes that start with a blank are rows of a table, which makes no sense on one line.
+    // Notes that start with a space are rows of a table, which cannot be shown on one line.
     for note in found.notes.iter().filter(|note| !note.starts_with(' ')) {
         let _ = write!(message, "; note: {note}");
     }

@@ -1,12 +1,12 @@
-//! Diagnostics as single lines, as compilers and linters print them: for `grep`, editors' error lists and logs.
+//! Diagnostics as single lines in the format of compilers and linters: for `grep`, editors' error lists and logs.
 
 use super::places::Places;
 use crate::Report;
 use crate::escape;
 use std::fmt::Write;
 
-/// A line per diagnostic: path, line, column (both from 1, in characters), severity, code, message; `[fixable]` at its
-/// end if a certain fix is known. Empty if there are none.
+/// Returns one line per diagnostic: path, line, column (both from 1, in characters), severity, code, message, and
+/// `[fixable]` at the end if there is a certain fix. Empty without diagnostics.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, render};

@@ -1,41 +1,43 @@
-//! The part of a file that shows a diagnostic. The renderer measures all that it is given, for each diagnostic anew,
-//! and shows every character between the marks of a line: with the whole of a long file, that would take seconds.
+//! The part of a file that shows a diagnostic. The renderer measures its whole input for each diagnostic again, and
+//! shows every character between the marks of a line. For a whole long file, that would take seconds.
 
 use super::places::Places;
 use crate::{Diagnostic, Label, LineColumn};
 use std::ops::Range;
 
-/// Bytes of a line that are kept before its first mark and behind its last one: more than a terminal is wide.
+/// The bytes of a line that are kept before its first mark and after its last one, which exceed the width of a
+/// terminal.
 const MARGIN_BYTES: usize = 4096;
 
-/// Bytes of a mark that are shown: more than anybody looks at.
+/// The most bytes of a mark that are shown, more than a reader needs.
 const MARK_BYTES: usize = 1024;
 
-/// Marks farther from each other are shown one after the other.
+/// The greatest distance of marks that are shown together.
 const NEAR_BYTES: usize = 1 << 16;
 
-/// What a mark is about.
+/// The kind of a mark.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Mark {
     /// The diagnostic.
     Primary,
-    /// What belongs to it.
+    /// A position that belongs to the diagnostic.
     Other,
 }
 
-/// Lines with marks of a diagnostic.
+/// Lines with the marks of a diagnostic.
 pub(super) struct Excerpt<'r> {
-    /// The lines; of long ones the parts around the marks.
+    /// The lines; only the parts around the marks if they are long.
     pub(super) text: &'r str,
-    /// The number of the first of them, from 1.
+    /// The number of the first line, from 1.
     pub(super) first_line: usize,
-    /// What is marked, and where it is in `text`.
+    /// The marks, with their ranges in `text`.
     pub(super) marks: Vec<(Mark, &'r Label, Range<usize>)>,
-    /// Where the first mark is, if the text does not start with a line of its own, so that nobody can count columns.
+    /// The position of the first mark, if the text does not start at the start of a line, so that columns cannot be
+    /// counted.
     pub(super) place: Option<LineColumn>,
 }
 
-/// The excerpts for the marks of a diagnostic in `whole`: the first one has the primary one.
+/// Returns the excerpts for the marks of a diagnostic in `whole`. The first one has the primary mark.
 pub(super) fn excerpts<'r>(whole: &'r str, places: &Places, diagnostic: &'r Diagnostic) -> Vec<Excerpt<'r>> {
     let Some(label) = &diagnostic.primary else { return Vec::new() };
     let primary = marked(whole, label);
@@ -63,16 +65,16 @@ impl<'r> Excerpt<'r> {
     }
 }
 
-/// Where the line with this place starts; `None` if that is far before it.
+/// Returns the start of the line with this position; `None` if that is too far before it.
 fn line_start(whole: &str, at: usize) -> Option<usize> {
-    // A mark behind the last line break is shown in the line that ends there.
+    // A mark after the last line break is shown in the line that ends there.
     let at = whole.floor_char_boundary(at.min(whole.len().saturating_sub(1)));
     let from = at.saturating_sub(MARGIN_BYTES);
     let line_break = whole.as_bytes()[from..at].iter().rposition(|&byte| byte == b'\n');
     line_break.map(|line_break| from + line_break + 1).or((from == 0).then_some(0))
 }
 
-/// Whether the renderer can show two marks at once: in whole lines, or close to each other in one that is cut.
+/// Whether the renderer can show two marks at once: in whole lines, or close to each other in a shortened one.
 fn are_near(whole: &str, one: &Range<usize>, other: &Range<usize>) -> bool {
     let (first, last) = if one.start <= other.start { (one, other) } else { (other, one) };
     if last.start - first.start > NEAR_BYTES {
@@ -84,7 +86,7 @@ fn are_near(whole: &str, one: &Range<usize>, other: &Range<usize>) -> bool {
     last.start - first.start <= MARGIN_BYTES
 }
 
-/// What is marked, in whole characters: whoever counted wrongly, the renderer panics between the bytes of one.
+/// Returns the marked range in whole characters, because the renderer panics if a range starts or ends inside one.
 fn marked(text: &str, label: &Label) -> Range<usize> {
     let start = text.floor_char_boundary(label.span.start as usize);
     let end = text.ceil_char_boundary(label.span.end as usize).max(start);
@@ -123,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_long_line_is_shown_as_if_it_were_shorter() {
-        // The same mark, with more and more before and behind it.
+        // The same mark, with more and more text around it.
         let shown = |before: usize, behind: usize| {
             let text = format!("\n\"{}Z{}\"\n", "é".repeat(before), "ü".repeat(behind));
             let at = text.find('Z').unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Diagnostics as workflow commands of GitHub Actions, which shows them beside the changed lines.
+//! Diagnostics as workflow commands of GitHub Actions, which shows them next to the changed lines.
 
 use super::places::Places;
 use crate::Diagnostic;
@@ -6,7 +6,7 @@ use crate::Report;
 use crate::escape;
 use std::fmt::Write;
 
-/// Workflow commands of GitHub Actions, which shows them beside the changed lines: a line per diagnostic.
+/// Returns workflow commands of GitHub Actions, one line per diagnostic. GitHub shows them next to the changed lines.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, render};
@@ -35,7 +35,7 @@ fn annotation(path: &str, places: &Places, diagnostic: &Diagnostic) -> String {
     if let Some(label) = &diagnostic.primary {
         let [start, end] = places.ends(label.span);
         let _ = write!(command, "line={},endLine={},", start.line, end.line);
-        // GitHub takes columns for stretches of one line only.
+        // GitHub accepts columns only for ranges within one line.
         if start.line == end.line {
             let _ = write!(command, "col={},endColumn={},", start.column, end.column);
         }
@@ -45,7 +45,7 @@ fn annotation(path: &str, places: &Places, diagnostic: &Diagnostic) -> String {
     command
 }
 
-/// The message with everything that is not a place, one thing a line.
+/// Returns the message, notes and help, one per line.
 fn message(diagnostic: &Diagnostic) -> String {
     let mut message = diagnostic.message.clone();
     for note in &diagnostic.notes {
@@ -57,13 +57,13 @@ fn message(diagnostic: &Diagnostic) -> String {
     message
 }
 
-/// The text behind `::`, escaped as GitHub's toolkit does (`escapeData`). Nothing in it starts a line
-/// of the log, where it could be a command of its own.
+/// Returns the text after `::`, escaped like GitHub's toolkit (`escapeData`), so that no part of it can start a line of
+/// the log and act as a command.
 fn data(text: &str) -> String {
     escape::text(&text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")).into_owned()
 }
 
-/// The value of a property, escaped as GitHub's toolkit does (`escapeProperty`).
+/// Returns the value of a property, escaped like GitHub's toolkit (`escapeProperty`).
 fn property(text: &str) -> String {
     data(text).replace(':', "%3A").replace(',', "%2C")
 }

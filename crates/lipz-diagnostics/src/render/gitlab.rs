@@ -1,4 +1,4 @@
-//! Diagnostics as a Code Quality report of GitLab, which shows them beside the changed lines of a merge request.
+//! Diagnostics as a Code Quality report of GitLab, which shows them next to the changed lines of a merge request.
 
 use super::places::Places;
 use super::to_json;
@@ -27,11 +27,12 @@ struct Lines {
     end: u32,
 }
 
-/// One Code Quality report (GitLab Docs, "Code Quality report format") with all diagnostics, an empty list if there
-/// are none. An error is `major`, a warning `minor`. What is about no file has the path `.`, since GitLab demands one.
+/// Returns one Code Quality report (GitLab Docs, "Code Quality report format") with all diagnostics, an empty list if
+/// there are none. An error is `major`, a warning `minor`. A diagnostic without a file has the path `.`, because GitLab
+/// requires one.
 ///
-/// A fingerprint says which diagnostic it is, whatever lines stand above it: code, path, message, and which one of
-/// those that are the same.
+/// A fingerprint identifies a diagnostic independently of its line number: by code, path, message, and a number among
+/// identical ones.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, render};
@@ -58,7 +59,7 @@ fn violation<'r>(
     diagnostic: &Diagnostic,
     seen: &mut BTreeMap<String, usize>,
 ) -> Violation<'r> {
-    // GitLab matches paths as git has them.
+    // GitLab expects paths as in git.
     let path = path.strip_prefix("./").unwrap_or(path);
     let same = format!("{} {path} {}", diagnostic.code, diagnostic.message);
     let count = seen.entry(same.clone()).or_default();
@@ -79,7 +80,7 @@ fn violation<'r>(
     }
 }
 
-/// The message, and what to do; GitLab shows one paragraph.
+/// Returns message and help as one paragraph, because GitLab shows only one.
 fn description(diagnostic: &Diagnostic) -> String {
     match &diagnostic.help {
         Some(help) => format!("{} ({help})", diagnostic.message),

@@ -1,11 +1,11 @@
-//! Diagnostics as text for people: message, place, caret, notes, help.
+//! Diagnostics as text for people: message, position, caret, notes, help.
 //!
-//! Keys, paths and texts come from anybody: nothing in them reaches the terminal as a control
-//! character (`visible.rs` sees to that in excerpts).
+//! Keys, paths and texts are untrusted: they must not output control characters to the terminal (`visible.rs` ensures
+//! this in excerpts).
 
 use super::excerpt::{Excerpt, Mark, excerpts};
 use super::places::Places;
-use super::visible::Visible;
+use super::visible_text::VisibleText;
 use crate::Report;
 use crate::escape;
 use crate::reports::count;
@@ -15,11 +15,11 @@ use annotate_snippets::{AnnotationKind, Group, Level as Title, Origin, Renderer,
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// Diagnostics of one code that a run shows in full; the others are counted.
+/// The most diagnostics of one code that a run shows in full; the rest are counted.
 const SHOWN_PER_CODE: usize = 100;
 
-/// Text for people: message, place, caret, notes and help of each diagnostic, 100 columns wide, without
-/// colours. [`Human`] has other widths, and colours.
+/// Returns text for people: message, position, caret, notes and help of each diagnostic, 100 columns wide, without
+/// colours. [`HumanStyle`] has options for width and colours.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, render};
@@ -38,47 +38,47 @@ const SHOWN_PER_CODE: usize = 100;
 /// );
 /// ```
 pub fn human(reports: &[Report]) -> String {
-    Human::default().render(reports)
+    HumanStyle::default().render(reports)
 }
 
-/// How text for people looks.
+/// Options of text for people.
 ///
 /// ```
-/// use lipz_diagnostics::{Code, Diagnostic, Report, render::Human};
+/// use lipz_diagnostics::{Code, Diagnostic, Report, render::HumanStyle};
 /// let report = Report::about("aye.lipz", Diagnostic::new(Code::EmptyFile, "the file is empty"));
-/// let coloured = Human::default().width(80).styled(true).render(&[report]);
+/// let coloured = HumanStyle::default().width(80).styled(true).render(&[report]);
 /// assert!(coloured.contains("\u{1b}["));
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
-pub struct Human {
+pub struct HumanStyle {
     width: usize,
     is_styled: bool,
 }
 
-impl Default for Human {
-    fn default() -> Human {
-        Human { width: 100, is_styled: false }
+impl Default for HumanStyle {
+    fn default() -> HumanStyle {
+        HumanStyle { width: 100, is_styled: false }
     }
 }
 
-impl Human {
-    /// For a terminal with this number of columns.
+impl HumanStyle {
+    /// Sets the number of columns of the terminal.
     #[must_use]
-    pub fn width(mut self, columns: usize) -> Human {
+    pub fn width(mut self, columns: usize) -> HumanStyle {
         self.width = columns;
         self
     }
 
-    /// With colours, as ANSI escape sequences.
+    /// Enables colours, as ANSI escape sequences.
     #[must_use]
-    pub fn styled(mut self, is_styled: bool) -> Human {
+    pub fn styled(mut self, is_styled: bool) -> HumanStyle {
         self.is_styled = is_styled;
         self
     }
 
-    /// All diagnostics, at most 100 of a code, how many others there are, and a closing count. Empty if there
-    /// are none.
+    /// Returns all diagnostics, at most 100 per code, the number of the others, and a final count. Empty without
+    /// diagnostics.
     pub fn render(self, reports: &[Report]) -> String {
         let renderer = if self.is_styled { Renderer::styled() } else { Renderer::plain() };
         let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(self.width);
@@ -101,7 +101,7 @@ impl Human {
     }
 }
 
-/// How much was found, in how many files, and how much of it has a certain fix; nothing if nothing was found.
+/// Returns the numbers of diagnostics, files and certain fixes. Empty without diagnostics.
 fn closing(reports: &[Report]) -> String {
     let (errors, warnings) = (count(reports, Severity::Error), count(reports, Severity::Warning));
     let parts: Vec<String> = [(errors, "error"), (warnings, "warning")]
@@ -125,7 +125,7 @@ fn closing(reports: &[Report]) -> String {
     text + "\n"
 }
 
-/// A number with commas: 1,234,567.
+/// Returns a number with commas: 1,234,567.
 fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let first = digits.len() % 3;
@@ -133,7 +133,7 @@ fn grouped(number: usize) -> String {
     digits.chars().enumerate().flat_map(group).collect()
 }
 
-/// `1 file`, `2 files`.
+/// Returns `1 file` or `2 files`.
 fn counted(number: usize, what: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {what}{plural}", grouped(number))
@@ -149,7 +149,7 @@ struct Tally<'r> {
 }
 
 impl<'r> Tally<'r> {
-    /// Counts a diagnostic in the file of `report` and says whether it is one of those that are shown.
+    /// Counts a diagnostic in the file of `report`, and returns whether to show it.
     fn is_shown(&mut self, report: &'r Report, rest: usize) -> bool {
         let is_shown = self.shown < SHOWN_PER_CODE && rest == 0;
         if is_shown {
@@ -162,7 +162,7 @@ impl<'r> Tally<'r> {
     }
 }
 
-/// The diagnostic in full.
+/// Returns the diagnostic in full.
 fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Diagnostic) -> String {
     let title = match diagnostic.severity {
         Severity::Error => Title::ERROR,
@@ -175,7 +175,7 @@ fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Dia
     }
     let mut group = Group::with_title(title.primary_title(message).id(diagnostic.code.number()));
     let mut counted_wrongly = Vec::new();
-    let visible = Visible::new(&source.text, diagnostic);
+    let visible = VisibleText::new(&source.text, diagnostic);
     for excerpt in excerpts(&source.text, places, diagnostic) {
         let mark = excerpt.marks.first().filter(|_| visible.replaces(excerpt.text));
         let place = excerpt.place.or_else(|| mark.map(|(_, label, _)| places.ends(label.span)[0]));
@@ -202,7 +202,7 @@ fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Dia
 fn snippet<'r>(
     path: String,
     excerpt: Excerpt<'r>,
-    visible: &Visible,
+    visible: &VisibleText,
 ) -> Snippet<'r, annotate_snippets::Annotation<'r>> {
     let text = visible.text(excerpt.text);
     let mut snippet = Snippet::source(text).line_start(excerpt.first_line).path(path);
@@ -219,7 +219,7 @@ fn snippet<'r>(
     snippet
 }
 
-/// The text without the line and column that the renderer has counted itself, behind the right ones.
+/// Returns the text without the renderer's own line and column, which follow the correct ones.
 fn without_count(text: &str, place: &str) -> String {
     let Some((before, behind)) = text.split_once(&format!("{place}:")) else { return text.to_owned() };
     format!("{before}{place}{}", behind.trim_start_matches(|c: char| c.is_ascii_digit() || c == ':'))
@@ -238,8 +238,11 @@ mod tests {
                 let diagnostic = Diagnostic::at(Code::JsonSyntax, span, "m").also(span, "l").fix(span, "f");
                 let reports = [Report::new(Source::new("a", text), vec![diagnostic])];
                 assert!(human(&reports).contains("error[LZ0101]: m"));
-                crate::render::json(&reports);
-                crate::render::sarif(&reports, true);
+                #[cfg(feature = "json")]
+                {
+                    crate::render::json(&reports);
+                    crate::render::sarif(&reports, true);
+                }
                 crate::render::github(&reports);
                 crate::render::cargo(&reports);
             }

@@ -1,4 +1,4 @@
-//! Diagnostics as one JSON document. Fields are only ever added (docs/reference/versions.md).
+//! Diagnostics as one JSON document. Fields may be added, but are never removed (docs/reference/versions.md).
 
 use super::places::Places;
 use crate::Label;
@@ -8,7 +8,7 @@ use crate::{Diagnostic, LineColumn, Severity, escape};
 use serde::Serialize;
 use std::io;
 
-/// All diagnostics as one JSON document; also if there are none.
+/// Returns all diagnostics as one JSON document, even if there are none.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, render};
@@ -18,10 +18,10 @@ use std::io;
 /// assert_eq!(document["diagnostics"][0]["code"], "LZ0002");
 /// ```
 pub fn json(reports: &[Report]) -> String {
-    to_json(&Document::new(reports))
+    to_json(&DiagnosticsDocument::new(reports))
 }
 
-/// The same document with the fields of `result` behind its own: for a run that has results besides its diagnostics.
+/// Returns the same document, followed by the fields of `result`, for a run with results and diagnostics.
 ///
 /// ```
 /// use lipz_diagnostics::render::json_with;
@@ -31,27 +31,28 @@ pub fn json(reports: &[Report]) -> String {
 /// assert_eq!((&document["errors"], &document["made"]), (&0.into(), &3.into()));
 /// ```
 pub fn json_with<T: Serialize>(reports: &[Report], result: &T) -> String {
-    to_json(&With { document: Document::new(reports), result })
+    to_json(&DocumentWithResult { document: DiagnosticsDocument::new(reports), result })
 }
 
 #[derive(Serialize)]
-struct With<'r, T> {
+struct DocumentWithResult<'r, T> {
     #[serde(flatten)]
-    document: Document<'r>,
+    document: DiagnosticsDocument<'r>,
     #[serde(flatten)]
     result: &'r T,
 }
 
-/// The value as indented JSON, with every control character escaped: serde_json leaves those above U+007E.
+/// Returns the value as indented JSON, with every control character escaped, because serde_json does not escape those
+/// above U+007E.
 ///
-/// For other documents beside [`json`]. A value that cannot be serialised becomes `null`.
+/// For other documents than [`json`]. A value that cannot be serialised becomes `null`.
 ///
 /// ```
 /// use lipz_diagnostics::render::to_json;
 /// assert_eq!(to_json(&["灯台\u{9b}"]), "[\n  \"灯台\\u009B\"\n]\n");
 /// ```
 pub fn to_json<T: Serialize>(value: &T) -> String {
-    let mut json = Escaped(Vec::new());
+    let mut json = TerminalEscaper(Vec::new());
     if serde_json::to_writer_pretty(&mut json, value).is_err() {
         return "null\n".to_owned();
     }
@@ -59,15 +60,15 @@ pub fn to_json<T: Serialize>(value: &T) -> String {
     String::from_utf8(json.0).unwrap_or_else(|_| "null\n".to_owned())
 }
 
-/// Takes JSON piece by piece, each of which is whole characters, and escapes what steers a terminal: a document of many
-/// diagnostics is kept once.
-struct Escaped(Vec<u8>);
+/// Receives JSON in pieces of whole characters, and escapes characters that control a terminal. A document with many
+/// diagnostics is therefore in memory only once.
+struct TerminalEscaper(Vec<u8>);
 
-impl io::Write for Escaped {
+impl io::Write for TerminalEscaper {
     fn write(&mut self, piece: &[u8]) -> io::Result<usize> {
         match str::from_utf8(piece) {
             Ok(text) if !text.is_ascii() => self.0.extend_from_slice(escape::text(text).as_bytes()),
-            // Of ASCII, serde_json escapes all but U+007F itself; it makes line breaks between values.
+            // serde_json escapes all of ASCII except U+007F, and writes line breaks between values.
             _ if piece.contains(&0x7F) => {
                 self.0.extend(String::from_utf8_lossy(piece).replace('\u{7F}', "\\u007F").into_bytes());
             }
@@ -83,23 +84,23 @@ impl io::Write for Escaped {
 
 /// Every diagnostic of a run.
 #[derive(Serialize)]
-struct Document<'r> {
+struct DiagnosticsDocument<'r> {
     errors: usize,
     warnings: usize,
-    diagnostics: Vec<Entry<'r>>,
+    diagnostics: Vec<DiagnosticEntry<'r>>,
 }
 
 #[derive(Serialize)]
-struct Entry<'r> {
+struct DiagnosticEntry<'r> {
     code: &'static str,
     name: &'static str,
     severity: String,
     message: &'r str,
     path: &'r str,
-    /// The characters that the diagnostic is about; none if it is about the file.
+    /// The marked characters; `None` for a diagnostic about the whole file.
     span: Option<Span>,
     label: Option<&'r str>,
-    /// Other places that belong to the diagnostic.
+    /// Other positions that belong to the diagnostic.
     labels: Vec<OtherPlace<'r>>,
     notes: &'r [String],
     help: Option<&'r str>,
@@ -121,25 +122,25 @@ struct Fix<'r> {
 /// From the first character to the one after the last.
 #[derive(Serialize)]
 struct Span {
-    start: Place,
-    end: Place,
+    start: JsonPosition,
+    end: JsonPosition,
 }
 
-/// Line and column in characters, both from 1; bytes of the text from 0, not counting a byte order mark.
+/// Line and column in characters, both from 1; byte offset in the text, from 0, without a byte order mark.
 #[derive(Serialize)]
-struct Place {
+struct JsonPosition {
     line: u32,
     column: u32,
     offset_bytes: u32,
 }
 
-impl<'r> Document<'r> {
+impl<'r> DiagnosticsDocument<'r> {
     pub(super) fn new(reports: &'r [Report]) -> Self {
         let entries = |report: &'r Report| {
             let places = Places::new(report);
-            report.diagnostics.iter().map(move |found| Entry::new(&report.source.path, &places, found))
+            report.diagnostics.iter().map(move |found| DiagnosticEntry::new(&report.source.path, &places, found))
         };
-        Document {
+        DiagnosticsDocument {
             errors: count(reports, Severity::Error),
             warnings: count(reports, Severity::Warning),
             diagnostics: reports.iter().flat_map(entries).collect(),
@@ -147,11 +148,11 @@ impl<'r> Document<'r> {
     }
 }
 
-impl<'r> Entry<'r> {
+impl<'r> DiagnosticEntry<'r> {
     fn new(path: &'r str, places: &Places, diagnostic: &'r Diagnostic) -> Self {
         let primary = diagnostic.primary.as_ref();
         let other = |label: &'r Label| OtherPlace { span: Span::new(places, label.span), text: &label.text };
-        Entry {
+        DiagnosticEntry {
             code: diagnostic.code.number(),
             name: diagnostic.code.name(),
             severity: diagnostic.severity.to_string(),
@@ -173,12 +174,12 @@ impl<'r> Entry<'r> {
 impl Span {
     fn new(places: &Places, span: crate::Span) -> Span {
         let [start, end] = places.ends(span);
-        Span { start: Place::new(start, span.start), end: Place::new(end, span.end) }
+        Span { start: JsonPosition::new(start, span.start), end: JsonPosition::new(end, span.end) }
     }
 }
 
-impl Place {
-    fn new(place: LineColumn, offset_bytes: u32) -> Place {
-        Place { line: place.line, column: place.column, offset_bytes }
+impl JsonPosition {
+    fn new(place: LineColumn, offset_bytes: u32) -> JsonPosition {
+        JsonPosition { line: place.line, column: place.column, offset_bytes }
     }
 }

@@ -4,8 +4,8 @@ use super::places::Places;
 use crate::{Diagnostic, Report, Severity, escape};
 use std::fmt::Write;
 
-/// One JUnit report: a test suite per file, a test case per diagnostic. Errors are failures; warnings pass and have
-/// their text as output. If there are no diagnostics, one test case passes: several tools refuse a report without.
+/// Returns one JUnit report: a test suite per file, a test case per diagnostic. Errors are failures; warnings pass and
+/// have their text as output. Without diagnostics, one test case passes, because several tools reject an empty report.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, render};
@@ -27,14 +27,14 @@ pub fn junit(reports: &[Report]) -> String {
     xml + "</testsuites>\n"
 }
 
-/// Diagnostics of a file, and how many of them are errors.
+/// Returns the number of diagnostics of a file, and of errors among them.
 fn totals(report: &Report) -> [usize; 2] {
     [report.diagnostics.len(), report.diagnostics.iter().filter(|diagnostic| diagnostic.is_error()).count()]
 }
 
 fn suite(xml: &mut String, report: &Report) {
     let places = Places::new(report);
-    // What is about no file belongs to the run.
+    // Diagnostics without a file belong to the run.
     let path = if report.source.path.is_empty() { "lipz" } else { &report.source.path };
     let [tests, failures] = totals(report);
     let class = escaped(path);
@@ -45,7 +45,7 @@ fn suite(xml: &mut String, report: &Report) {
     xml.push_str("  </testsuite>\n");
 }
 
-/// Where a diagnostic starts, as an attribute.
+/// Returns the start of a diagnostic, as an attribute.
 fn line(places: &Places, diagnostic: &Diagnostic) -> String {
     let line = diagnostic.primary.as_ref().map(|label| places.ends(label.span)[0].line);
     line.map(|line| format!(" line=\"{line}\"")).unwrap_or_default()
@@ -65,13 +65,14 @@ fn case(xml: &mut String, class: &str, place: &str, line: &str, diagnostic: &Dia
     xml.push_str("    </testcase>\n");
 }
 
-/// Text between quotes or tags. XML 1.0 has no way to write control characters: they are shown as JSON spells them.
+/// Escapes text between quotes or tags. XML 1.0 cannot represent control characters, so they are shown in JSON's
+/// spelling.
 fn escaped(text: &str) -> String {
     let mut lines = text.split('\n').map(escape::text).collect::<Vec<_>>().join("\n");
     for (character, reference) in [('&', "&amp;"), ('<', "&lt;"), ('>', "&gt;"), ('"', "&quot;")] {
         lines = lines.replace(character, reference);
     }
-    // The two other characters that XML 1.0 forbids.
+    // The other two characters that XML 1.0 forbids.
     lines.replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}")
 }
 

@@ -1,7 +1,7 @@
-//! Reports as text: for people, and for the programs that read them.
+//! Reports as text, for people and for programs.
 //!
-//! Each renderer takes all reports of a run and returns one string. Nothing in it steers a terminal or
-//! leaves its line, whatever is in keys, paths and texts.
+//! Each renderer converts all reports of a run to one string. Keys, paths and texts in it can neither control a
+//! terminal nor break out of their line.
 
 mod cargo;
 mod concise;
@@ -19,7 +19,7 @@ mod places;
 #[cfg(feature = "json")]
 mod sarif;
 #[cfg(feature = "human")]
-mod visible;
+mod visible_text;
 
 pub(crate) use places::Places;
 
@@ -29,7 +29,7 @@ pub use github::github;
 #[cfg(feature = "json")]
 pub use gitlab::gitlab;
 #[cfg(feature = "human")]
-pub use human::{Human, human};
+pub use human::{HumanStyle, human};
 #[cfg(feature = "json")]
 pub use json::{json, json_with, to_json};
 pub use junit::junit;

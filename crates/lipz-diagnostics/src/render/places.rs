@@ -1,5 +1,5 @@
-//! Lines and columns of all diagnostics of a file, found in one pass: a file on a single line may have
-//! many thousands of diagnostics.
+//! Lines and columns of all diagnostics of a file, found in one pass, because a file on a single line may have many
+//! thousands of diagnostics.
 
 use crate::Label;
 use crate::Report;
@@ -7,7 +7,7 @@ use crate::escape;
 use crate::{Diagnostic, LineColumn, Span};
 use std::collections::HashMap;
 
-/// Line and column of each byte offset that the diagnostics of a report name.
+/// Line and column of each byte offset in the diagnostics of a report.
 pub(crate) struct Places(HashMap<u32, LineColumn>);
 
 impl Places {
@@ -34,13 +34,14 @@ impl Places {
         Places(offsets.into_iter().map(place_of).collect())
     }
 
-    /// Where a span of these diagnostics starts, and the place behind it.
+    /// Returns the start and the end of a span of these diagnostics.
     pub(crate) fn ends(&self, span: Span) -> [LineColumn; 2] {
         let unnamed = LineColumn { line: 1, column: 1 };
         [span.start, span.end].map(|offset| self.0.get(&offset).copied().unwrap_or(unnamed))
     }
 
-    /// Where a diagnostic is, as far as that is known, in front of its message: `voices/mayor.lipz:3:16: `.
+    /// Returns the position of a diagnostic, as far as it is known, to print before its message:
+    /// `voices/mayor.lipz:3:16: `.
     pub(crate) fn prefix(&self, path: &str, diagnostic: &Diagnostic) -> String {
         let path = escape::text(path);
         match &diagnostic.primary {
@@ -54,7 +55,7 @@ impl Places {
     }
 }
 
-/// Every span that a diagnostic names.
+/// Returns every span of a diagnostic.
 fn spans(diagnostic: &Diagnostic) -> impl Iterator<Item = Span> {
     let labels = diagnostic.primary.iter().chain(&diagnostic.labels).map(|label: &Label| label.span);
     labels.chain(diagnostic.fix.iter().map(|fix| fix.span))
@@ -70,7 +71,7 @@ mod tests {
         let source = Source { path: String::new(), text: "{ \"é\": 1,\n\r\n \"灯台😀\": 2 }".into() };
         let end = u32::try_from(source.text.len()).unwrap_or_default();
         let mut report = Report { source, diagnostics: Vec::new() };
-        // Also inside characters, behind the end, and not in order.
+        // Also inside characters, past the end, and out of order.
         for start in (0..end + 3).rev() {
             let span = Span { start, end: end + 3 - start };
             report.diagnostics.push(Diagnostic::at(Code::UnknownElement, span, "x"));

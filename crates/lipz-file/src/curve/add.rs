@@ -1,21 +1,21 @@
-//! Adding curves to an element that has some, which stay as they are spelled.
+//! Adds curves to an element, and keeps the existing ones as spelled.
 
 use crate::text::is_white_space;
-use crate::{Raw, literal};
+use crate::{RawJson, literal};
 use lipz_types::CurveValue;
 
-/// The value of the element `curves` with more curves behind its own, each of which looks like the one above it. `None` if the
-/// value is no object. Names must differ, also from those that are there.
+/// Returns the value of the element `curves` with more curves after its own, each formatted like the one above it.
+/// `None` if the value is not an object. Names must differ, including from the existing ones.
 ///
 /// ```
-/// use lipz_file::{Raw, curve};
+/// use lipz_file::{RawJson, curve};
 /// use lipz_types::CurveValue;
 /// let joy = [("joy", vec![(0, CurveValue::from_thousandths(2200))])];
-/// assert_eq!(curve::add(&Raw::new(r#"{ "nod":"0:5"}"#), joy).as_deref(), Some(r#"{ "nod":"0:5", "joy":"0:2.2"}"#));
-/// assert_eq!(curve::add(&Raw::new("[]"), [("joy", vec![])]), None);
+/// assert_eq!(curve::add(&RawJson::new(r#"{ "nod":"0:5"}"#), joy).as_deref(), Some(r#"{ "nod":"0:5", "joy":"0:2.2"}"#));
+/// assert_eq!(curve::add(&RawJson::new("[]"), [("joy", vec![])]), None);
 /// ```
 pub fn add<'n>(
-    value: &Raw<'_>,
+    value: &RawJson<'_>,
     curves: impl IntoIterator<Item = (&'n str, impl IntoIterator<Item = (u32, CurveValue)>)>,
 ) -> Option<String> {
     let text: &str = &value.text;

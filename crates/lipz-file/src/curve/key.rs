@@ -1,28 +1,28 @@
-//! Keys: `frame:value`, separated by white space.
+//! Keys: `frame:value`, separated by whitespace.
 
 use crate::JsonString;
 use crate::text::is_white_space;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_types::CurveValue;
 
-/// A key of a curve, and where it stands.
+/// A key of a curve, with its position.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Key {
-    /// The frame at whose start the curve has the value.
+    /// The frame. The curve has the value at its start.
     pub frame: u32,
     /// The value.
     pub value: CurveValue,
-    /// Where the key is in the file.
+    /// The position of the key in the file.
     pub span: Span,
 }
 
-/// What separates the frame of a key from its value.
+/// The separator of a key's frame and value.
 const COLON: char = ':';
 
-/// Wrong keys of one curve that are reported; who has so many wrote something else.
+/// The most invalid keys of one curve that are reported. With more, the value is probably something else.
 const REPORTED: usize = 5;
 
-/// The keys of a curve; reports those that are wrong, and leaves them out.
+/// Returns the keys of a curve. Reports invalid keys, and omits them.
 pub(super) fn keys(name: &JsonString<'_>, string: &JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Key> {
     let mut keys: Vec<Key> = Vec::new();
     let mut wrong = 0;
@@ -49,24 +49,24 @@ pub(super) fn keys(name: &JsonString<'_>, string: &JsonString<'_>, diagnostics: 
     if wrong > REPORTED
         && let Some(last) = diagnostics.last_mut()
     {
-        last.notes.push(format!("{} more wrong keys of this curve are not shown", wrong - REPORTED));
+        last.notes.push(format!("{} more invalid keys of this curve are not shown", wrong - REPORTED));
     }
     if keys.is_empty() && wrong == 0 {
         let message = format!("the curve {} has no keys", escape::quoted(&name.text));
         diagnostics.push(
             Diagnostic::at(Code::CurveSyntax, string.span(), message)
-                .help("write frame and value of at least one key, \"0:1\", or remove the curve"),
+                .help("write at least one key as frame:value, such as \"0:1\", or remove the curve"),
         );
     }
     keys
 }
 
-/// The words of a curve.
+/// Returns the words of a curve.
 pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(is_white_space).filter(|word| !word.is_empty())
 }
 
-/// The key that a word spells.
+/// Parses a word as a key.
 fn key(word: &str, place: &impl Fn(&str) -> Span) -> Result<Key, Box<Diagnostic>> {
     let Some((frame, value)) = word.split_once(COLON) else {
         let message = format!("{} is not a key", escape::quoted(word));
@@ -79,10 +79,10 @@ fn key(word: &str, place: &impl Fn(&str) -> Span) -> Result<Key, Box<Diagnostic>
     let frame = match frame.parse() {
         Ok(number) if frame.bytes().all(|byte| byte.is_ascii_digit()) => number,
         _ => {
-            let message = format!("{} is not the number of a frame", escape::quoted(frame));
+            let message = format!("{} is not a frame number", escape::quoted(frame));
             let marked = if frame.is_empty() { word } else { frame };
             return Err(Diagnostic::at(Code::CurveSyntax, place(marked), message)
-                .help("count whole frames from 0, without `|`: 12:0.8")
+                .help("write a whole number; frames count from 0, without `|`: 12:0.8")
                 .into());
         }
     };
@@ -92,70 +92,69 @@ fn key(word: &str, place: &impl Fn(&str) -> Span) -> Result<Key, Box<Diagnostic>
     }
 }
 
-/// What is wrong with a value.
+/// The problem of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Wrong {
+pub(crate) enum ValueFault {
     Syntax,
     TooFine,
     TooLarge,
 }
 
-impl Wrong {
+impl ValueFault {
     fn diagnostic(self, value: &str, span: Span) -> Diagnostic {
         let value_shown = escape::quoted(value);
         match self {
-            Wrong::Syntax => Diagnostic::at(Code::CurveSyntax, span, format!("{value_shown} is not a value")).help(
-                match value.trim_end_matches(',') {
+            ValueFault::Syntax => Diagnostic::at(Code::CurveSyntax, span, format!("{value_shown} is not a number"))
+                .help(match value.trim_end_matches(',') {
                     number if number.len() < value.len() && thousandths(number).is_ok() => {
                         "separate keys by spaces only: 0:0 12:0.8"
                     }
                     _ if value.contains(',') => "write a decimal point: 12:0.8",
                     _ => "write a number, such as 1, 0.8 or -0.25",
-                },
-            ),
-            Wrong::TooFine => {
+                }),
+            ValueFault::TooFine => {
                 let rounded = value.parse().map_or(0.0, |value: f64| (value * 1000.0).round() / 1000.0);
-                Diagnostic::at(Code::CurveValue, span, format!("{value_shown} is finer than a thousandth"))
-                    .note("a bank stores values of curves in whole thousandths")
-                    .help(format!("write at most three digits behind the point: {rounded}"))
+                Diagnostic::at(Code::CurveValue, span, format!("{value_shown} has more than three decimal places"))
+                    .note("a bank stores curve values in whole thousandths")
+                    .help(format!("write at most three decimal places: {rounded}"))
             }
-            Wrong::TooLarge => Diagnostic::at(Code::CurveValue, span, format!("{value_shown} is too large"))
+            ValueFault::TooLarge => Diagnostic::at(Code::CurveValue, span, format!("{value_shown} is too large"))
                 .help("write a value from -2147483.648 to 2147483.647"),
         }
     }
 }
 
-/// The value in thousandths: a sign, digits, and behind a point those that are not zero in a thousandth.
-pub(crate) fn thousandths(value: &str) -> Result<i32, Wrong> {
+/// Returns the value in thousandths: a sign, digits, and after a point all digits that are not zero in a thousandth.
+pub(crate) fn thousandths(value: &str) -> Result<i32, ValueFault> {
     let (is_negative, size) = match value.strip_prefix('-') {
         Some(size) => (true, size),
         None => (false, value),
     };
     let (whole, behind) = match size.split_once('.') {
         Some((whole, behind)) if !behind.is_empty() => (whole, behind),
-        Some(_) => return Err(Wrong::Syntax),
+        Some(_) => return Err(ValueFault::Syntax),
         None => (size, ""),
     };
     if whole.is_empty() || !whole.bytes().chain(behind.bytes()).all(|byte| byte.is_ascii_digit()) {
-        return Err(Wrong::Syntax);
+        return Err(ValueFault::Syntax);
     }
     let behind = behind.trim_end_matches('0');
     if behind.len() > 3 {
-        return Err(Wrong::TooFine);
+        return Err(ValueFault::TooFine);
     }
     let digits = format!("{}{whole}{behind:0<3}", if is_negative { "-" } else { "" });
-    digits.parse().map_err(|_| Wrong::TooLarge)
+    digits.parse().map_err(|_| ValueFault::TooLarge)
 }
 
 fn order(before: &Key, key: &Key) -> Diagnostic {
     let (message, help) = if before.frame == key.frame {
         let message = format!("the curve has a second key at frame {}", key.frame);
-        (message, "a curve has one value at a frame: for a step, put the keys into two frames, one behind the other")
+        (message, "keep one of the two; for a step, put the keys on consecutive frames")
     } else {
-        let message = format!("the key at frame {} stands behind the one at frame {}", key.frame, before.frame);
-        (message, "write the keys in the order of their frames")
+        let message = format!("the key at frame {} comes after the key at frame {}", key.frame, before.frame);
+        (message, "sort the keys by frame")
     };
-    Diagnostic::at(Code::CurveOrder, key.span, message).also(before.span, "the key before it").help(help)
+    Diagnostic::at(Code::CurveOrder, key.span, message).also(before.span, "the previous key").help(help)
 }
 
 #[cfg(test)]
@@ -170,10 +169,10 @@ mod tests {
             assert_eq!(thousandths(text), Ok(expected), "{text}");
         }
         for text in ["", "-", ".5", "5.", "1e3", "+1", "1,5", "--1", "１"] {
-            assert_eq!(thousandths(text), Err(Wrong::Syntax), "{text}");
+            assert_eq!(thousandths(text), Err(ValueFault::Syntax), "{text}");
         }
-        assert_eq!(thousandths("0.0005"), Err(Wrong::TooFine));
-        assert_eq!(thousandths("2147483.648"), Err(Wrong::TooLarge));
-        assert_eq!(thousandths(&"9".repeat(400)), Err(Wrong::TooLarge));
+        assert_eq!(thousandths("0.0005"), Err(ValueFault::TooFine));
+        assert_eq!(thousandths("2147483.648"), Err(ValueFault::TooLarge));
+        assert_eq!(thousandths(&"9".repeat(400)), Err(ValueFault::TooLarge));
     }
 }

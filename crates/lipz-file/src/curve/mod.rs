@@ -7,7 +7,7 @@
 //! }
 //! ```
 //!
-//! A key is one word, `frame:value`. So a person can type a curve, and a comparison by words shows which keys changed.
+//! A key is one word, `frame:value`, so that people can type a curve, and a word diff shows the changed keys.
 
 mod add;
 mod key;
@@ -24,24 +24,24 @@ pub use sampled::sampled;
 pub(crate) use write::tidy;
 pub use write::write;
 
-use crate::{Element, JsonString, Raw, Value};
+use crate::{Element, JsonString, RawJson, Value};
 use lipz_diagnostics::{Code, Diagnostic, bound, escape};
 use std::collections::HashMap;
 
 /// The name of the element.
 pub const ELEMENT: &str = "curves";
 
-/// A curve, as a file has it.
+/// A curve in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Curve<'r> {
     /// Its name.
     pub name: JsonString<'r>,
-    /// Its keys, whose frames ascend.
+    /// Its keys, ordered by frame.
     pub keys: Vec<Key>,
 }
 
-/// The curves of an element with this value, and what is wrong with them: wrong keys are left out, and curves without keys.
-/// `None` if the value is no object.
+/// Returns the curves of an element with this value, and adds diagnostics. Invalid keys are omitted, as are curves
+/// without keys. `None` if the value is not an object.
 ///
 /// ```
 /// use lipz_file::{Value, curve};
@@ -53,7 +53,7 @@ pub struct Curve<'r> {
 /// assert!(diagnostics.is_empty());
 /// # Ok::<(), &str>(())
 /// ```
-pub fn parse<'r>(value: &'r Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Curve<'r>>> {
+pub fn parse<'r>(value: &'r RawJson<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Curve<'r>>> {
     let mut first = HashMap::new();
     let mut curves = Vec::new();
     for element in value.members(diagnostics)? {
@@ -61,10 +61,10 @@ pub fn parse<'r>(value: &'r Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Optio
         let Some(string) = string_of(&element, diagnostics) else { continue };
         let name = element.name.text.clone();
         if let Some(before) = first.insert(name, element.name.span()) {
-            let message = format!("a second curve {}", escape::quoted(&element.name.text));
+            let message = format!("the curve {} is defined twice", escape::quoted(&element.name.text));
             diagnostics.push(
                 Diagnostic::at(Code::SameCurveTwice, element.name.span(), message)
-                    .also(before, "the first one")
+                    .also(before, "first definition")
                     .help("remove or rename one of the two"),
             );
             continue;
@@ -77,12 +77,12 @@ pub fn parse<'r>(value: &'r Raw<'_>, diagnostics: &mut Vec<Diagnostic>) -> Optio
     Some(curves)
 }
 
-/// The string of keys that an entry must have, below a name.
+/// Returns the string of keys of an entry, which is required after a name.
 fn string_of<'e>(element: &'e Element<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<&'e JsonString<'e>> {
     let diagnostic = match &element.value {
         Value::String(string) if !element.name.text.is_empty() => return Some(string),
         Value::String(_) => Diagnostic::at(Code::CurveSyntax, element.name.span(), "a curve has an empty name")
-            .help("programs ask for a curve by its name: write one, such as \"jawOpen\""),
+            .help("write a name, such as \"jawOpen\""),
         value => {
             let message = format!(
                 "the curve {} is {}, not a string of keys",
@@ -90,7 +90,7 @@ fn string_of<'e>(element: &'e Element<'_>, diagnostics: &mut Vec<Diagnostic>) ->
                 value.type_name()
             );
             Diagnostic::at(Code::CurveSyntax, value.span(), message)
-                .help("write frame and value of each key: \"0:0 12:0.8\"")
+                .help("write each key as frame:value: \"0:0 12:0.8\"")
         }
     };
     diagnostics.push(diagnostic);

@@ -1,6 +1,6 @@
 //! Names of curves that many rigs share.
 
-/// The blend shapes of Apple's ARKit (`ARFaceAnchor.BlendShapeLocation`), which most face trackers and rigs have taken over.
+/// The blend shapes of Apple's ARKit (`ARFaceAnchor.BlendShapeLocation`), which most face trackers and rigs use.
 pub const ARKIT: [&str; 52] = [
     "eyeBlinkLeft",
     "eyeLookDownLeft",
@@ -56,7 +56,7 @@ pub const ARKIT: [&str; 52] = [
     "tongueOut",
 ];
 
-/// Whether a name is one of [`ARKIT`], or spelled with a capital as in Unreal's Live Link (`JawOpen`).
+/// Whether a name is one of [`ARKIT`], possibly capitalised as in Unreal's Live Link (`JawOpen`).
 pub fn is_arkit(name: &str) -> bool {
     let mut rest = name.chars();
     let Some(first) = rest.next() else { return false };

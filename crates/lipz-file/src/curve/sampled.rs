@@ -1,9 +1,9 @@
-//! Keys for a curve that is known at each frame.
+//! Reduces samples of every frame to keys.
 
 use lipz_types::CurveValue;
 
-/// Keys for the values at the starts of all frames: few, as long as the lines between them are no farther than `tolerance`
-/// thousandths from any value. Each value is looked at once.
+/// Returns few keys for the values at the starts of all frames. The lines between them are at most `tolerance`
+/// thousandths from any value. Reads each value once.
 pub fn sampled(samples: &[CurveValue], tolerance: i32) -> Vec<(u32, CurveValue)> {
     let Some(first) = samples.first() else { return Vec::new() };
     let mut keys = vec![(0, *first)];
@@ -25,7 +25,7 @@ pub fn sampled(samples: &[CurveValue], tolerance: i32) -> Vec<(u32, CurveValue)>
     keys
 }
 
-/// The slope of a line: how far it rises in so many frames.
+/// The slope of a line: its rise over a number of frames.
 #[derive(Clone, Copy)]
 struct Slope {
     rise: i64,
@@ -38,7 +38,7 @@ impl Slope {
     }
 }
 
-/// The lines from a key that pass near all samples since.
+/// The lines from a key that pass near all samples since then.
 struct Fan {
     start: (u32, CurveValue),
     lowest: Option<Slope>,
@@ -50,7 +50,7 @@ impl Fan {
         Fan { start: (frame, value), lowest: None, highest: None }
     }
 
-    /// The line to a value, or so many thousandths above it.
+    /// Returns the slope of the line to a value, raised by `above` thousandths.
     fn slope(&self, frame: u32, value: CurveValue, above: i32) -> Slope {
         let rise = i64::from(value.thousandths()) + i64::from(above) - i64::from(self.start.1.thousandths());
         Slope { rise, frames: i64::from(frame - self.start.0) }

@@ -1,12 +1,12 @@
-//! Writing curves in their canonical layout: one a line, with the keys below each other's names.
+//! Writes curves in their canonical layout: one per line, with aligned keys.
 
 use crate::literal;
 use lipz_types::CurveValue;
 
-/// What curves are indented by, below an element that is indented by half of it.
+/// The indentation of curves, inside an element that is indented by half of it.
 const INDENT: &str = "    ";
 
-/// The value of the element `curves` that has these curves, as `lipz fmt` lays it out, with `\n` as line ends. Names must
+/// Returns the value of the element `curves`, in the layout of `lipz fmt`, with `\n` as line endings. Names must
 /// differ.
 ///
 /// ```
@@ -21,29 +21,30 @@ pub fn write<'n>(curves: impl IntoIterator<Item = (&'n str, impl IntoIterator<It
     laid_out(&lines.collect::<Vec<_>>(), "\n")
 }
 
-/// The keys of a curve, one behind the other.
+/// Returns the keys of a curve, separated by spaces.
 pub(super) fn keys(keys: impl IntoIterator<Item = (u32, CurveValue)>) -> String {
     let keys: Vec<String> = keys.into_iter().map(|(frame, value)| format!("{frame}:{value}")).collect();
     keys.join(" ")
 }
 
-/// Names and values, as they are spelled, one below the other.
+/// Lays out names and values, as spelled, one pair per line.
 fn laid_out(lines: &[(String, String)], line_ending: &str) -> String {
     if lines.is_empty() {
         return "{}".to_owned();
     }
-    // Letters, not columns: names of curves are ASCII, and writers of banks do without a table of widths.
+    // Counts characters, not columns: names of curves are ASCII, and programs that write banks then need no table of
+    // widths.
     let width = lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let lines: Vec<String> = lines.iter().map(|(name, value)| format!("{INDENT}{name:width$} : {value}")).collect();
     format!("{{{line_ending}{}{line_ending}  }}", lines.join(&format!(",{line_ending}")))
 }
 
-/// The value in its canonical layout, with names and keys as they are spelled; `None` if it is no object of strings.
+/// Returns the value in its canonical layout, with names and keys as spelled; `None` if it is not an object of strings.
 #[cfg(feature = "format")]
-pub(crate) fn tidy(value: &crate::Raw<'_>, line_ending: &str) -> Option<String> {
+pub(crate) fn tidy(value: &crate::RawJson<'_>, line_ending: &str) -> Option<String> {
     let lines = value.members(&mut Vec::new())?.into_iter().map(|element| match &element.value {
         crate::Value::String(string) => {
-            // Escapes have no blanks in them.
+            // Escapes contain no spaces.
             let spelled = string.spelling();
             let inner = spelled.get(1..spelled.len().checked_sub(1)?)?;
             let words: Vec<&str> = super::key::words(inner).collect();

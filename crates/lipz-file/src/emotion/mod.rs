@@ -1,7 +1,7 @@
-//! Blends of emotions, as people write them: `anger 2.2 + joy 3 over 0.4s`.
+//! Blends of emotions as people write them: `anger 2.2 + joy 3 over 0.4s`.
 //!
-//! In the meta of a text (`{anger 6, joy 1}`) they hold from the word behind it; in events (`feels anger 6 + joy 1`) from
-//! the start of the segment. A blend says what the whole face is: what it does not name is 0.
+//! In the meta of a text (`{anger 6, joy 1}`), they apply from the next word on; in events (`feels anger 6 + joy 1`),
+//! from the start of the segment. A blend describes the whole face: unnamed emotions are 0.
 
 mod near;
 mod presets;
@@ -18,25 +18,25 @@ use crate::text::is_white_space;
 pub struct Blend<'t> {
     /// Its emotions, at least one.
     pub terms: Vec<Term<'t>>,
-    /// Milliseconds in which the face changes; `None` for the project's.
+    /// The milliseconds in which the face changes; `None` for the project's default.
     pub over_ms: Option<u32>,
 }
 
-/// An emotion of a blend, known or not.
+/// An emotion of a blend, possibly unknown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Term<'t> {
     /// Its name.
     pub name: Word<'t>,
-    /// Its value in thousandths, if one is written.
+    /// Its value in thousandths, if specified.
     pub thousandths: Option<i32>,
 }
 
-/// The longest time that a change takes, in milliseconds.
+/// The maximal time of a change, in milliseconds.
 const MOST_OVER_MS: u32 = 60_000;
 
 impl<'t> Blend<'t> {
-    /// The blend that a text spells, which starts at byte `start` of its segment; `None` if it is something else. Its parts are
-    /// separated by `+` or `,`.
+    /// Parses a text as a blend. The text starts at byte `start` of its segment. `None` if it is something else. The
+    /// emotions are separated by `+` or `,`.
     ///
     /// ```
     /// use lipz_file::emotion::Blend;
@@ -64,7 +64,7 @@ impl<'t> Blend<'t> {
         self.terms.iter().any(|term| term.thousandths.is_some())
     }
 
-    /// The emotion with the highest value, the first of several.
+    /// Returns the emotion with the highest value, or the first of several.
     pub fn strongest(&self) -> Option<Word<'t>> {
         let value = |term: &Term<'_>| term.thousandths.unwrap_or(0);
         let most = self.terms.iter().map(value).max()?;
@@ -72,7 +72,7 @@ impl<'t> Blend<'t> {
     }
 }
 
-/// `NAME [VALUE]`.
+/// Parses `NAME [VALUE]`.
 fn term(part: &str, start: usize) -> Option<Term<'_>> {
     let mut words = part.split(is_white_space).filter(|word| !word.is_empty());
     let (name, value) = (words.next()?, words.next());
@@ -86,7 +86,7 @@ fn term(part: &str, start: usize) -> Option<Term<'_>> {
     }
 }
 
-/// `0.4s`, `400ms`.
+/// Parses `0.4s` or `400ms`.
 fn milliseconds(time: &str) -> Option<u32> {
     let (number, is_milli) = match time.strip_suffix("ms") {
         Some(number) => (number, true),
@@ -101,10 +101,10 @@ fn milliseconds(time: &str) -> Option<u32> {
 mod tests {
     use super::*;
 
-    /// Name, value and place of an emotion.
-    type Shown<'t> = (&'t str, Option<i32>, usize);
+    /// Name, value and offset of an emotion.
+    type EmotionTerm<'t> = (&'t str, Option<i32>, usize);
 
-    fn blend(text: &str) -> Option<(Vec<Shown<'_>>, Option<u32>)> {
+    fn blend(text: &str) -> Option<(Vec<EmotionTerm<'_>>, Option<u32>)> {
         let blend = Blend::parse(text, 0)?;
         let terms = blend.terms.iter().map(|term| (term.name.text, term.thousandths, term.name.start));
         Some((terms.collect(), blend.over_ms))

@@ -1,15 +1,15 @@
-//! What is nearly a blend of emotions: `anger 2,2`, `anger 3 and joy 2`, `anger=3`.
+//! Texts that are almost a blend of emotions: `anger 2,2`, `anger 3 and joy 2`, `anger=3`.
 
 use super::Blend;
 use crate::text::is_white_space;
 use std::fmt::Write;
 
-/// What was probably meant by a text that is no blend.
+/// The probable meaning of a text that is not a blend.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NearBlend<'t> {
-    /// The blend, as it would have to be written.
+    /// The blend in the correct spelling.
     pub meant: String,
-    /// What stands behind a `,` and is no emotion: a note.
+    /// The text after a `,` that is not an emotion: a note.
     pub note: Option<&'t str>,
 }
 
@@ -17,17 +17,17 @@ pub struct NearBlend<'t> {
 const AND: [&str; 3] = ["and", "plus", "with"];
 /// Words that people write before the time of a change.
 const OVER: [&str; 3] = ["over", "in", "within"];
-/// Units of that time.
+/// Units of that time for seconds.
 const SECONDS: [&str; 5] = ["s", "sec", "secs", "second", "seconds"];
 const MILLISECONDS: &str = "ms";
 /// Signs that people write between emotions and values.
 const SIGNS: [char; 7] = ['+', ',', ';', '&', '=', ':', '/'];
-/// Digits behind the point that a value has at most.
+/// The maximal number of digits after the decimal point of a value.
 const MOST_DIGITS: usize = 3;
 
 impl<'t> NearBlend<'t> {
-    /// What was meant by a text that is no [`Blend`] of known emotions, if it starts like one: with the name of an emotion, and with
-    /// a number or a second name behind it.
+    /// Returns the probable meaning of a text that is not a [`Blend`] of known emotions. The text must start with the
+    /// name of an emotion, followed by a number or a second name.
     ///
     /// ```
     /// use lipz_file::emotion::NearBlend;
@@ -82,7 +82,7 @@ fn is_blend(text: &str) -> bool {
     Blend::parse(text, 0).is_some()
 }
 
-/// A number as lipz reads it: with a decimal point, a digit before it and at most three behind it.
+/// Returns a number in lipz's spelling: with a decimal point, a digit before it and at most three after it.
 fn decimal(number: &str) -> String {
     let (sign, number) = match number.strip_prefix('-') {
         Some(number) => ("-", number),
@@ -133,7 +133,7 @@ impl<'t> Iterator for Tokens<'t> {
     }
 }
 
-/// Bytes of the number that a text starts with; 0 if there is none.
+/// Returns the length in bytes of the number at the start of a text, or 0.
 fn number_length(text: &str) -> usize {
     let digits = |from: usize| text.as_bytes().iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
     let sign = usize::from(text.starts_with(['-', '+']));

@@ -1,12 +1,13 @@
-//! Presets: single words for emotions, in the twelve attributes.
+//! Presets: single words for blends of the twelve attributes.
 
 use lipz_types::Emotion;
 
-/// Attributes with their values in thousandths; `None` for the project's usual value.
+/// Attributes with their values in thousandths; `None` for the project's default value.
 pub type Feeling = [(Emotion, Option<i32>)];
 
-/// What the words of other sources mean: the eleven emotions of the Lipz specification, the three moods of Fallout's talking
-/// heads, and `calm` and `lying`. A choice, not a fact: the sources only name them. `docs/guides/faces.md` shows the table.
+/// The emotion words of other sources: the eleven emotions of the Lipz specification, the three moods of Fallout's
+/// talking heads, and `calm` and `lying`. The values are our choice, because the sources only name them.
+/// `docs/guides/faces.md` shows the table.
 pub const PRESETS: [(&str, &Feeling); 15] = [
     ("neutral", &[]),
     ("calm", &[]),
@@ -25,7 +26,7 @@ pub const PRESETS: [(&str, &Feeling); 15] = [
     ("bad", &[(Emotion::Anger, Some(3000))]),
 ];
 
-/// The preset with this name.
+/// Returns the preset with this name.
 pub fn preset(name: &str) -> Option<&'static Feeling> {
     PRESETS.iter().find(|(known, _)| *known == name).map(|(_, feeling)| *feeling)
 }

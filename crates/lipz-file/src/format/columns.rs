@@ -1,46 +1,46 @@
-//! Columns: which blanks bring the `|` of all elements under each other.
+//! Columns: the spaces that align the `|` of all elements.
 
 use crate::text::DELIMITER;
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
-/// Columns from the opening quote up to which `|` are aligned: nobody reads further to the side,
-/// and with long segments in many locales blanks would make up most of the file.
+/// The columns after the opening quote in which `|` are aligned. Readers rarely scroll further, and with long segments
+/// in many locales, spaces would make up most of the file.
 const ALIGNED_COLUMNS: usize = 500;
 
-/// The segments of one element, as they are spelled.
-pub(super) struct Row {
+/// The segments of one element, as spelled.
+pub(super) struct SegmentRow {
     segments: Vec<String>,
     is_padded: bool,
 }
 
-impl Row {
-    /// A row to whose segments blanks are added.
-    pub(super) fn padded(segments: Vec<String>) -> Row {
-        Row { segments, is_padded: true }
+impl SegmentRow {
+    /// Returns a row whose segments may be padded.
+    pub(super) fn padded(segments: Vec<String>) -> SegmentRow {
+        SegmentRow { segments, is_padded: true }
     }
 
-    /// A row without spaces: visemes.
-    pub(super) fn fixed(segments: Vec<String>) -> Row {
-        Row { segments, is_padded: false }
+    /// Returns a row without spaces: visemes.
+    pub(super) fn fixed(segments: Vec<String>) -> SegmentRow {
+        SegmentRow { segments, is_padded: false }
     }
 
-    /// The row as a JSON string.
+    /// Returns the row as a JSON string.
     pub(super) fn literal(self) -> String {
         let delimiter = DELIMITER.to_string();
         format!("\"{}\"", self.segments.join(&delimiter))
     }
 }
 
-/// Adds spaces to the ends of segments. The first `|` of all rows stand in the leftmost column that
-/// all of them reach, so do the second ones, and so on. Those of a fixed row stand there, too,
-/// unless another row needs more columns; they meet again where the fixed row has caught up.
-pub(super) fn align(rows: &mut [Row]) {
+/// Adds spaces to the ends of segments. The first `|` of all rows go to the leftmost column that all of them reach, and
+/// likewise the second ones, and so on. This includes those of a fixed row, unless another row needs more columns.
+/// Later ones are aligned again when the fixed row has caught up.
+pub(super) fn align(rows: &mut [SegmentRow]) {
     let mut starts = vec![0; rows.len()];
     for index in 0.. {
         let ends: Vec<Option<usize>> = std::iter::zip(&*rows, &starts)
             .map(|(row, start)| {
-                // The last segment ends with the quote, which nobody needs in a column.
+                // The last segment ends with the quote, which needs no alignment.
                 row.segments.get(index + 1)?;
                 Some(start + width(row.segments.get(index)?))
             })
@@ -57,9 +57,8 @@ pub(super) fn align(rows: &mut [Row]) {
     }
 }
 
-/// Columns of a text in an editor: each character that a reader sees has one or two. Character by
-/// character, because the width of the whole would join Arabic letters that fixed-width fonts keep
-/// apart.
+/// Returns the columns of a text in an editor: one or two for each visible character. Counts characters separately,
+/// because the width of the whole would join Arabic letters that fixed-width fonts keep apart.
 fn width(text: &str) -> usize {
     if text.is_ascii() { text.len() } else { text.graphemes(true).map(UnicodeWidthStr::width).sum() }
 }
@@ -70,10 +69,10 @@ mod tests {
 
     fn aligned(visemes: &str, others: &[&str]) -> Vec<String> {
         let segments = |text: &str| text.split(DELIMITER).map(str::to_owned).collect();
-        let mut rows = vec![Row::fixed(segments(visemes))];
-        rows.extend(others.iter().map(|text| Row::padded(segments(text))));
+        let mut rows = vec![SegmentRow::fixed(segments(visemes))];
+        rows.extend(others.iter().map(|text| SegmentRow::padded(segments(text))));
         align(&mut rows);
-        rows.into_iter().map(Row::literal).collect()
+        rows.into_iter().map(SegmentRow::literal).collect()
     }
 
     #[test]

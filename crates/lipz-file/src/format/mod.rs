@@ -1,9 +1,8 @@
-//! Formatting: a document in its canonical layout, which means the same.
+//! Formatting: a document in its canonical layout, with the same meaning.
 //!
-//! The layout is that of the specification's examples: `visemes`, texts and `events` come first,
-//! one below the other, the opening quotes of all values stand in one column, and blanks at the
-//! ends of segments bring the `|` under each other. The type and the rate of the visemes follow,
-//! then the curves, one a line, and elements that are not of the format.
+//! The layout is that of the specification's examples. `visemes`, texts and `events` come first, one per line. The
+//! opening quotes of all values are aligned, and spaces at the ends of segments align the `|`. Type and rate of the
+//! visemes follow, then the curves, one per line, and elements that are not part of the format.
 
 mod columns;
 mod rewrite;
@@ -13,11 +12,11 @@ pub use rewrite::rewrite;
 
 use crate::locale::{TextName, text_name};
 use crate::{Document, Element, Value, curve};
-use columns::Row;
+use columns::SegmentRow;
 use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
-/// How lines end.
+/// The kind of line endings.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum LineEnding {
     /// `\n`
@@ -28,7 +27,7 @@ pub enum LineEnding {
 }
 
 impl LineEnding {
-    /// How the first line of a text ends.
+    /// Returns the line ending of a text's first line.
     pub fn detect(text: &str) -> LineEnding {
         match text.split_once('\n') {
             Some((line, _)) if line.ends_with('\r') => LineEnding::CrLf,
@@ -44,18 +43,18 @@ impl LineEnding {
     }
 }
 
-/// What a project and a file decide about the layout.
+/// Layout options of a project and a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Style<'a> {
-    /// The locale whose text comes first. Without one, or in a file without a text in it, the
-    /// first text stays the first: it is the one that the clip was written in.
+    /// The locale whose text comes first. Without one, or in a file without a text in it, the first text stays first,
+    /// because the clip was written in its locale.
     pub default_locale: Option<&'a str>,
-    /// How lines end.
+    /// The kind of line endings.
     pub line_ending: LineEnding,
 }
 
-/// The document in canonical layout. Reading it gives the same clip: display texts, events, codes,
-/// numbers and unknown elements are as before. Formatting it again changes nothing.
+/// Returns the document in canonical layout. Parsing it leads to the same clip: display texts, events, codes, numbers
+/// and unknown elements are preserved. Formatting it again changes nothing.
 ///
 /// ```
 /// use lipz_file::format::{Style, format};
@@ -74,15 +73,15 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
     if document.elements.is_empty() {
         return format!("{{}}{line_ending}");
     }
-    let mut elements: Vec<(Role, &Element<'_>)> =
-        document.elements.iter().map(|element| (Role::from_name(&element.name.text), element)).collect();
+    let mut elements: Vec<(ElementRole, &Element<'_>)> =
+        document.elements.iter().map(|element| (ElementRole::from_name(&element.name.text), element)).collect();
     let first = first_text(&elements, style.default_locale);
     if let Some((role, _)) = first.and_then(|index| elements.get_mut(index)) {
-        *role = Role::FirstText;
+        *role = ElementRole::FirstText;
     }
-    elements.sort_by(|(a, _), (b, _)| a.cmp(b)); // stable: unknown elements stay in their order
+    elements.sort_by(|(a, _), (b, _)| a.cmp(b)); // stable: unknown elements keep their order
     let names: Vec<Cow<'_, str>> = elements.iter().map(|(_, element)| element.name.spelling()).collect();
-    let known = || std::iter::zip(&elements, &names).filter(|((role, _), _)| *role != Role::Unknown);
+    let known = || std::iter::zip(&elements, &names).filter(|((role, _), _)| *role != ElementRole::Unknown);
     let value_column = known().map(|(_, name)| name.width()).max().unwrap_or(0);
     let values = values(&elements, line_ending);
     let mut out = String::from("{");
@@ -95,12 +94,12 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
     out + line_ending + "}" + line_ending
 }
 
-/// What an element is to the layout, in the order of the lines.
+/// The role of an element in the layout, in the order of the lines.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Role {
+enum ElementRole {
     Visemes,
     FirstText,
-    /// A text, by its locale.
+    /// A text, with its locale.
     Text(String),
     Events,
     VisemeType,
@@ -109,52 +108,59 @@ enum Role {
     Unknown,
 }
 
-impl Role {
-    fn from_name(name: &str) -> Role {
+impl ElementRole {
+    fn from_name(name: &str) -> ElementRole {
         match name {
-            "visemes" => Role::Visemes,
-            "events" => Role::Events,
-            "viseme_type" => Role::VisemeType,
-            "fps" => Role::Fps,
-            curve::ELEMENT => Role::Curves,
+            "visemes" => ElementRole::Visemes,
+            "events" => ElementRole::Events,
+            "viseme_type" => ElementRole::VisemeType,
+            "fps" => ElementRole::Fps,
+            curve::ELEMENT => ElementRole::Curves,
             _ => match text_name(name) {
-                None => Role::Unknown,
-                Some(TextName::NoLocale) => Role::Text(String::new()),
+                None => ElementRole::Unknown,
+                Some(TextName::NoLocale) => ElementRole::Text(String::new()),
                 Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => {
-                    Role::Text(tag)
+                    ElementRole::Text(tag)
                 }
-                Some(TextName::OtherShape(locale, None)) => Role::Text(locale),
+                Some(TextName::OtherShape(locale, None)) => ElementRole::Text(locale),
             },
         }
     }
 }
 
-/// The index of the text that comes first.
-fn first_text(elements: &[(Role, &Element<'_>)], default_locale: Option<&str>) -> Option<usize> {
-    // A text without locale is read as that of the default locale.
+/// Returns the index of the text that comes first.
+fn first_text(elements: &[(ElementRole, &Element<'_>)], default_locale: Option<&str>) -> Option<usize> {
+    // A text without a locale belongs to the default locale.
     let is_default = |tag: &str| tag.is_empty() || Some(tag) == default_locale;
-    let default = elements.iter().position(|(role, _)| matches!(role, Role::Text(tag) if is_default(tag)));
-    default.or_else(|| elements.iter().position(|(role, _)| matches!(role, Role::Text(_))))
+    let default = elements.iter().position(|(role, _)| matches!(role, ElementRole::Text(tag) if is_default(tag)));
+    default.or_else(|| elements.iter().position(|(role, _)| matches!(role, ElementRole::Text(_))))
 }
 
-/// The values as they are written, with aligned segments.
-fn values<'d>(elements: &[(Role, &'d Element<'d>)], line_ending: &str) -> Vec<Cow<'d, str>> {
+/// Returns the values as written, with aligned segments.
+fn values<'d>(elements: &[(ElementRole, &'d Element<'d>)], line_ending: &str) -> Vec<Cow<'d, str>> {
     let mut rows = Vec::new();
     for (role, element) in elements {
         match (role, &element.value) {
-            (Role::Visemes, Value::String(string)) => rows.push(Row::fixed(spelling::segments(string, false))),
-            (Role::Text(_) | Role::FirstText | Role::Events, Value::String(string)) => {
-                rows.push(Row::padded(spelling::segments(string, true)));
+            (ElementRole::Visemes, Value::String(string)) => {
+                rows.push(SegmentRow::fixed(spelling::segments(string, false)));
+            }
+            (ElementRole::Text(_) | ElementRole::FirstText | ElementRole::Events, Value::String(string)) => {
+                rows.push(SegmentRow::padded(spelling::segments(string, true)));
             }
             _ => {}
         }
     }
     columns::align(&mut rows);
     let mut rows = rows.into_iter();
-    let value = |(role, element): &(Role, &'d Element<'d>)| match (role, &element.value) {
-        (Role::Unknown | Role::VisemeType | Role::Fps | Role::Curves, Value::String(string)) => string.spelling(),
-        (_, Value::String(_)) => Cow::Owned(rows.next().map_or_else(String::new, Row::literal)),
-        (Role::Curves, Value::Other(raw)) => curve::tidy(raw, line_ending).map_or(raw.text.as_ref().into(), Cow::Owned),
+    let value = |(role, element): &(ElementRole, &'d Element<'d>)| match (role, &element.value) {
+        (
+            ElementRole::Unknown | ElementRole::VisemeType | ElementRole::Fps | ElementRole::Curves,
+            Value::String(string),
+        ) => string.spelling(),
+        (_, Value::String(_)) => Cow::Owned(rows.next().map_or_else(String::new, SegmentRow::literal)),
+        (ElementRole::Curves, Value::Other(raw)) => {
+            curve::tidy(raw, line_ending).map_or(raw.text.as_ref().into(), Cow::Owned)
+        }
         (_, Value::Number(raw) | Value::Other(raw)) => Cow::Borrowed(raw.text.as_ref()),
     };
     elements.iter().map(value).collect()

@@ -1,4 +1,4 @@
-//! Writing a changed document over its file, so that everything that did not change stays as it is spelled.
+//! Writes a changed document over its file, and keeps unchanged parts as spelled.
 
 use super::{Style, format};
 use crate::text::is_white_space;
@@ -6,11 +6,11 @@ use crate::{Document, Element, Value, literal};
 use lipz_diagnostics::Span;
 use std::collections::HashSet;
 
-/// The file `source` with the elements of `after`, where `before` is what parsing it gave.
+/// Returns the file `source` with the elements of `after`. `before` is the result of parsing the file.
 ///
-/// A file in canonical layout stays so. In any other one, elements that did not change keep every character, a new
-/// value stands where the old one was, and a new element looks like the one above it. A file that cannot keep its
-/// layout (its elements have another order, or it has none) gets the canonical one.
+/// A file in canonical layout keeps that layout. In other files, unchanged elements keep every character, a new value
+/// replaces the old one, and a new element is formatted like the one above it. A file that cannot keep its layout
+/// (because its elements have a different order, or it has no elements) gets the canonical one.
 ///
 /// ```
 /// use lipz_file::format::{Style, rewrite};
@@ -35,10 +35,10 @@ pub fn rewrite(source: &str, before: &Document<'_>, after: &Document<'_>, style:
     mark.to_owned() + &changed.unwrap_or_else(|| format(after, style))
 }
 
-/// What replaces which bytes of the text.
+/// A range of the text, and its replacement.
 type Change = (Span, String);
 
-/// The changes that make a file of `before` one of `after`; `None` if its layout cannot be kept.
+/// Returns the changes that turn a file of `before` into one of `after`; `None` if its layout cannot be kept.
 fn changes(text: &str, before: &Document<'_>, after: &Document<'_>) -> Option<Vec<Change>> {
     let mut changes = Vec::new();
     let names: HashSet<&str> = before.elements.iter().map(|old| old.name.text.as_ref()).collect();
@@ -54,7 +54,7 @@ fn changes(text: &str, before: &Document<'_>, after: &Document<'_>) -> Option<Ve
             above = Some(same);
             continue;
         }
-        // An element that is further down would stand there twice.
+        // An element that moved up would appear twice.
         if names.contains(element.name.text.as_ref()) {
             return None;
         }
@@ -69,7 +69,7 @@ fn changes(text: &str, before: &Document<'_>, after: &Document<'_>) -> Option<Ve
     old.next().is_none().then_some(changes)
 }
 
-/// Adds what is to be inserted behind an element.
+/// Adds the pending insertion after an element.
 fn flush(above: Option<&Element<'_>>, added: &mut String, changes: &mut Vec<Change>) {
     if let Some(above) = above.filter(|_| !added.is_empty()) {
         let end = above.value.span().range().end;
@@ -77,7 +77,7 @@ fn flush(above: Option<&Element<'_>>, added: &mut String, changes: &mut Vec<Chan
     }
 }
 
-/// An element as it stands below, or above, an element that it should look like.
+/// Formats an element like another one, for insertion after it or, with `is_above`, before it.
 fn alike(text: &str, like: &Element<'_>, element: &Element<'_>, is_above: bool) -> Option<String> {
     let (name, value) = (like.name.span().range(), like.value.span().range());
     let text_before = text.get(..name.start)?;
@@ -97,7 +97,7 @@ fn spelled(value: &Value<'_>) -> String {
     }
 }
 
-/// The text with changes, which ascend and do not overlap.
+/// Applies changes to the text. They must ascend and not overlap.
 fn apply(text: &str, changes: &[Change]) -> Option<String> {
     let mut changed = String::with_capacity(text.len());
     let mut done = 0;
@@ -119,7 +119,7 @@ mod tests {
         Element { name: Cow::Borrowed(name).into(), value: Value::String(Cow::Borrowed(value).into()) }
     }
 
-    /// The file after a change of its elements.
+    /// Returns the file after a change of its elements.
     fn changed<'s>(file: &'s str, change: impl Fn(&mut Vec<Element<'s>>)) -> String {
         let before = crate::parse(file.as_bytes()).document.unwrap();
         let mut after = before.clone();

@@ -1,15 +1,15 @@
-//! How the characters of a segment are spelled.
+//! The spelling of the characters of a segment.
 
 use crate::JsonString;
 use crate::text::{DELIMITER, is_white_space};
 use lipz_diagnostics::escape;
 use std::borrow::Cow;
 
-/// The segments of a string as they are spelled inside of a JSON string; with `trims`, without the
-/// white space at their ends, which is not displayed.
+/// Returns the segments of a string as spelled inside a JSON string. With `trims`, omits the whitespace at their ends,
+/// which is not displayed.
 pub(super) fn segments(string: &JsonString<'_>, trims: bool) -> Vec<String> {
     let mut segments = vec![String::new()];
-    // White space that belongs to the segment if something follows.
+    // Whitespace that belongs to the segment if something follows.
     let mut white_space = String::new();
     for (character, spelled) in string.characters() {
         if character == DELIMITER {
@@ -30,8 +30,8 @@ pub(super) fn segments(string: &JsonString<'_>, trims: bool) -> Vec<String> {
     segments
 }
 
-/// The canonical spelling: characters that can be seen stand for themselves. Those that cannot
-/// (U+00A0, U+200B, marks of direction) stay as they are, so that an escape that shows them is kept.
+/// Returns the canonical spelling. Visible characters stand for themselves. Invisible ones (U+00A0, U+200B, direction
+/// marks) are unchanged, so that an escape that makes them visible is kept.
 fn canonical(character: char, spelled: &str) -> Cow<'_, str> {
     match character {
         '"' => Cow::Borrowed("\\\""),
@@ -39,7 +39,7 @@ fn canonical(character: char, spelled: &str) -> Cow<'_, str> {
         _ if spelled.starts_with('\\') && (character == ' ' || escape::has_shape(character)) => {
             Cow::Owned(character.to_string())
         }
-        // As it is in a document that was not read from a file.
+        // The case of a document that was not read from a file.
         '\0'..='\x1F' if !spelled.starts_with('\\') => Cow::Owned(crate::literal(spelled).trim_matches('"').to_owned()),
         _ => Cow::Borrowed(spelled),
     }

@@ -1,13 +1,13 @@
 //! The two-letter codes of languages and countries.
 
-/// ISO 639-1, in the order of the alphabet, two letters each.
+/// ISO 639-1, in alphabetical order, two letters each.
 const LANGUAGES: &str = "\
     aaabaeafakamanarasavayazbabebgbibmbnbobrbscacechcocrcscucvcydadedvdzeeeleneoeseteufafffifjfofrfygagd\
     glgngugvhahehihohrhthuhyhziaidieigiiikioisitiujajvkakgkikjkkklkmknkokrkskukvkwkylalblglilnloltlulvmg\
     mhmimkmlmnmrmsmtmynanbndnengnlnnnonrnvnyocojomorospapiplpsptqurmrnrorurwsascsdsesgshsiskslsmsnsosqsr\
     ssstsusvswtatetgthtitktltntotrtstttwtyugukuruzvevivowawoxhyiyozazhzu";
 
-/// ISO 3166-1 alpha-2 in lower case, in the order of the alphabet, two letters each.
+/// ISO 3166-1 alpha-2 in lower case, in alphabetical order, two letters each.
 const COUNTRIES: &str = "\
     adaeafagaialamaoaqarasatauawaxazbabbbdbebfbgbhbibjblbmbnbobqbrbsbtbvbwbybzcacccdcfcgchcickclcmcncocr\
     cucvcwcxcyczdedjdkdmdodzeceeegeheresetfifjfkfmfofrgagbgdgegfggghgiglgmgngpgqgrgsgtgugwgyhkhmhnhrhthu\

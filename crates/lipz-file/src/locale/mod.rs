@@ -5,21 +5,21 @@ mod tag;
 
 pub use tag::LanguageTag;
 
-/// What the name of an element says about a text's locale.
+/// The locale in the name of a text element.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum TextName {
     /// `text_ll-cc`: the locale.
     Canonical(String),
-    /// Another spelling of a locale, `text-en_us`, `text_EN-US`: the locale that is meant.
+    /// A different spelling of a locale, `text-en_us`, `text_EN-US`: the intended locale.
     Misspelt(String),
     /// `text` or `text_` without a locale.
     NoLocale,
-    /// A text whose locale does not have the form `ll-cc`: the locale as written, and the BCP 47
-    /// tag in lower case if it is one.
+    /// A text whose locale does not have the form `ll-cc`: the locale as written, and the BCP 47 tag in lower case if
+    /// it is one.
     OtherShape(String, Option<String>),
 }
 
-/// Reads the name of an element; `None` if it is not that of a text.
+/// Parses the name of an element; `None` if it is not the name of a text.
 ///
 /// ```
 /// use lipz_file::locale::{TextName, text_name};
@@ -37,7 +37,7 @@ pub fn text_name(name: &str) -> Option<TextName> {
     if locale.is_empty() {
         return Some(TextName::NoLocale);
     }
-    // Nearly every name is spelled as it should be.
+    // Nearly every name has the correct spelling.
     if separator == '_' && has_lipz_shape(locale) {
         return Some(TextName::Canonical(locale.to_owned()));
     }
@@ -49,8 +49,8 @@ pub fn text_name(name: &str) -> Option<TextName> {
     Some(TextName::OtherShape(locale.to_owned(), extended))
 }
 
-/// The canonical form of a locale tag (`en_US` is `en-us`); `None` if it does not have the form
-/// `ll-cc`, or with `extended` is not a BCP 47 language tag.
+/// Returns the canonical form of a locale tag (`en-us` for `en_US`). `None` if it does not have the form `ll-cc` or,
+/// with `extended`, is not a BCP 47 language tag.
 ///
 /// ```
 /// use lipz_file::locale::canonical_tag;
@@ -71,12 +71,12 @@ pub fn has_lipz_shape(tag: &str) -> bool {
     matches!(tag.as_bytes(), [b'a'..=b'z', b'a'..=b'z', b'-', b'a'..=b'z', b'a'..=b'z'])
 }
 
-/// The language part of a tag: `en` of `en-us`.
+/// Returns the language part of a tag: `en` of `en-us`.
 pub fn language(tag: &str) -> &str {
     tag.split('-').next().unwrap_or(tag)
 }
 
-/// Which parts of an `ll-cc` tag are in no ISO list: language (ISO 639-1), country (ISO 3166-1).
+/// Whether the language of an `ll-cc` tag is missing in ISO 639-1, and whether its country is missing in ISO 3166-1.
 pub fn unknown_parts(tag: &str) -> (bool, bool) {
     let (language, country) = tag.split_once('-').unwrap_or((tag, ""));
     (!iso::is_language(language), !iso::is_country(&country.to_ascii_lowercase()))

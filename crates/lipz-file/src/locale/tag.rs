@@ -1,4 +1,4 @@
-//! Language tags (BCP 47, as far as Unicode calls them language identifiers), in lower case.
+//! Language tags (the part of BCP 47 that Unicode calls language identifiers), in lower case.
 
 /// The parts of a language tag in lower case: `zh`, `hant` and `tw` of `zh-hant-tw`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -9,12 +9,12 @@ pub struct LanguageTag<'t> {
     pub script: Option<&'t str>,
     /// Two letters or three digits.
     pub region: Option<&'t str>,
-    /// The first of the variants in the order of the alphabet.
+    /// The alphabetically first variant.
     pub variant: Option<&'t str>,
 }
 
 impl<'t> LanguageTag<'t> {
-    /// Reads a tag in lower case; `None` if it is not a language tag, or has extensions.
+    /// Parses a tag in lower case; `None` if it is not a language tag, or has extensions.
     ///
     /// ```
     /// use lipz_file::locale::LanguageTag;
@@ -48,7 +48,7 @@ fn is_region(subtag: &str) -> bool {
         || (subtag.len() == 3 && subtag.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
-/// Five to eight letters and digits, or a digit and three of them.
+/// Five to eight letters and digits, or a digit followed by three of them.
 fn is_variant(subtag: &str) -> bool {
     let is_alphanumeric = subtag.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit());
     let has_length = match subtag.len() {
@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use icu_locale_core::LanguageIdentifier;
 
-    /// Subtags of every length and kind, in all places: ICU accepts the same tags and sees the same parts.
+    /// Subtags of every length and kind, in all positions: ICU accepts the same tags and finds the same parts.
     #[test]
     fn tags_are_those_of_icu() {
         let subtags = [

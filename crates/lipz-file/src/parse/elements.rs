@@ -1,8 +1,8 @@
-//! From text to elements: serde_json finds them, their places come from where it points.
+//! Parses text to elements: serde_json finds them, and pointers into the text determine their positions.
 
-use super::recover::{Found, Literal, recover};
+use super::recover::{Literal, RecoveredMembers, recover};
 use super::{Fragment, syntax};
-use crate::document::Raw;
+use crate::document::RawJson;
 use crate::{Document, Element, JsonString, Value};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use serde_core::de::{Deserialize, Deserializer, MapAccess, Visitor};
@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt;
 
-/// The elements of the root object, or those that can be read if something is wrong with them.
+/// Returns the elements of the root object, or the readable ones if there are errors.
 pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Result<Document<'s>, Fragment<'s>> {
     let mut deserializer = serde_json::Deserializer::from_str(text);
     let members = Members::deserialize(&mut deserializer);
@@ -33,12 +33,12 @@ pub(super) fn elements<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> 
     if complete { Ok(document) } else { Err(Fragment { document, is_complete: false }) }
 }
 
-/// What can be read of a text that is not JSON.
+/// Returns the readable part of a text that is not JSON.
 fn fragment<'s>(text: &'s str, error: &serde_json::Error, diagnostics: &mut Vec<Diagnostic>) -> Fragment<'s> {
     let before = diagnostics.len();
-    let Found { members, mut is_complete } = recover(text, diagnostics);
+    let RecoveredMembers { members, mut is_complete } = recover(text, diagnostics);
     if diagnostics.len() == before {
-        // Not to be reached: what serde_json does not accept, it does not either.
+        // Unreachable: the recovering parser rejects everything that serde_json rejects.
         diagnostics.push(Diagnostic::new(Code::JsonSyntax, format!("this is not JSON: {error}")));
     }
     let literals = Literals { text, start: 0, has_escapes: has_escapes(text) };
@@ -60,9 +60,9 @@ fn fragment<'s>(text: &'s str, error: &serde_json::Error, diagnostics: &mut Vec<
     Fragment { document: Document { elements }, is_complete }
 }
 
-impl Raw<'_> {
-    /// The members of an object in the order of the file, also those whose name appears twice; `None` if the value is no
-    /// object, or if one of its strings is no text, which is reported.
+impl RawJson<'_> {
+    /// Returns the members of an object in file order, including duplicates. `None` if the value is not an object, or
+    /// if one of its strings is invalid, which is reported.
     pub fn members(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Element<'_>>> {
         let text: &str = &self.text;
         let members = Members::deserialize(&mut serde_json::Deserializer::from_str(text)).ok()?;
@@ -72,7 +72,7 @@ impl Raw<'_> {
     }
 }
 
-/// The members of an object: name and value as they are in the text.
+/// The members of an object: names and values as in the text.
 struct Members<'s>(Vec<(&'s RawValue, &'s RawValue)>);
 
 impl<'de> Deserialize<'de> for Members<'de> {
@@ -104,14 +104,14 @@ fn has_escapes(text: &str) -> bool {
 /// The literals of a text, whose syntax serde_json has accepted.
 struct Literals<'s> {
     text: &'s str,
-    /// Where the text starts in the file.
+    /// The offset of the text in the file.
     start: usize,
-    /// Whether any literal can have escapes: few files have one.
+    /// Whether any literal can have escapes, which few files do.
     has_escapes: bool,
 }
 
 impl<'s> Literals<'s> {
-    /// Where `literal` is in the file.
+    /// Returns the offset of `literal` in the file.
     fn offset(&self, literal: &str) -> usize {
         (literal.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize).wrapping_add(self.start)
     }
@@ -127,7 +127,7 @@ impl<'s> Literals<'s> {
 
     fn value(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<Value<'s>> {
         let start = self.offset(literal);
-        let raw = || Raw { text: Cow::Borrowed(literal), span: Span::new(start, start + literal.len()) };
+        let raw = || RawJson { text: Cow::Borrowed(literal), span: Span::new(start, start + literal.len()) };
         Some(match literal.as_bytes().first() {
             Some(b'"') => Value::String(self.string(literal, diagnostics)?),
             Some(b'-' | b'0'..=b'9') => Value::Number(raw()),
@@ -135,13 +135,13 @@ impl<'s> Literals<'s> {
         })
     }
 
-    /// A string whose quotes are missing, or none of JSON's; it has no escapes.
+    /// Returns a string without quotes, or with quotes that are not valid in JSON. It has no escapes.
     fn bare(&self, content: &'s str) -> JsonString<'s> {
         let start = Span::new(self.offset(content), 0).start;
         JsonString::from_literal(Cow::Borrowed(content), content, start)
     }
 
-    /// The string decoded.
+    /// Decodes the string.
     fn string(&self, literal: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Option<JsonString<'s>> {
         let start = self.offset(literal);
         let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or_default();
@@ -160,12 +160,12 @@ impl<'s> Literals<'s> {
     }
 }
 
-/// Elements that are compared with each other directly.
+/// The most elements that are compared with each other directly.
 const FEW_ELEMENTS: usize = 48;
 
-/// Whether every name appears once; reports and removes the others.
+/// Whether every name appears once. Reports and removes duplicates.
 fn unique(elements: &mut Vec<Element<'_>>, diagnostics: &mut Vec<Diagnostic>) -> bool {
-    // A usual file has a dozen elements: comparing each with each is faster than any table.
+    // A typical file has a dozen elements, and comparing each pair is faster than any table.
     if elements.len() <= FEW_ELEMENTS {
         let texts = elements.iter().map(|element| &element.name.text);
         let is_first =
@@ -184,11 +184,11 @@ fn unique(elements: &mut Vec<Element<'_>>, diagnostics: &mut Vec<Diagnostic>) ->
                 Diagnostic::at(
                     Code::DuplicateElement,
                     span,
-                    format!("the element {} appears again", escape::quoted(&element.name.text)),
+                    format!("the element {} appears twice", escape::quoted(&element.name.text)),
                 )
                 .label("again here")
                 .also(*before, "first here")
-                .help("keep one of them: programs disagree about which one counts"),
+                .help("remove one of the two; programs disagree about which one counts"),
             );
             bound::limit_many(diagnostics);
         } else {

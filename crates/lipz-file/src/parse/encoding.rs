@@ -1,4 +1,4 @@
-//! From bytes to text: UTF-8, with or without a byte order mark.
+//! Decodes bytes to text: UTF-8, with or without a byte order mark.
 
 use super::MAX_FILE_BYTES;
 use lipz_diagnostics::{Code, Diagnostic, Severity, Span, escape};
@@ -7,11 +7,11 @@ use lipz_types::BANK_MAGIC;
 /// U+FEFF in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// What Windows-1252 has at 0x80 to 0x9F; blanks where it has nothing.
+/// Windows-1252 from 0x80 to 0x9F, with spaces for undefined codes.
 const WINDOWS_1252: &str = "€ ‚ƒ„…†‡ˆ‰Š‹Œ Ž  ‘’“”•–—˜™š›œ žŸ";
 
-/// The text of a file without byte order mark, or `None` and the reason why there is none: it is not
-/// UTF-8, or too large.
+/// Returns the text of a file without its byte order mark. Returns `None` and reports the reason if it is not UTF-8 or
+/// too large.
 pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
     if bytes.len() > MAX_FILE_BYTES {
         diagnostics.push(too_large());
@@ -29,26 +29,26 @@ pub fn decode<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<
         diagnostics.push(
             Diagnostic::new(Code::ByteOrderMark, "the file starts with a byte order mark")
                 .note("it is skipped; JSON texts must not start with one (RFC 8259, section 8.1)")
-                .help("save the file as UTF-8 without byte order mark (\"without BOM\")")
-                // Spans count behind the mark, and a text that is written again has none.
+                .help("save the file as UTF-8 without a byte order mark (\"without BOM\")")
+                // Spans count from after the mark, and rewritten text has none.
                 .fix(Span::default(), ""),
         );
     }
-    // The fast check first; it does not tell the place.
+    // The fast check first, which does not return the position.
     let text = simdutf8::basic::from_utf8(without_mark).or_else(|_| std::str::from_utf8(without_mark));
     text.map_err(|error| diagnostics.push(not_utf8(without_mark, error))).ok()
 }
 
-/// The text of a file in which a byte order mark is usual, such as those of other tools: it is skipped. `None` and the
-/// reason, if [`decode`] gives none, or if more than one mark is there: parsers of other formats skip it, too, and then
-/// count from another place.
+/// Returns the text of a file in which a byte order mark is usual, such as those of other tools: the mark is skipped.
+/// Returns `None` and reports the reason if [`decode`] does, or if there is more than one mark: parsers of other
+/// formats skip the second one as well, and their positions would differ.
 pub fn decode_marked<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> Option<&'s str> {
     let bytes = without_byte_order_mark(bytes);
     if bytes.starts_with(BYTE_ORDER_MARK) {
         let span = Span::new(0, BYTE_ORDER_MARK.len());
         let mut diagnostic =
             Diagnostic::at(Code::ByteOrderMark, span, "the file starts with more than one byte order mark")
-                .help("delete all marks but the first; was the file joined from others?");
+                .help("delete all marks but the first; check whether the file was joined from several files");
         diagnostic.severity = Severity::Error;
         diagnostics.push(diagnostic);
         return None;
@@ -56,20 +56,19 @@ pub fn decode_marked<'s>(bytes: &'s [u8], diagnostics: &mut Vec<Diagnostic>) -> 
     decode(bytes, diagnostics)
 }
 
-/// The bytes behind a UTF-8 byte order mark, from which spans count; all of them if there is none.
+/// Returns the bytes after a UTF-8 byte order mark, from which spans count, or all bytes without a mark.
 pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes)
 }
 
-/// The diagnostic for a file longer than [`MAX_FILE_BYTES`], for callers who know its length before
-/// they read it.
+/// Returns the diagnostic for a file longer than [`MAX_FILE_BYTES`], for callers who check the length before reading.
 pub fn too_large() -> Diagnostic {
     Diagnostic::new(Code::FileTooLarge, Code::FileTooLarge.summary())
-        .help("one Lipz file describes one audio file: split the recording")
+        .help("split the recording; one Lipz file describes one audio file")
 }
 
-/// Recognises UTF-16 and UTF-32, and their byte order: by the byte order mark, or by the zero bytes next to the first
-/// brace or blank.
+/// Recognises UTF-16 and UTF-32, with their byte order: by the byte order mark, or by the zero bytes next to the first
+/// brace or space.
 fn wide_encoding(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     match bytes {
         [0xFF, 0xFE, 0, 0, ..] | [1..=0x7F, 0, 0, 0, ..] => Some(("UTF-32", "little-endian")),
@@ -80,18 +79,18 @@ fn wide_encoding(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     }
 }
 
-/// The diagnostic for the first bytes that are not UTF-8, or for a bank, which is named by mistake.
+/// Returns the diagnostic for the first bytes that are not UTF-8, or for a bank in place of a Lipz file.
 fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     if bytes.starts_with(&BANK_MAGIC) {
         return Diagnostic::new(Code::NotUtf8, "the file is a lipz bank, not text")
-            .help("name a Lipz file; a bank can be verified, and unpacked to Lipz files");
+            .help("pass a Lipz file; to restore the Lipz files of a bank, use `lipz unpack`");
     }
     let at = error.valid_up_to();
     let byte = bytes.get(at).copied().unwrap_or_default();
     let span = Span::new(at, error.error_len().map_or(bytes.len(), |length| at + length));
     if error.error_len().is_none() {
         return Diagnostic::at(Code::NotUtf8, span, "the file ends in the middle of a character")
-            .help("was the file cut off while it was copied? copy it again");
+            .help("copy the file again; it may have been cut off");
     }
     let diagnostic = Diagnostic::at(Code::NotUtf8, span, format!("the file is not UTF-8 (byte 0x{byte:02X})"))
         .help("save the file as UTF-8");
@@ -107,25 +106,23 @@ fn not_utf8(bytes: &[u8], error: std::str::Utf8Error) -> Diagnostic {
     }
 }
 
-/// Why bytes that look like UTF-8 are not: programs that write these forms call them UTF-8 all the same.
+/// Explains why bytes that look like UTF-8 are not. Programs that write these forms also call them UTF-8.
 fn forbidden(bytes: &[u8]) -> Option<&'static str> {
     match bytes {
         [0xED, 0xA0..=0xBF, 0x80..=0xBF, ..] => {
-            Some("half of a surrogate pair: the file is CESU-8, as some databases and Java programs write it")
+            Some("this is half of a surrogate pair in CESU-8, which some databases and Java programs write")
         }
         [0xC0 | 0xC1, 0x80..=0xBF, ..]
         | [0xE0, 0x80..=0x9F, 0x80..=0xBF, ..]
-        | [0xF0, 0x80..=0x8F, 0x80..=0xBF, ..] => {
-            Some("an overlong form, which UTF-8 does not allow: the same character has a shorter one")
-        }
+        | [0xF0, 0x80..=0x8F, 0x80..=0xBF, ..] => Some("this is an overlong form, which UTF-8 does not allow"),
         [0xF4, 0x90..=0xBF, 0x80..=0xBF, ..] | [0xF5..=0xF7, 0x80..=0xBF, ..] => {
-            Some("the bytes would stand for a character beyond U+10FFFF, the last one of Unicode")
+            Some("these bytes encode a number above U+10FFFF, the last code point of Unicode")
         }
         _ => None,
     }
 }
 
-/// The character that a byte above 0x7F stands for in Windows-1252.
+/// Returns the character of a byte above 0x7F in Windows-1252.
 fn in_windows_1252(byte: u8) -> Option<char> {
     match byte {
         0x80..=0x9F => WINDOWS_1252.chars().nth(usize::from(byte - 0x80)).filter(|&character| character != ' '),
@@ -167,7 +164,10 @@ mod tests {
         ] {
             assert!(told(bytes).0.contains(expected), "{bytes:?}");
         }
-        assert_eq!(told(b"{\xC0\xAF}"), ("the file is not UTF-8 (byte 0xC0); an overlong form, which UTF-8 does not allow: the same character has a shorter one".into(), 1..2));
+        assert_eq!(
+            told(b"{\xC0\xAF}"),
+            ("the file is not UTF-8 (byte 0xC0); this is an overlong form, which UTF-8 does not allow".into(), 1..2)
+        );
         assert!(told(b"{\xED\xA0\xBD}").0.contains("CESU-8"));
         assert!(told(b"{\xF4\x90\x80\x80}").0.contains("U+10FFFF"));
         assert!(told(b"{\xC0 caf\xE9}").0.contains("`\u{c0}`"), "a letter of Latin-1");

@@ -1,7 +1,7 @@
-//! Fallout 2: LIP files of its talking heads, and what belongs to them.
+//! Fallout 2: LIP files of its talking heads, and related files.
 //!
-//! [`lip`] has the files exactly as they are, [`units`] what their markers count, [`msg`] the texts of the
-//! game, [`heads`] the pictures. docs/guides/fallout-and-second-life.md describes all of them.
+//! [`lip`] contains the files without loss, [`units`] the units of their markers, [`msg`] the texts of the game, and
+//! [`heads`] the animations. docs/guides/fallout-and-second-life.md describes all of them.
 
 pub(crate) mod clip;
 pub mod heads;
@@ -13,13 +13,13 @@ pub mod units;
 use lipz_diagnostics::{Code, Diagnostic};
 use std::ops::Range;
 
-/// The last phoneme code that stands for a sound.
+/// The last phoneme code that stands for a phone.
 pub const LAST_PHONEME: u8 = 0x29;
 
-/// Diagnostics of one kind that are listed of a file; the others are counted.
+/// The most diagnostics of one kind that are listed per file. The rest are counted.
 const LISTED: usize = 100;
 
-/// A diagnostic about these bytes of a file that is not text.
+/// Returns a diagnostic about these bytes of a binary file.
 fn place(code: Code, range: Range<usize>, message: impl Into<String>) -> Diagnostic {
     let diagnostic = Diagnostic::new(code, message);
     match range.end.saturating_sub(1) {
@@ -28,8 +28,8 @@ fn place(code: Code, range: Range<usize>, message: impl Into<String>) -> Diagnos
     }
 }
 
-/// Adds the first diagnostics of one kind, and counts the others in a note of the last: a damaged file
-/// can have millions.
+/// Adds the first diagnostics of one kind, and counts the rest in a note of the last, because a damaged file can have
+/// millions.
 fn list(found: &mut Vec<Diagnostic>, mut diagnostics: impl Iterator<Item = Diagnostic>) {
     found.extend(diagnostics.by_ref().take(LISTED));
     let more = diagnostics.count();

@@ -1,28 +1,28 @@
-//! The game's texts: `.msg` files of entries `{number}{sound}{text}`, read as the game reads them.
+//! The game's texts: `.msg` files of entries `{number}{sound}{text}`, parsed like in the game.
 
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use std::collections::HashMap;
 
-/// Characters that the game reads of a field.
+/// The most characters of a field that the game reads.
 const MOST_CHARACTERS: usize = 1024;
 
 /// An entry of a `.msg` file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Entry {
-    /// The number by which scripts name it.
+    /// The number with which scripts refer to it.
     pub number: i32,
-    /// The file of its sound, without extension; empty if nobody speaks it.
+    /// The name of its audio file, without extension; empty if it is not spoken.
     pub sound: String,
-    /// What is displayed, without line breaks.
+    /// The displayed text, without line breaks.
     pub text: String,
-    /// Where the text is.
+    /// The position of the text.
     pub span: Span,
 }
 
 /// Reads the entries of a `.msg` file. Text outside braces is a comment.
 ///
-/// As in the game, line breaks in fields vanish, and the last of several entries with a number counts. An
-/// error ends the reading: the game refuses the whole file then.
+/// As in the game, line breaks in fields are removed, and of several entries with the same number, the last one counts.
+/// Reading stops at an error, because the game then rejects the whole file.
 ///
 /// ```
 /// let (entries, diagnostics) = lipz_interop::fallout::msg::read("# Hakunin\n{104}{hak001}{Greetings, Chosen.}\n");
@@ -30,7 +30,7 @@ pub struct Entry {
 /// assert!(diagnostics.is_empty());
 /// ```
 pub fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>) {
-    let mut reading = Reading { text, at: 0, found: Vec::new() };
+    let mut reading = MsgReader { text, at: 0, found: Vec::new() };
     let mut entries = Vec::<Entry>::new();
     let mut places = HashMap::<i32, usize>::new();
     loop {
@@ -44,9 +44,10 @@ pub fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>) {
         };
         match places.get(&entry.number).and_then(|&index| entries.get_mut(index)) {
             Some(first) => {
-                let message = format!("entry {} is written twice", entry.number);
-                let diagnostic = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "the first one");
-                reading.found.push(diagnostic.note("the game shows the last one; so does lipz"));
+                let message = format!("entry {} appears twice", entry.number);
+                let diagnostic =
+                    Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "first definition");
+                reading.found.push(diagnostic.note("lipz uses the last one, as the game does"));
                 *first = entry;
             }
             None => {
@@ -58,29 +59,30 @@ pub fn read(text: &str) -> (Vec<Entry>, Vec<Diagnostic>) {
     (entries, reading.found)
 }
 
-/// The texts by the names of their sounds, in lower case. The first of several that have a sound counts.
+/// Returns the entries by the names of their recordings, in lower case. If several have the same recording, the first
+/// one counts.
 pub fn by_sound(entries: &[Entry]) -> (HashMap<String, &Entry>, Vec<Diagnostic>) {
     let (mut texts, mut found) = (HashMap::<String, &Entry>::new(), Vec::new());
     for entry in entries.iter().filter(|entry| !entry.sound.is_empty()) {
         let first = *texts.entry(entry.sound.to_ascii_lowercase()).or_insert(entry);
         if first.text != entry.text {
-            let message = format!("{} has another text in entry {}", escape::quoted(&entry.sound), first.number);
-            let diagnostic = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "which is used");
-            found.push(diagnostic.help("each sound has one text in the clip that is made of it"));
+            let message = format!("{} has a different text in entry {}", escape::quoted(&entry.sound), first.number);
+            let diagnostic = Diagnostic::at(Code::MsgEntry, entry.span, message).also(first.span, "this text is used");
+            found.push(diagnostic.help("write the same text into both entries; a clip has one text per sound file"));
         }
     }
     (texts, found)
 }
 
-/// What is left of the file, and what was found.
-struct Reading<'t> {
+/// The state of reading a file.
+struct MsgReader<'t> {
     text: &'t str,
-    /// Bytes that were read.
+    /// The offset of the unread rest in bytes.
     at: usize,
     found: Vec<Diagnostic>,
 }
 
-/// The inside of a pair of braces.
+/// The content of a pair of braces.
 #[derive(Clone, Copy)]
 struct Field<'t> {
     written: &'t str,
@@ -92,7 +94,7 @@ impl Field<'_> {
         Span::new(self.start, self.start + self.written.len())
     }
 
-    /// The field as the game reads it.
+    /// Returns the field without line breaks, as in the game.
     fn joined(self) -> String {
         self.written.chars().filter(|c| !matches!(c, '\r' | '\n')).collect()
     }
@@ -100,18 +102,18 @@ impl Field<'_> {
 
 type Result<T> = std::result::Result<T, Box<Diagnostic>>;
 
-impl<'t> Reading<'t> {
-    /// The next entry; `None` at the end of the file.
+impl<'t> MsgReader<'t> {
+    /// Returns the next entry; `None` at the end of the file.
     fn entry(&mut self) -> Result<Option<Entry>> {
         let Some(number) = self.field()? else { return Ok(None) };
         let sound = self.rest_of_entry(number)?;
         let text = self.rest_of_entry(number)?;
         let Some(parsed) = parse_number(&number.joined()) else {
-            let message = format!("{} is no number", escape::quoted(number.written));
+            let message = format!("{} is not a number", escape::quoted(number.written));
             return Err(refusal(
                 number.span(),
                 message,
-                "an entry is {number}{sound}{text}: {104}{hak001}{Greetings.}",
+                "write {number}{sound}{text}, such as {104}{hak001}{Greetings.}",
             ));
         };
         self.look_at(text);
@@ -120,11 +122,11 @@ impl<'t> Reading<'t> {
 
     fn rest_of_entry(&mut self, number: Field<'_>) -> Result<Field<'t>> {
         self.field()?.ok_or_else(|| {
-            refusal(number.span(), "the entry has fewer than three fields".into(), "an entry is {number}{sound}{text}")
+            refusal(number.span(), "the entry has fewer than three fields".into(), "write {number}{sound}{text}")
         })
     }
 
-    /// The next pair of braces; `None` if there is none any more.
+    /// Returns the next pair of braces; `None` if there are no more.
     fn field(&mut self) -> Result<Option<Field<'t>>> {
         let rest = self.text.get(self.at..).unwrap_or_default();
         let Some(brace) = rest.find(['{', '}']) else { return Ok(None) };
@@ -132,28 +134,28 @@ impl<'t> Reading<'t> {
         let inside = self.text.get(start..).unwrap_or_default();
         if rest.get(brace..).is_some_and(|found| found.starts_with('}')) {
             let help = "remove it, or write the `{` before it";
-            return Err(refusal(Span::new(start - 1, start), "`}` closes no field".into(), help));
+            return Err(refusal(Span::new(start - 1, start), "`}` does not close a field".into(), help));
         }
         let Some(end) = inside.find('}') else {
             let span = Span::new(start - 1, start);
-            return Err(refusal(span, "the field has no `}`".into(), "write `}` where the field ends"));
+            return Err(refusal(span, "the field has no `}`".into(), "write `}` at the end of the field"));
         };
         let field = Field { written: inside.get(..end).unwrap_or_default(), start };
         self.at = start + end + 1;
         let length = field.joined().chars().count();
         if length > MOST_CHARACTERS {
-            let message = format!("the field has {length} characters; the game reads {MOST_CHARACTERS}");
-            return Err(refusal(field.span(), message, "divide it into several entries"));
+            let message = format!("the field has {length} characters, but the game reads {MOST_CHARACTERS}");
+            return Err(refusal(field.span(), message, "split it into several entries"));
         }
         Ok(Some(field))
     }
 
-    /// Looks for what the author of a text did not mean.
+    /// Checks a field for likely mistakes.
     fn look_at(&mut self, field: Field<'_>) {
         if let Some(at) = field.written.find('{') {
             let span = Span::new(field.start + at, field.start + at + 1);
             let diagnostic = Diagnostic::at(Code::MsgEntry, span, "a field starts within a text");
-            self.found.push(diagnostic.note("the game displays `{`").help("write the `}` that is missing before it"));
+            self.found.push(diagnostic.note("the game displays `{`").help("write the missing `}` before it"));
         }
         let mut before = 0;
         for line in field.written.split_inclusive('\n') {
@@ -165,7 +167,7 @@ impl<'t> Reading<'t> {
                 let diagnostic = Diagnostic::at(Code::MsgEntry, span, "words run together at a line break");
                 self.found.push(
                     diagnostic
-                        .note("the game reads line breaks as nothing; so does lipz")
+                        .note("lipz ignores line breaks, as the game does")
                         .help("write a space before the line break"),
                 );
             }
@@ -175,10 +177,10 @@ impl<'t> Reading<'t> {
 }
 
 fn refusal(span: Span, message: String, help: &str) -> Box<Diagnostic> {
-    Box::new(Diagnostic::at(Code::MsgSyntax, span, message).note("the game refuses the whole file").help(help))
+    Box::new(Diagnostic::at(Code::MsgSyntax, span, message).note("the game rejects the whole file").help(help))
 }
 
-/// A number as the game reads it: a sign if there is one, then digits.
+/// Parses a number as the game does: an optional sign, then digits.
 fn parse_number(text: &str) -> Option<i32> {
     text.parse().ok()
 }
@@ -205,19 +207,19 @@ mod tests {
     #[test]
     fn errors_end_the_reading() {
         for (text, message) in [
-            ("{1}{}{a}}{2}{}{b}", "`}` closes no field"),
+            ("{1}{}{a}}{2}{}{b}", "`}` does not close a field"),
             ("{1}{}{a}{2}{}{b", "the field has no `}`"),
             ("{1}{}{a}{2}{}", "the entry has fewer than three fields"),
-            ("{1}{}{a}{ 2}{}{b}", "` 2` is no number"),
-            ("{1}{}{a}{}{}{b}", "`` is no number"),
-            ("{1}{}{a}{99999999999}{}{b}", "`99999999999` is no number"),
+            ("{1}{}{a}{ 2}{}{b}", "` 2` is not a number"),
+            ("{1}{}{a}{}{}{b}", "`` is not a number"),
+            ("{1}{}{a}{99999999999}{}{b}", "`99999999999` is not a number"),
         ] {
             let (entries, found) = read(text);
             assert_eq!((entries.len(), found.len()), (1, 1), "{text}: {found:?}");
             assert_eq!(found.first().map(|diagnostic| diagnostic.message.as_str()), Some(message));
         }
         let long = format!("{{1}}{{}}{{{}}}", "ü".repeat(1025));
-        assert_eq!(headlines(&long), ["the field has 1025 characters; the game reads 1024"]);
+        assert_eq!(headlines(&long), ["the field has 1025 characters, but the game reads 1024"]);
         assert!(headlines(&long.replacen('ü', "", 1)).is_empty());
     }
 

@@ -1,16 +1,16 @@
-//! How long a sound is, by the header of its file: WAV, or the game's own ACM.
+//! The length of a recording, from the header of its file: WAV, or the game's own ACM.
 
 use crate::Time;
 use std::io::Read;
 
-/// What an ACM file starts with: its magic number and version.
+/// The first bytes of an ACM file: its magic number and version.
 const ACM_START: [u8; 4] = [0x97, 0x28, 0x03, 0x01];
-/// Bytes of an ACM header: start, samples, channels, samples a second.
+/// The size of an ACM header in bytes: start, samples, channels, samples per second.
 const ACM_HEADER_BYTES: usize = 12;
-/// Samples a second at which the engine plays every ACM file, as one channel, whatever the header says.
+/// The sample rate at which the engine plays every ACM file, as mono, whatever the header states.
 const ACM_RATE: u32 = 22_050;
 
-/// The length of a WAV or ACM file; of it, only the header is read. `None` if it is neither.
+/// Returns the length of a WAV or ACM file, or `None` if it is neither. Only the header is read.
 pub fn length(mut file: impl Read) -> Option<Time> {
     let mut header = [0; ACM_HEADER_BYTES];
     file.read_exact(&mut header).ok()?;

@@ -1,21 +1,21 @@
-//! What the positions of markers count: bytes of decoded sound, of which a second has as many as the engine, or
-//! the tool that made the file, thought.
+//! The units of marker positions: bytes of decoded audio. Their number per second is the one assumed by the engine, or
+//! by the tool that made the file.
 
 use crate::Time;
 use lipz_diagnostics::{Code, Diagnostic};
 
-/// Units in a second of the game's files: the engine plays every sound as one channel of 16 bits at 22,050 Hz.
+/// The units per second of the game's files: the engine plays all audio as mono, with 16 bits at 22,050 Hz.
 pub const USUAL: u32 = 44_100;
 
-/// Units in a second that are known, the usual one first. The document has "4 x 22100", which is a stereo rate
-/// with a slip; the one before it is the rate that it probably means.
+/// All known units per second, the usual one first. The game's documentation has "4 x 22100", a stereo rate with a
+/// typing error. The second entry is the rate that it probably means.
 pub const KNOWN: [u32; 3] = [USUAL, 88_200, 88_400];
 
-/// How far the last marker may be from the end of the sound, as a part of its length.
+/// The largest distance between the last marker and the end of the recording, as a fraction (1/100) of its length.
 const TOLERANCE: u64 = 100;
 
-/// The known units by which `last_position` is nearest to the end of a sound of this length, and a warning
-/// if it is not near by any of them.
+/// Returns the known unit with which `last_position` is nearest to the end of a recording of this length, and a warning
+/// if no unit comes close.
 ///
 /// ```
 /// use lipz_interop::{Time, fallout::units::nearest};
@@ -30,10 +30,10 @@ pub fn nearest(last_position: u32, sound: Time) -> (u32, Option<Diagnostic>) {
         return (units, None);
     }
     let end = Time::new(u64::from(last_position), units);
-    let message = format!("the last marker is at {end}, but the sound ends at {sound}");
+    let message = format!("the last marker is at {end}, but the sound file ends at {sound}");
     let diagnostic = Diagnostic::new(Code::LipTimeBase, message)
-        .note(format!("at {units} units a second, which comes nearest"))
-        .help("is it the sound of this file? set the right `units-per-second`");
+        .note(format!("at {units} units per second, the closest match"))
+        .help("check whether the sound file belongs to this LIP file, or name its units per second: --file-rate");
     (units, Some(diagnostic))
 }
 
@@ -56,7 +56,7 @@ mod tests {
     fn the_sound_of_another_file_is_told() {
         let (units, warning) = nearest(44_100, Time::new(3, 1));
         assert_eq!(units, 44_100);
-        let message = "the last marker is at 1.000 s, but the sound ends at 3.000 s";
+        let message = "the last marker is at 1.000 s, but the sound file ends at 3.000 s";
         assert_eq!(warning.map(|diagnostic| diagnostic.message).as_deref(), Some(message));
         assert!(nearest(u32::MAX, Time::ZERO).1.is_some());
     }

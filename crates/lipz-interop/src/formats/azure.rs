@@ -1,30 +1,30 @@
-//! Azure visemes: events with an audio offset and a viseme id from 0 to 21 (those of Microsoft's SAPI).
+//! Azure visemes: events with an audio offset and a viseme ID from 0 to 21 (the IDs of Microsoft's SAPI).
 //!
-//! The service counts ticks of 100 ns; most programs store milliseconds, as Microsoft's samples print them.
-//! Both are read, in the spellings of the SDKs and of the service's own messages, as a bare array or below
-//! `visemes`, `events` or `Metadata`.
+//! The service uses ticks of 100 ns; most programs store milliseconds, as Microsoft's samples print them. Both units
+//! are read, in the spellings of the SDKs and of the service's own messages, as a bare array or below `visemes`,
+//! `events` or `Metadata`.
 
 use super::Format;
 use crate::json::{self, Node};
 use crate::{ImportOptions, Shape, Time, Track, source};
 use lipz_diagnostics::Diagnostic;
 
-/// Ticks in a second: the unit of the service.
+/// The ticks per second, the unit of the service.
 const TICKS: u32 = 10_000_000;
-/// Milliseconds in a second: the unit of programs that divide the ticks, as Microsoft's samples do.
+/// The milliseconds per second, the unit of programs that divide the ticks like Microsoft's samples.
 const MILLISECONDS: u32 = 1_000;
-/// Nobody speaks a thousand visemes a second: offsets that are closer than these ticks on average are
-/// milliseconds.
+/// The least average distance of offsets in ticks. Closer offsets are milliseconds, because speech never has a thousand
+/// visemes per second.
 const FEWEST_TICKS: u64 = 10_000;
 
-/// How SDKs and programs spell the offset; the case of letters makes no difference.
+/// The spellings of the offset in SDKs and programs. Case is ignored.
 const OFFSET: &[&str] = &["audio_offset", "audioOffset", "offset", "privAudioOffset"];
-/// The same, where the name says that these are milliseconds.
+/// The spellings that indicate milliseconds.
 const OFFSET_MS: &[&str] = &["offset_ms", "offsetMs", "audio_offset_ms", "audioOffsetMs"];
 const ID: &[&str] = &["viseme_id", "visemeId", "id", "viseme", "privVisemeId"];
-/// Where events are below an object; `Metadata` in the messages of the service.
+/// The members of an object that contain the events; `Metadata` in the messages of the service.
 const LISTS: &[&str] = &["visemes", "events", "Metadata"];
-/// Where the message of the service has the members of an event.
+/// The member of the service's messages that contains the members of an event.
 const DATA: &[&str] = &["Data"];
 
 pub(super) const FORMAT: Format = Format {
@@ -47,7 +47,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     let Some(events) = list.and_then(Node::items) else {
         let what = "a list of viseme events, \"visemes\" or \"events\",";
         diagnostics.push(if root.get(&["BlendShapes"]).is_some() {
-            root.lacks(what).help("these are blend shapes, which have no mouth shapes: ask the service for viseme ids")
+            root.lacks(what)
+                .help("request viseme ids from the service; this file has blend shapes instead of mouth shapes")
         } else {
             root.lacks(what)
         });
@@ -57,14 +58,14 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     let read: Vec<Offset<'_>> = events.into_iter().filter_map(|event| offset(event, diagnostics)).collect();
     let per_second = if are_milliseconds(&read) { MILLISECONDS } else { TICKS };
     for Offset { text, symbol, id, .. } in &read {
-        // A fraction of a millisecond stays: it is a time in thousandths of a second.
+        // Fractions of a millisecond are kept: the text is parsed as thousandths of a second.
         let time = Time::parse(&format!("{text}{}", if per_second == TICKS { "e-7" } else { "e-3" }));
         if let Some(start) = time {
             track.shapes.push(Shape::at(id.span(), start, symbol.clone()));
         }
     }
     if per_second == MILLISECONDS && !read.iter().all(|offset| offset.is_ms) {
-        track.remarks.push("the offsets are read as milliseconds, not as ticks of 100 ns".to_owned());
+        track.remarks.push("offsets read as milliseconds, not as ticks of 100 ns".to_owned());
     }
     if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol == "0") {
         track.end = track.shapes.pop().map(|last| last.start);
@@ -72,17 +73,17 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     vec![track]
 }
 
-/// A viseme event, before the unit of its offset is known.
+/// A viseme event, before the unit of its offset is determined.
 struct Offset<'s> {
     /// The digits of the offset.
     text: String,
-    /// Whether its name says that it is in milliseconds.
+    /// Whether its name indicates milliseconds.
     is_ms: bool,
     symbol: String,
     id: Node<'s>,
 }
 
-/// The event, or what it lacks.
+/// Returns the event, or reports a missing member.
 fn offset<'s>(event: Node<'s>, diagnostics: &mut Vec<Diagnostic>) -> Option<Offset<'s>> {
     let event = event.get(DATA).unwrap_or(event);
     let in_ms = event.get(OFFSET_MS);
@@ -101,8 +102,8 @@ fn offset<'s>(event: Node<'s>, diagnostics: &mut Vec<Diagnostic>) -> Option<Offs
     Some(Offset { text, is_ms: in_ms.is_some(), symbol, id })
 }
 
-/// Whether the offsets are milliseconds: a name says so, one has a fraction, or as ticks they would be
-/// closer together than anybody speaks.
+/// Whether the offsets are milliseconds: a name indicates it, one has a fraction, or as ticks they would be closer
+/// together than in any speech.
 fn are_milliseconds(offsets: &[Offset<'_>]) -> bool {
     let last = offsets.iter().filter_map(|offset| offset.text.parse::<u64>().ok()).max().unwrap_or(0);
     let gaps = u64::try_from(offsets.len()).unwrap_or(u64::MAX).saturating_sub(1);

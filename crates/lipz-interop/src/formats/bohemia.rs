@@ -1,11 +1,11 @@
-//! Bohemia Interactive, `.lip`: lines `time, shape`, seconds and 0 to 7. The first shape is 0 at 0.000; the
-//! last line is the end, with -1. A first line `frame = 0.040` tells the step.
+//! Bohemia Interactive, `.lip`: lines `time, shape`, with seconds and shapes 0 to 7. The first shape is 0 at 0.000; the
+//! last line is the end, with -1. An optional first line `frame = 0.040` sets the step.
 
 use super::Format;
 use crate::{ImportOptions, Shape, Time, Track, source};
 use lipz_diagnostics::{Code, Diagnostic};
 
-/// What stands for the shape in the last line.
+/// The shape in the last line.
 const END: &str = "-1";
 
 pub(super) const FORMAT: Format = Format {
@@ -47,7 +47,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
         }
     }
     if track.end.is_none() && diagnostics.is_empty() && !track.shapes.is_empty() {
-        diagnostics.push(source::cut_off(text, "it has no line with -1 that says when the recording ends"));
+        diagnostics.push(source::cut_off(text, "it has no line with -1 for the end of the recording"));
     }
     vec![track]
 }

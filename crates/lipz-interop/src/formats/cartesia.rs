@@ -1,11 +1,11 @@
 //! Timestamps of Cartesia's voices: the messages of its stream, each a JSON object. `phoneme_timestamps` has phones in
-//! the letters of the IPA with starts and ends in seconds, `word_timestamps` the words; all other messages are sound.
+//! IPA with starts and ends in seconds, and `word_timestamps` has the words. All other messages are audio.
 
 use super::Format;
 use crate::json::{self, Node};
 use crate::source::{self, Line};
 use crate::textgrid::clip::phone_symbol;
-use crate::{ImportOptions, Shape, Time, Timed, Track};
+use crate::{ImportOptions, Shape, Time, TimedText, Track};
 use lipz_diagnostics::{Code, Diagnostic};
 
 pub(super) const FORMAT: Format = Format {
@@ -34,19 +34,19 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
             ended = ended.max(Some(phone.end));
         }
         let words = stretches(message, "word_timestamps", "words", diagnostics);
-        track.words.extend(words.into_iter().map(|word| Timed { start: word.start, text: word.label }));
+        track.words.extend(words.into_iter().map(|word| TimedText { start: word.start, text: word.label }));
         if message.get(&["type"]).and_then(Node::string).is_some_and(|kind| kind == "error") {
             let what = message.get(&["message", "error"]).and_then(Node::string).unwrap_or_default();
             let diagnostic =
-                Diagnostic::at(Code::ForeignValue, message.span(), format!("the voice reports an error: {what}"));
-            diagnostics.push(diagnostic.help("ask for the recording again"));
+                Diagnostic::at(Code::ForeignValue, message.span(), format!("the service reports an error: {what}"));
+            diagnostics.push(diagnostic.help("request the recording again"));
         }
     }
     track.end = ended;
     vec![track]
 }
 
-/// The messages: one after the other, as an array, or as server-sent events, whose `data:` they are.
+/// Returns the messages, which may be concatenated, an array, or the `data:` of server-sent events.
 fn messages<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Node<'t>> {
     let data = |line: Line<'t>| {
         let json = line.text.strip_prefix("data:")?;
@@ -77,9 +77,9 @@ struct Stretch {
     span: lipz_diagnostics::Span,
 }
 
-/// The stretches that a message has under `name`, their labels under `labels`.
+/// Returns the stretches that a message has under `name`, with their labels under `labels`.
 fn stretches(message: Node<'_>, name: &str, labels: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Stretch> {
-    // In some versions, the timestamps are the whole message.
+    // In some versions, the whole message consists of the timestamps.
     let holder = message.get(&[name]).or_else(|| message.get(&[labels]).map(|_| message));
     let Some(holder) = holder.filter(|holder| holder.is_object()) else { return Vec::new() };
     let mut list = |name: &str| {

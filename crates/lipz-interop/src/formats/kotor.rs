@@ -1,9 +1,9 @@
-//! Star Wars: Knights of the Old Republic, LIP V1.0: little-endian, a header of 16 bytes, then keys of five
-//! bytes: the time in seconds as a 32-bit float, and the shape from 0 to 15.
+//! Star Wars: Knights of the Old Republic, LIP V1.0: little-endian, a header of 16 bytes, then keys of five bytes: the
+//! time in seconds as a 32-bit float, and the shape from 0 to 15.
 //!
-//! The engine blends linearly from key to key (reone, a reimplementation, does the same). So the shape of a key is
-//! the dominant one from halfway behind the key before to halfway before the next; two keys of one shape hold
-//! it; and the last key stands at the length, because behind it there is nothing to blend to.
+//! The engine blends linearly between keys, and so does reone, a reimplementation. Therefore the shape of a key
+//! dominates from halfway after the previous key to halfway before the next, and two keys with the same shape hold it.
+//! The last key is at the end of the recording, because there is nothing to blend to after it.
 
 use super::Format;
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track};
@@ -12,7 +12,7 @@ use lipz_diagnostics::{Code, Diagnostic};
 const MAGIC: &[u8; 8] = b"LIP V1.0";
 const HEADER_BYTES: usize = 16;
 const KEY_BYTES: usize = 5;
-/// Shapes have numbers below this.
+/// The number of shapes, which is above all shape numbers.
 const SHAPES: u8 = 16;
 
 pub(super) const FORMAT: Format = Format {
@@ -34,7 +34,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     }
     if !bytes.starts_with(MAGIC) {
         let diagnostic = Diagnostic::new(Code::ForeignSyntax, "the file does not start with `LIP V1.0`");
-        diagnostics.push(at(diagnostic, 0).help("is it a LIP file of another game?"));
+        diagnostics.push(at(diagnostic, 0).help("check whether it is a LIP file of a different game"));
         return Vec::new();
     }
     let (header, keys) = bytes.split_at(HEADER_BYTES);
@@ -43,7 +43,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     let mut track = Track::default();
     let mut keys_read = Vec::new();
     if keys.len() / KEY_BYTES < count {
-        let missing = format!("its header counts {count} keys, but there are {}", keys.len() / KEY_BYTES);
+        let missing = format!("its header counts {count} keys, but it has {}", keys.len() / KEY_BYTES);
         diagnostics.push(cut_off(bytes.len(), &missing));
         return Vec::new();
     }
@@ -60,7 +60,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
             Some(_) if shape >= SHAPES => {
                 let message = format!("the shape {shape} does not exist");
                 let diagnostic = at(Diagnostic::new(Code::ForeignValue, message), place + KEY_BYTES - 1);
-                diagnostics.push(diagnostic.help("shapes have numbers from 0 to 15"));
+                diagnostics.push(diagnostic.help("write a number from 0 to 15"));
             }
             Some(time) => keys_read.push((time, shape)),
         }
@@ -79,7 +79,7 @@ fn at(diagnostic: Diagnostic, byte: usize) -> Diagnostic {
 
 fn cut_off(length: usize, missing: &str) -> Diagnostic {
     let diagnostic = Diagnostic::new(Code::ForeignCutOff, format!("the file ends too early: {missing}"));
-    at(diagnostic, length).help("copy it again")
+    at(diagnostic, length).help("copy the file again")
 }
 
 fn word(bytes: Option<&[u8]>) -> u32 {
@@ -90,8 +90,8 @@ fn float(bytes: Option<&[u8]>) -> f32 {
     f32::from_bits(word(bytes))
 }
 
-/// Each shape from the time at which it is the dominant one. Keys whose times run backwards stay where they
-/// are, so that it is noticed.
+/// Returns each shape with the start of its dominance. Keys whose times run backwards keep their times, so that they
+/// are reported.
 fn dominant(keys: &[(Time, u8)]) -> Vec<Shape> {
     let mut before: Option<Time> = None;
     let shape = |&(time, shape): &(Time, u8)| {
@@ -102,7 +102,7 @@ fn dominant(keys: &[(Time, u8)]) -> Vec<Shape> {
     keys.iter().map(shape).collect()
 }
 
-/// Keys between which the engine blends in the time of a frame, around the moment at which shapes change.
+/// Returns keys between which the engine blends for the length of a frame, centred on the change of shapes.
 fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rate = track.rate.unwrap_or(DEFAULT_RATE);
     let half_a_frame = Time::of_frame(1, rate).as_f64() / 2.0;
@@ -110,17 +110,19 @@ fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let mut keys: Vec<(f64, u8)> = Vec::new();
     let mut shapes = track.shapes.iter().peekable();
     while let Some(shape) = shapes.next() {
-        // A table of one's own may name anything; the engine has sixteen shapes.
+        // A custom table may name anything, but the engine has sixteen shapes.
         let Some(number) = shape.symbol.parse::<u8>().ok().filter(|number| *number < SHAPES) else {
             let message = format!("{} is not a shape of the engine", lipz_diagnostics::escape::quoted(&shape.symbol));
-            diagnostics.push(Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes are 0 to 15"));
+            diagnostics.push(
+                Diagnostic::new(Code::ExportLoss, message).note("it is left out; shapes have numbers from 0 to 15"),
+            );
             continue;
         };
         let end = shapes.peek().map(|next| next.start.as_f64());
         let first = if keys.is_empty() { 0.0 } else { shape.start.as_f64() + half_a_frame };
         let last = end.map_or(length, |end| end - half_a_frame);
         keys.push((first.min(last), number));
-        // Of a shape that lasts for a frame, both are the same moment.
+        // For a shape of one frame, both times are equal.
         if last - first > half_a_frame {
             keys.push((last, number));
         }

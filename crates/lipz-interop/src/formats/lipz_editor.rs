@@ -1,9 +1,9 @@
-//! JSON of the Lipz author's first editor: nearly Lipz files, with `visemeType`, with frame rate and type in a
-//! nested `source`, several objects joined by commas, and `|` that is in the texts but lost from the visemes.
+//! JSON of the Lipz author's first editor. It resembles Lipz files, but has `visemeType`, stores frame rate and type in
+//! a nested `source`, joins several objects with commas, and lacks the `|` of the texts in the visemes.
 
 use super::Format;
 use crate::json::{self, Node};
-use crate::{DEFAULT_RATE, ImportOptions, Shape, Text, Time, Timed, Track, source};
+use crate::{DEFAULT_RATE, ImportOptions, Shape, Text, Time, TimedText, Track, source};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::rate::Rate;
@@ -60,7 +60,7 @@ fn track(object: Node<'_>, number: usize, diagnostics: &mut Vec<Diagnostic>) -> 
     Some(track)
 }
 
-/// The member of the object, or of its `source`.
+/// Returns the member of the object, or of its `source`.
 fn of_clip<'s>(object: Node<'s>, names: &[&str]) -> Option<Node<'s>> {
     object.get(names).or_else(|| object.get(&["source"])?.get(names))
 }
@@ -83,7 +83,7 @@ fn viseme_type(object: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vi
     found
 }
 
-/// A shape for each code, and a phrase for each segment of the visemes, if they have any.
+/// Adds a shape for each code, and a phrase for each segment of the visemes, if they have segments.
 fn shapes(place: Span, visemes: &str, rate: Rate, track: &mut Track) {
     let mut frame = 0;
     let mut segments = vec![Time::ZERO];
@@ -97,19 +97,19 @@ fn shapes(place: Span, visemes: &str, rate: Rate, track: &mut Track) {
         }
     }
     if segments.len() > 1 {
-        track.phrases = segments.into_iter().map(|start| Timed { start, text: String::new() }).collect();
+        track.phrases = segments.into_iter().map(|start| TimedText { start, text: String::new() }).collect();
     }
     track.end = Some(Time::of_frame(frame, rate));
 }
 
-/// Events are kept; what else the editor noted has no place in a Lipz file.
+/// Adds events. A Lipz file cannot store the editor's other members.
 fn other(name: &str, node: Node<'_>, track: &mut Track, diagnostics: &mut Vec<Diagnostic>) {
     let string = |text: String| JsonString::from(Cow::<'static, str>::Owned(text));
     match name {
         "visemes" | "fps" | "viseme_type" | "visemeType" => {}
         "events" => {
             if track.elements.iter().any(|element| element.name.text == name) {
-                diagnostics.push(Diagnostic::at(Code::DuplicateElement, node.span(), "the events appear again"));
+                diagnostics.push(Diagnostic::at(Code::DuplicateElement, node.span(), "the file has events twice"));
             } else if let Some(events) = node.string() {
                 track.elements.push(Element { name: string(name.to_owned()), value: Value::String(string(events)) });
             }
@@ -117,8 +117,7 @@ fn other(name: &str, node: Node<'_>, track: &mut Track, diagnostics: &mut Vec<Di
         _ => {
             let message = format!("{} is left out", lipz_diagnostics::escape::quoted(name));
             let diagnostic = Diagnostic::at(Code::ForeignOddity, node.span(), message);
-            diagnostics
-                .push(diagnostic.note("it has no place in a Lipz file; frame rate and viseme type in it are used"));
+            diagnostics.push(diagnostic.note("Lipz files cannot store it; its frame rate and viseme type are used"));
         }
     }
 }

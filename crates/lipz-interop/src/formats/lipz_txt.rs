@@ -1,12 +1,12 @@
-//! The current format of the author of Lipz, `.lipz.txt`: 24 frames a second. `phoneme.` starts a phoneme on
-//! a frame, a blank holds what shows for one frame, `-.` rests (sl-web-face, `lipzFileUtil.ts`).
+//! The current format of the author of Lipz, `.lipz.txt`, at 24 frames per second. `phoneme.` starts a phoneme on a
+//! frame, a space holds the current one for a frame, and `-.` rests (sl-web-face, `lipzFileUtil.ts`).
 
 use super::Format;
 use crate::source::{self, Line};
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track};
 use lipz_diagnostics::Diagnostic;
 
-/// What ends a phoneme.
+/// The character that ends a phoneme.
 const END: char = '.';
 
 pub(super) const FORMAT: Format = Format {
@@ -26,7 +26,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     let mut track = Track { rate: Some(DEFAULT_RATE), ..Track::default() };
     let mut frame = 0;
     let mut start = None;
-    // Line ends are what an editor adds at the end, and no frames.
+    // Editors add line ends at the end, which are not frames.
     let text = text.trim_end_matches(['\r', '\n']);
     for (at, c) in text.char_indices() {
         match c {
@@ -39,13 +39,13 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
                 track.shapes.push(Shape::at(phoneme.span(), Time::of_frame(frame, DEFAULT_RATE), phoneme.text));
                 frame += 1;
             }
-            // A blank inside of a phoneme holds a frame, too, but nobody writes that.
+            // A space inside a phoneme also holds a frame, but does not occur in practice.
             ' ' if start.is_none() => frame += 1,
             c if c.is_whitespace() => {
                 let from = start.take().unwrap_or(at);
                 let place = Line { text: text.get(from..at + c.len_utf8()).unwrap_or_default(), at: from };
                 diagnostics.push(
-                    place.not("a phoneme and its dot").help("spaces hold a frame, and nothing else separates phonemes"),
+                    place.not("a phoneme and its dot").help("separate phonemes only by spaces, which hold a frame"),
                 );
             }
             _ => start = start.or(Some(at)),

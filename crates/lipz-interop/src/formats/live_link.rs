@@ -1,5 +1,6 @@
-//! Face shapes of ARKit as Live Link Face records them, CSV: a line per frame with its timecode and 52 weights. The
-//! strongest shape that is about the lips is the mouth of the frame; for loudness (rms), the opening of the jaw is.
+//! Face shapes of ARKit as recorded by Live Link Face, CSV: a line per frame with its timecode and 52 weights. The
+//! strongest shape that concerns the lips becomes the viseme of the frame; for loudness (rms), the opening of the jaw
+//! is used.
 
 use super::Format;
 use crate::source::{self, Line};
@@ -11,14 +12,14 @@ use lipz_types::VisemeType;
 const TIMECODE: &str = "Timecode";
 const JAW: &str = "JawOpen";
 const TABLE: &str = "arkit";
-/// What the table calls a mouth at rest.
+/// The table's name for rest.
 const REST: &str = "rest";
-/// No shape weaker than this is shown: a face that is tracked never lies still.
+/// Weaker shapes are ignored, because a tracked face never lies still.
 const FLOOR: f64 = 0.15;
-/// Rates at which faces are recorded.
+/// The usual recording rates.
 const RATES: [u32; 4] = [24, 25, 30, 60];
 const SECONDS_OF_A_DAY: u64 = 24 * 60 * 60;
-/// Parts of a frame, of which timecodes have three digits.
+/// The parts of a frame. Timecodes have three digits of them.
 const PARTS: u32 = 1000;
 
 pub(super) const FORMAT: Format = Format {
@@ -40,8 +41,11 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     let names: Vec<Line<'_>> = fields(header).collect();
     let place = |name: &str| names.iter().position(|field| field.text.eq_ignore_ascii_case(name));
     let (Some(timecode), Some(jaw)) = (place(TIMECODE), place(JAW)) else {
-        diagnostics
-            .push(header.not("a line of names with `Timecode` and `JawOpen`").help("is this a CSV of Live Link Face?"));
+        diagnostics.push(
+            header
+                .not("a line of names with `Timecode` and `JawOpen`")
+                .help("check whether this is a CSV file of Live Link Face"),
+        );
         return Vec::new();
     };
     let Some(map) = options.map.or_else(|| find_map(TABLE)) else { return Vec::new() };
@@ -52,7 +56,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     let rate = options.file_rate.unwrap_or_else(|| rate(&codes));
     let mut track = Track { rate: Some(rate), map: Some(if is_loudness { "rms" } else { TABLE }), ..Track::default() };
     if options.file_rate.is_none() {
-        track.remarks.push(format!("{} frames a second, as the timecodes count", rate.numerator));
+        track.remarks.push(format!("{} frames per second, from the timecodes", rate.numerator));
     }
     let origin = codes.iter().flatten().next().copied();
     for (row, code) in rows.iter().zip(codes) {
@@ -78,7 +82,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     vec![track]
 }
 
-/// The shape with the largest weight of those that the table has.
+/// Returns the shape with the largest weight among those in the table.
 fn strongest(names: &[Line<'_>], row: &[Line<'_>], map: &Map, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
     let mut strongest = (REST, FLOOR);
     for (name, field) in names.iter().zip(row).filter(|(name, _)| map.code(name.text).is_some()) {
@@ -98,13 +102,13 @@ fn weight(field: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
     weight
 }
 
-/// The digit of an opening from 0 to 1.
+/// Returns the digit for an opening from 0 to 1.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 9")]
 fn loudness(opening: f64) -> String {
     ((opening * 10.0).clamp(0.0, 9.0) as u32).to_string()
 }
 
-/// `HH:MM:SS:FF.PPP`: frames, and thousandths of a frame.
+/// A timecode `HH:MM:SS:FF.PPP`, with frames and thousandths of a frame.
 #[derive(Clone, Copy)]
 struct Timecode {
     seconds: u64,
@@ -123,7 +127,7 @@ impl Timecode {
         Some(Timecode { seconds, frame: number(frame)?, part })
     }
 
-    /// The time since another one, which may be of the day before.
+    /// Returns the time since `origin`, which may be on the previous day.
     fn since(self, origin: Timecode, rate: Rate) -> Time {
         let parts_of_a_second = u64::from(rate.numerator) * u64::from(PARTS) / u64::from(rate.denominator.max(1));
         let parts = |code: Timecode, days: u64| {
@@ -136,7 +140,7 @@ impl Timecode {
     }
 }
 
-/// The rate at which the timecodes count: the first one above all their frames, if they count through whole seconds.
+/// Returns the rate of the timecodes: the first one above all their frames, if they count through whole seconds.
 fn rate(codes: &[Option<Timecode>]) -> Rate {
     let highest = codes.iter().flatten().map(|code| code.frame).max().unwrap_or(0);
     let above = RATES.into_iter().find(|rate| *rate > highest && codes.len() > *rate as usize);

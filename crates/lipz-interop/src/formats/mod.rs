@@ -26,34 +26,34 @@ use lipz_diagnostics::Diagnostic;
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Format {
-    /// What commands call it, `rhubarb-tsv`.
+    /// The name in commands, `rhubarb-tsv`.
     pub name: &'static str,
-    /// The tool and its file, in a few words.
+    /// A short description of the tool and its file.
     pub about: &'static str,
-    /// The extension that its files have, without the dot.
+    /// The extension of its files, without the dot.
     pub extension: &'static str,
-    /// The mapping tables of its symbols; the first one is used unless another viseme type is asked for.
+    /// The mapping tables of its symbols. The first one is the default; another may fit a requested viseme type.
     pub maps: &'static [&'static str],
-    /// Whether its files are not text: then diagnostics have no spans, and notes name bytes.
+    /// Whether its files are binary. Their diagnostics have no spans, and notes state the bytes.
     pub is_binary: bool,
     /// Whether its tools write in the encoding of the system, so that a file that is not UTF-8 may be
     /// [guessed](crate::to_utf8) to be Windows-1252.
     pub is_legacy: bool,
-    /// Whether it has a place for segments, texts and events.
+    /// Whether it can store segments, texts and events.
     pub keeps_texts: bool,
-    /// Reads a file, if lipz imports the format.
+    /// The reader, if lipz imports the format.
     pub read: Option<Read>,
-    /// Writes a file, if lipz exports the format.
+    /// The writer, if lipz exports the format.
     pub write: Option<Write>,
 }
 
-/// Reads a file: a track for each speaker, as far as the file can be read, and diagnostics.
+/// Reads a file. Returns a track for each speaker, as far as the file is readable, and adds diagnostics.
 pub type Read = fn(&[u8], &ImportOptions<'_>, &mut Vec<Diagnostic>) -> Vec<Track>;
 
-/// Writes a track whose symbols are those of the format. Diagnostics say what the format cannot hold.
+/// Writes a track in the symbols of the format. Diagnostics report losses.
 pub type Write = fn(&Track, &mut Vec<Diagnostic>) -> Vec<u8>;
 
-/// Every format, in the order in which lists show them.
+/// All formats, in the order of lists.
 pub const ALL: &[Format] = &[
     rhubarb_tsv::FORMAT,
     rhubarb_json::FORMAT,
@@ -75,7 +75,7 @@ pub const ALL: &[Format] = &[
     lipz_editor::FORMAT,
 ];
 
-/// The format of this name.
+/// Returns the format with this name.
 pub fn find(name: &str) -> Option<&'static Format> {
     ALL.iter().find(|format| format.name == name)
 }

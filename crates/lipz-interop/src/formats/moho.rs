@@ -1,6 +1,6 @@
-//! Moho (and Anime Studio) switch data, `.dat`: `MohoSwitch1`, then a frame and the name of a layer per line.
-//! Frames count from 1 by convention, and the file does not tell how many are a second. Papagayo and Rhubarb
-//! write it, each with a rest at the end; readers such as Adventure Game Studio count from 0.
+//! Moho (and Anime Studio) switch data, `.dat`: `MohoSwitch1`, then a frame and the name of a layer per line. Frames
+//! count from 1 by convention, and the file does not state the frame rate. Papagayo and Rhubarb write this format, both
+//! with a rest at the end; readers such as Adventure Game Studio count from 0.
 
 use super::Format;
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track, source};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 /// The first line.
 const HEADER: &str = "MohoSwitch1";
 const REST: &str = "rest";
-/// What the sets of mouth shapes call the resting mouth.
+/// The names of rest in the sets of mouth shapes.
 const RESTS: [&str; 3] = [REST, "X", "None"];
 
 pub(super) const FORMAT: Format = Format {
@@ -37,10 +37,10 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
         Some(first) if first.text.trim_start().starts_with(|c: char| c.is_ascii_digit()) => diagnostics.push(
             first
                 .diagnostic(Code::ForeignOddity, format!("the first line is not `{HEADER}`"))
-                .note("the file is read as if it were"),
+                .note("the file is read as if it had this line"),
         ),
         Some(first) => {
-            diagnostics.push(first.not("`MohoSwitch1`, the first line").help("is this a file of Moho?"));
+            diagnostics.push(first.not("`MohoSwitch1`, the first line").help("check whether this is a file of Moho"));
             return Vec::new();
         }
         None => {}
@@ -50,11 +50,11 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
             diagnostics.push(line.not("a frame and the name of a layer"));
             continue;
         };
-        let Some(number) = frame.number("the number of a frame", diagnostics) else { continue };
+        let Some(number) = frame.number("a frame number", diagnostics) else { continue };
         let Some(frame) = number.checked_sub(options.dat_base) else {
-            let message = format!("frame {number} comes before the first one, {}", options.dat_base);
+            let message = format!("frame {number} is before the first frame, {}", options.dat_base);
             diagnostics.push(
-                frame.diagnostic(Code::ForeignValue, message).help("if the file counts from 0, set `dat-base` to 0"),
+                frame.diagnostic(Code::ForeignValue, message).help("set `dat-base` to 0 if the file counts from 0"),
             );
             continue;
         };
@@ -64,7 +64,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     vec![track]
 }
 
-/// The rest that writers put at the end says when the recording ends.
+/// Uses the rest that writers put at the end as the end of the recording.
 fn end_at_rest(track: &mut Track) {
     if let [.., _, last] = track.shapes.as_slice()
         && RESTS.contains(&last.symbol.as_str())
@@ -81,7 +81,7 @@ fn write(track: &Track, _: &mut Vec<Diagnostic>) -> Vec<u8> {
         let _ = writeln!(text, "{} {}", shape.start.nearest_frame(rate) + track.first_frame, shape.symbol);
     }
     let end = track.end.unwrap_or(Time::ZERO);
-    // A rig has a layer for the rest of its own set, and none for that of another.
+    // A rig has a layer for the rest of its own set only.
     let rest = track.rest.as_deref().unwrap_or(REST);
     let _ = writeln!(text, "{} {rest}", end.nearest_frame(rate) + track.first_frame);
     text.into_bytes()

@@ -1,5 +1,5 @@
-//! Pamela, `.pam`: the section `[Speech]` with lines `position:PHONEME`. A frame has 15 positions, a second 24
-//! frames. Phonemes are those of the CMU dictionary, vowels with a digit for their stress; `None` rests.
+//! Pamela, `.pam`: the section `[Speech]` with lines `position:PHONEME`. A frame has 15 positions, and a second has 24
+//! frames. Phonemes are those of the CMU dictionary, with a digit for the stress of vowels; `None` rests.
 
 use super::Format;
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Time, Track, source};
@@ -7,7 +7,7 @@ use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::rate::Rate;
 use std::fmt::Write;
 
-/// Positions on the time line for each frame.
+/// The positions on the time line per frame.
 const POSITIONS_PER_FRAME: u32 = 15;
 const SECTION: &str = "[Speech]";
 const REST: &str = "None";
@@ -58,7 +58,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
         let missing = format!("it has no section {SECTION}");
         diagnostics.push(source::cut_off(text, &missing));
     }
-    // Writers of Pamela sort by name as often as by time: that is no fault.
+    // Programs that write Pamela files sort by name as often as by time, so the order is not reported.
     track.shapes.sort_by_key(|shape| shape.start);
     if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol.eq_ignore_ascii_case(REST)) {
         track.end = track.shapes.pop().map(|rest| rest.start);
@@ -75,9 +75,8 @@ fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rate = track.rate.unwrap_or(DEFAULT_RATE);
     if rate != DEFAULT_RATE {
         diagnostics.push(
-            Diagnostic::new(Code::ExportLoss, "Pamela counts 24 frames a second, and the clip has another rate").note(
-                "positions are counted for 24; a frame that starts between two of them starts at the nearest one",
-            ),
+            Diagnostic::new(Code::ExportLoss, "the clip does not have the frame rate of Pamela, 24")
+                .note("frames start at the nearest position of Pamela"),
         );
     }
     let position = |time: Time| time.in_units(DEFAULT_RATE.numerator * POSITIONS_PER_FRAME);

@@ -1,34 +1,34 @@
-//! What both formats of Papagayo have in common: voices of words of phonemes, on frames counted from 0.
+//! The common parts of both Papagayo formats: voices of words of phonemes, on frames counted from 0.
 
-use crate::{Shape, Text, Time, Timed, Track};
+use crate::{Shape, Text, Time, TimedText, Track};
 use lipz_file::rate::Rate;
 use lipz_file::text::trim;
 
-/// Tables of the phoneme sets that Papagayo ships.
+/// The tables of the phoneme sets that come with Papagayo.
 pub(super) const MAPS: &[&str] = &["papagayo", "fleming-dobbs", "cmu", "rhubarb", "rhubarb-toonboom"];
-/// The name of the resting mouth in every set.
+/// The name of rest in every set.
 const REST: &str = "rest";
 
-/// A voice on its way to a track.
-pub(super) struct Voice {
+/// A voice that is being converted to a track.
+pub(super) struct PapagayoVoice {
     pub(super) track: Track,
     rate: Rate,
-    /// The frame behind the last word: the mouth rests from there to the next one.
+    /// The frame after the last word, from which the mouth rests until the next word.
     word_end: Option<u64>,
 }
 
-impl Voice {
-    /// A voice with a text whose line breaks are `|`.
-    pub(super) fn new(name: String, text: &str, rate: Rate) -> Voice {
-        // A break at the end of the text divides nothing.
+impl PapagayoVoice {
+    /// Returns a voice with a text whose line breaks are `|`.
+    pub(super) fn new(name: String, text: &str, rate: Rate) -> PapagayoVoice {
+        // Breaks at the end of the text are dropped.
         let text = trim(text).trim_end_matches('|').to_owned();
         let texts = if text.is_empty() { Vec::new() } else { vec![Text { locale: None, text }] };
         let track = Track { name: Some(name), rate: Some(rate), texts, ..Track::default() };
-        Voice { track, rate, word_end: None }
+        PapagayoVoice { track, rate, word_end: None }
     }
 
     pub(super) fn word(&mut self, text: &str, start: u64) {
-        self.track.words.push(Timed { start: Time::of_frame(start, self.rate), text: text.to_owned() });
+        self.track.words.push(TimedText { start: Time::of_frame(start, self.rate), text: text.to_owned() });
     }
 
     /// Adds a phoneme that starts on a frame.
@@ -50,7 +50,7 @@ impl Voice {
         self.track.end = Some(Time::of_frame(frames, self.rate));
     }
 
-    /// Rests between the last word and a frame, if there is anything between them.
+    /// Adds a rest between the last word and a frame, if there is a gap.
     fn rest_until(&mut self, frame: u64, span: Option<lipz_diagnostics::Span>) {
         if let Some(end) = self.word_end.take().filter(|end| *end < frame) {
             self.track.shapes.push(Shape { start: Time::of_frame(end, self.rate), symbol: REST.to_owned(), span });

@@ -1,9 +1,9 @@
-//! Papagayo-NG project, `.pg2`: JSON version 2 with the same voices, phrases, words and phonemes as `.pgo`.
+//! Papagayo-NG project, `.pg2`: JSON version 2, with the same voices, phrases, words and phonemes as `.pgo`.
 
 use super::Format;
-use super::papagayo::{MAPS, Voice};
+use super::papagayo::{MAPS, PapagayoVoice};
 use crate::json::{self, Node};
-use crate::{ImportOptions, Shape, Time, Timed, Track, source};
+use crate::{ImportOptions, Shape, Time, TimedText, Track, source};
 use lipz_diagnostics::Diagnostic;
 use lipz_file::rate::Rate;
 
@@ -42,14 +42,14 @@ fn project(root: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Trac
     Some(tracks)
 }
 
-fn voice(node: Node<'_>, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Option<Voice> {
+fn voice(node: Node<'_>, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Option<PapagayoVoice> {
     let name = text(node, "name", diagnostics)?;
-    // JSON keeps the line breaks that .pgo writes as `|`.
+    // JSON keeps line breaks, which .pgo stores as `|`.
     let said = text(node, "text", diagnostics)?.trim_end().replace('\n', "|");
-    let mut voice = Voice::new(name, &said, rate);
+    let mut voice = PapagayoVoice::new(name, &said, rate);
     for phrase in list(node, "phrases", diagnostics)? {
         let start = Time::of_frame(frame(phrase, "start_frame", diagnostics)?, rate);
-        voice.track.phrases.push(Timed { start, text: text(phrase, "text", diagnostics)? });
+        voice.track.phrases.push(TimedText { start, text: text(phrase, "text", diagnostics)? });
         for word in list(phrase, "words", diagnostics)? {
             voice.word(&text(word, "text", diagnostics)?, frame(word, "start_frame", diagnostics)?);
             for phoneme in list(word, "phonemes", diagnostics)? {
@@ -90,12 +90,12 @@ fn list<'s>(node: Node<'s>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Op
     items
 }
 
-/// The number of a frame; old versions write it with a point.
+/// Reads the number of a frame, which old versions write with a decimal point.
 fn frame(node: Node<'_>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<u64> {
     let member = member(node, name, diagnostics)?;
     let frame = member.number().and_then(|digits| Some(Time::parse(&digits)?.in_units(1)));
     if frame.is_none() {
-        diagnostics.push(member.not("the number of a frame"));
+        diagnostics.push(member.not("a frame number"));
     }
     frame
 }

@@ -1,10 +1,10 @@
-//! Papagayo project, `.pgo` version 1: lines, whose indentation means nothing. A voice has phrases, a phrase
-//! words, a word phonemes, each on a frame counted from 0. Line breaks in a voice's text are stored as `|`.
+//! Papagayo project, `.pgo` version 1: lines whose indentation is ignored. A voice has phrases, a phrase has words, and
+//! a word has phonemes, each on a frame counted from 0. Line breaks in a voice's text are stored as `|`.
 
 use super::Format;
-use super::papagayo::{MAPS, Voice};
+use super::papagayo::{MAPS, PapagayoVoice};
 use crate::source::{self, Line};
-use crate::{ImportOptions, Shape, Time, Timed, Track};
+use crate::{ImportOptions, Shape, Time, TimedText, Track};
 use lipz_diagnostics::Diagnostic;
 use lipz_file::rate::Rate;
 
@@ -35,7 +35,7 @@ struct Lines<'s, 'f> {
 }
 
 impl<'s> Lines<'s, '_> {
-    /// The next line, which is to be `what`.
+    /// Returns the next line. `what` describes its expected content.
     fn next(&mut self, what: &str) -> Option<Line<'s>> {
         let line = self.lines.next().map(Line::trimmed);
         if line.is_none() {
@@ -54,13 +54,13 @@ impl<'s> Lines<'s, '_> {
             let is_start = HEADER.starts_with(header.text) && self.lines.len() == 0;
             self.diagnostics.push(match is_start {
                 true => source::cut_off(self.text, "the first line is not complete"),
-                false => {
-                    header.not("`lipsync version 1`").help("is this a project of Papagayo? .pg2 is another format")
-                }
+                false => header
+                    .not("`lipsync version 1`")
+                    .help("check whether this is a project of Papagayo; .pg2 is a different format"),
             });
             return None;
         }
-        self.next("the path of the sound")?;
+        self.next("the path of the recording")?;
         let fps = self.next("the frame rate")?;
         let Some(rate) = lipz_file::rate::parse(fps.text) else {
             self.diagnostics.push(fps.not("a frame rate from 1 to 1000"));
@@ -76,15 +76,15 @@ impl<'s> Lines<'s, '_> {
         Some(tracks)
     }
 
-    fn voice(&mut self, rate: Rate) -> Option<Voice> {
+    fn voice(&mut self, rate: Rate) -> Option<PapagayoVoice> {
         let name = self.next("the name of a voice")?.text.to_owned();
         let text = self.next("the text of a voice")?.text;
-        let mut voice = Voice::new(name, text, rate);
+        let mut voice = PapagayoVoice::new(name, text, rate);
         for _ in 0..self.number("the number of phrases")? {
             let text = self.next("the text of a phrase")?.text.to_owned();
             let start = self.number("the start of a phrase")?;
             self.number("the end of a phrase")?;
-            voice.track.phrases.push(Timed { start: Time::of_frame(start, rate), text });
+            voice.track.phrases.push(TimedText { start: Time::of_frame(start, rate), text });
             for _ in 0..self.number("the number of words")? {
                 self.word(&mut voice)?;
             }
@@ -92,7 +92,7 @@ impl<'s> Lines<'s, '_> {
         Some(voice)
     }
 
-    fn word(&mut self, voice: &mut Voice) -> Option<()> {
+    fn word(&mut self, voice: &mut PapagayoVoice) -> Option<()> {
         let line = self.next("a word")?;
         let fields: Vec<Line<'s>> = line.fields().collect();
         let [word, start, end, phonemes] = fields.as_slice() else {

@@ -1,14 +1,14 @@
-//! Amazon Polly speech marks: one JSON object a line, with milliseconds. Visemes have a start only; marks of
-//! words and sentences tell when each is spoken.
+//! Amazon Polly speech marks: one JSON object per line, with milliseconds. Visemes have only a start; marks of words
+//! and sentences contain their times.
 
 use super::Format;
 use crate::json::{self, Node};
 use crate::source::{self, Line};
-use crate::{ImportOptions, Shape, Text, Time, Timed, Track};
+use crate::{ImportOptions, Shape, Text, Time, TimedText, Track};
 use lipz_diagnostics::{Diagnostic, escape};
 use lipz_file::text::is_white_space;
 
-/// What SSML spells, `&amp;` last.
+/// The characters that SSML escapes, `&amp;` last.
 const ENTITIES: [(&str, &str); 5] = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
 
 pub(super) const FORMAT: Format = Format {
@@ -34,7 +34,7 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
         return vec![finished(track)];
     }
     for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
-        // Each line is JSON of its own, whose places count in the file.
+        // Each line is a JSON text, with positions relative to the line.
         let mut found = Vec::new();
         let mark = json::root(line.text, &mut found)
             .map(|root| Node { line: Line { at: line.at + root.line.at, ..root.line } });
@@ -55,20 +55,20 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     vec![finished(track)]
 }
 
-/// The track with the text of its sentences, up to the silence at its end.
+/// Returns the track with the text of its sentences, up to the silence at its end.
 fn finished(mut track: Track) -> Track {
     let sentences: Vec<&str> = track.phrases.iter().map(|phrase| phrase.text.as_str()).collect();
     if !sentences.is_empty() {
         track.texts.push(Text { locale: None, text: sentences.join(" ") });
     }
-    // The last viseme is the silence that starts when the voice has ended.
+    // The last viseme is the silence after the voice.
     if track.shapes.len() > 1 && track.shapes.last().is_some_and(|last| last.symbol == "sil") {
         track.end = track.shapes.pop().map(|last| last.start);
     }
     track
 }
 
-/// The sentence as it is spoken: without the tags of SSML, and with the characters that it spells.
+/// Returns the sentence as spoken: without SSML tags, and with its escapes resolved.
 fn spoken(sentence: &str) -> String {
     let mut text = String::with_capacity(sentence.len());
     let mut rest = sentence;
@@ -101,9 +101,9 @@ fn add(mark: Node<'_>, track: &mut Track, diagnostics: &mut Vec<Diagnostic>) {
     };
     match kind.string().as_deref() {
         Some("viseme") => track.shapes.push(Shape::at(value.span(), start, text)),
-        Some("word") => track.words.push(Timed { start, text }),
-        Some("sentence") => track.phrases.push(Timed { start, text: spoken(&text) }),
-        // Its name is for the program that asked for it: `<mark name="wave"/>`.
+        Some("word") => track.words.push(TimedText { start, text }),
+        Some("sentence") => track.phrases.push(TimedText { start, text: spoken(&text) }),
+        // Its name only matters to the program that requested it: `<mark name="wave"/>`.
         Some("ssml") => track.remarks.push(format!("the mark {} at {start} is left out", escape::quoted(&text))),
         _ => diagnostics.push(kind.not("a type of speech mark: viseme, word, sentence or ssml")),
     }

@@ -1,25 +1,25 @@
-//! What Rhubarb's formats have in common: times in hundredths of a second, shapes without gaps.
+//! The common parts of Rhubarb's formats: times in hundredths of a second, and shapes without gaps.
 
 use crate::{Time, Track};
 
 pub(super) const MAPS: &[&str] = &["rhubarb", "rhubarb-toonboom"];
 /// The shape of silence.
 pub(super) const REST: &str = "X";
-/// Rhubarb works on a grid of this many steps a second.
+/// The steps per second of Rhubarb's time grid.
 const STEPS: u32 = 100;
 
-/// A time in seconds with two decimals.
+/// Returns a time in seconds with two decimals.
 pub(super) fn seconds(time: Time) -> String {
     let steps = time.in_units(STEPS);
     format!("{}.{:02}", steps / u64::from(STEPS), steps % u64::from(STEPS))
 }
 
-/// When the recording ends.
+/// Returns the end of the recording.
 pub(super) fn end(track: &Track) -> Time {
     track.end.unwrap_or(Time::ZERO)
 }
 
-/// Starts and shapes, at least one: Rhubarb never writes none.
+/// Returns the starts and shapes, at least one, because Rhubarb never writes an empty list.
 pub(super) fn rows(track: &Track) -> Vec<(String, &str)> {
     let mut rows: Vec<_> = track.shapes.iter().map(|shape| (seconds(shape.start), shape.symbol.as_str())).collect();
     if rows.is_empty() {
@@ -28,14 +28,14 @@ pub(super) fn rows(track: &Track) -> Vec<(String, &str)> {
     rows
 }
 
-/// Starts, ends and shapes.
+/// Returns the starts, ends and shapes.
 pub(super) fn spans(track: &Track) -> Vec<(String, String, &str)> {
     let rows = rows(track);
     let ends = rows.iter().skip(1).map(|(start, _)| start.clone()).chain([seconds(end(track))]);
     ends.zip(&rows).map(|(end, (start, symbol))| (start.clone(), end, *symbol)).collect()
 }
 
-/// A shape from a time to a time, as JSON and XML have them.
+/// A shape with start and end, as in JSON and XML.
 pub(super) struct Cue {
     pub(super) start: Time,
     pub(super) end: Time,
@@ -43,7 +43,7 @@ pub(super) struct Cue {
     pub(super) span: lipz_diagnostics::Span,
 }
 
-/// The track of shapes with ends: the mouth rests between them.
+/// Returns a track from shapes with ends. The mouth rests between them.
 pub(super) fn track(cues: Vec<Cue>, duration: Option<Time>) -> Track {
     let mut track = Track::default();
     let mut ended: Option<Time> = None;
@@ -63,7 +63,8 @@ pub(super) fn track(cues: Vec<Cue>, duration: Option<Time>) -> Track {
     track
 }
 
-/// Whether time passes between two times. Programs that compute them write 28.849999999999998 for 28.85, which is none.
+/// Whether there is time between two times. A rounding error does not count: programs may write 28.849999999999998 for
+/// 28.85.
 fn is_gap(end: Time, start: Time) -> bool {
     const MICROSECONDS: u32 = 1_000_000;
     end < start && start.in_units(MICROSECONDS) - end.in_units(MICROSECONDS) > 1

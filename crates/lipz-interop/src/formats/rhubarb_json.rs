@@ -1,5 +1,5 @@
-//! Rhubarb Lip Sync, `-f json`: `mouthCues` with `start`, `end` and `value`. Files in the wild also have times
-//! as strings, a bare array without `metadata`, and gaps, in which the mouth rests.
+//! Rhubarb Lip Sync, `-f json`: `mouthCues` with `start`, `end` and `value`. Files in the wild also contain times as
+//! strings, a bare array without `metadata`, and gaps, in which the mouth rests.
 
 use super::Format;
 use super::rhubarb::{self, Cue};

@@ -1,4 +1,4 @@
-//! Rhubarb Lip Sync, `-f tsv`: a line for each shape, its start in seconds, a tab, its letter. The last line
+//! Rhubarb Lip Sync, `-f tsv`: a line for each shape, with its start in seconds, a tab, and its letter. The last line
 //! is the end of the recording (Rhubarb's README, "Output formats").
 
 use super::{Format, rhubarb};
@@ -23,20 +23,20 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     let mut track = Track::default();
     for line in source::lines(text).filter(|line| !line.text.trim().is_empty()) {
         let Some((start, symbol)) = line.split_once('\t') else {
-            diagnostics.push(line.not("a time, a tab and a mouth shape").help("a line is, for example, 0.25 and A"));
+            diagnostics.push(line.not("a time, a tab and a mouth shape").help("write 0.25 and A, for example"));
             continue;
         };
         match Time::parse(start.text) {
             Some(time) if !symbol.text.is_empty() => track.shapes.push(Shape::at(symbol.span(), time, symbol.text)),
             Some(_) => diagnostics.push(source::cut_off(text, "a mouth shape is missing")),
-            None => diagnostics.push(start.not("a time in seconds").help("times are seconds with a dot: 0.25")),
+            None => diagnostics.push(start.not("a time in seconds").help("write seconds with a dot, such as 0.25")),
         }
     }
-    // The last line is no shape: it says when the one before it ends.
+    // The last line is not a shape, but the end of the one before it.
     if track.shapes.len() > 1 {
         track.end = track.shapes.pop().map(|end| end.start);
     } else if track.shapes.len() == 1 {
-        diagnostics.push(source::cut_off(text, "it has no line that says when the recording ends"));
+        diagnostics.push(source::cut_off(text, "it has no line for the end of the recording"));
     }
     vec![track]
 }

@@ -20,7 +20,8 @@ pub(super) const FORMAT: Format = Format {
 
 fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
-    // Entities of a document type can grow without bound; Rhubarb writes none, and by default none is read.
+    // Entities of a document type can grow without bound. Rhubarb does not write them, and the parser rejects them by
+    // default.
     let document = match Document::parse_with_options(text, ParsingOptions::default()) {
         Ok(document) => document,
         Err(error) => {
@@ -41,7 +42,8 @@ fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) 
     if !document.root_element().has_tag_name("rhubarbResult") {
         let span = xml::whole(document.root_element());
         let message = "the root is not rhubarbResult".to_owned();
-        diagnostics.push(Diagnostic::at(Code::ForeignSyntax, span, message).help("is this a file of Rhubarb?"));
+        diagnostics
+            .push(Diagnostic::at(Code::ForeignSyntax, span, message).help("check whether this is a file of Rhubarb"));
     }
     vec![rhubarb::track(cues, duration)]
 }

@@ -1,16 +1,16 @@
 //! The Lipz document of an imported clip.
 
-use crate::frames::Run;
+use crate::frames::ShapeRun;
 use crate::segments::Division;
-use crate::{ImportOptions, Text, Time, Timed, Track};
+use crate::{ImportOptions, Text, Time, TimedText, Track};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, trim};
-use lipz_file::{Document, Element, JsonString, Raw, Value};
+use lipz_file::{Document, Element, JsonString, RawJson, Value};
 use lipz_types::VisemeType;
 use std::borrow::Cow;
 
-/// The texts of the clip with their locales; reports those that have none.
+/// Returns the texts of the clip with their locales. Reports texts without a locale.
 pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Text> {
     let given = options.text.map(|text| vec![Text { locale: None, text: text.to_owned() }]);
     let mut texts = given.unwrap_or_else(|| track.texts.clone());
@@ -23,31 +23,31 @@ pub(super) fn texts(track: &Track, options: &ImportOptions<'_>, diagnostics: &mu
     texts.retain(|text| text.locale.is_some());
     if texts.len() < before {
         diagnostics.push(
-            Diagnostic::new(Code::TextLeftOut, "the text is left out: its locale is not known")
+            Diagnostic::new(Code::TextLeftOut, "the text is left out because its locale is unknown")
                 .help("name the locale of the text, or set default-locale = \"en-us\" in lipz.toml"),
         );
     }
     for (index, text) in texts.iter().enumerate() {
         let Some(locale) = &text.locale else { continue };
         if texts.iter().take(index).any(|before| before.locale == text.locale) {
-            let message = format!("two texts are of the locale {}", escape::quoted(locale));
+            let message = format!("two texts have the locale {}", escape::quoted(locale));
             diagnostics.push(Diagnostic::new(Code::SameLocaleTwice, message).help("keep one of them"));
         }
     }
     texts
 }
 
-/// Shapes laid out in frames.
+/// Shapes assigned to frames.
 pub(super) struct OnFrames {
     /// The codes of all frames.
     pub(super) codes: String,
-    /// When each shape starts, and its first frame.
+    /// The start of each shape, and its first frame.
     starts: Vec<(Time, usize)>,
     rate: Rate,
 }
 
 impl OnFrames {
-    pub(super) fn new(runs: &[Run], lengths: &[usize], rate: Rate) -> OnFrames {
+    pub(super) fn new(runs: &[ShapeRun], lengths: &[usize], rate: Rate) -> OnFrames {
         let mut frames = OnFrames { codes: String::new(), starts: Vec::with_capacity(runs.len() + 1), rate };
         for (run, &length) in runs.iter().zip(lengths) {
             frames.starts.push((run.start, frames.codes.len()));
@@ -56,7 +56,7 @@ impl OnFrames {
         frames
     }
 
-    /// What starts with a shape starts with its first frame, wherever that went.
+    /// Returns the frame for a time. The start of a shape becomes its first frame, wherever that was moved.
     fn frame(&self, time: Time) -> usize {
         match self.starts.binary_search_by(|(start, _)| start.cmp(&time)) {
             Ok(found) => self.starts.get(found).map_or(self.codes.len(), |(_, frame)| *frame),
@@ -64,7 +64,7 @@ impl OnFrames {
         }
     }
 
-    /// The codes with `|` where segments start.
+    /// Returns the codes with `|` where segments start.
     pub(super) fn divided(&self, division: &Division) -> String {
         let mut divided = String::with_capacity(self.codes.len() + division.starts.len());
         let mut done = 0;
@@ -77,9 +77,9 @@ impl OnFrames {
         divided + self.codes.get(done..).unwrap_or_default()
     }
 
-    /// Stretches of text that start with frames.
-    pub(super) fn timed(&self, stretches: &[Timed]) -> Vec<Timed> {
-        let on_frame = |timed: &Timed| Timed {
+    /// Returns stretches of text that start on frames.
+    pub(super) fn timed(&self, stretches: &[TimedText]) -> Vec<TimedText> {
+        let on_frame = |timed: &TimedText| TimedText {
             start: Time::of_frame(self.frame(timed.start) as u64, self.rate),
             text: timed.text.clone(),
         };
@@ -107,21 +107,21 @@ pub(super) fn document(
     Document { elements }
 }
 
-/// An element with a string.
+/// Returns an element with a string.
 pub(crate) fn element(name: &str, value: String) -> Element<'static> {
     Element { name: string(name.to_owned()), value: Value::String(string(value)) }
 }
 
-/// The frame rate as an element.
+/// Returns the frame rate as an element.
 pub(crate) fn fps(rate: Rate) -> Element<'static> {
-    Element { name: string("fps".to_owned()), value: Value::Number(Raw::new(spell(rate))) }
+    Element { name: string("fps".to_owned()), value: Value::Number(RawJson::new(spell(rate))) }
 }
 
 fn string(text: String) -> JsonString<'static> {
     Cow::<'static, str>::Owned(text).into()
 }
 
-/// A rate in decimal digits.
+/// Returns a rate in decimal digits.
 pub(crate) fn spell(rate: Rate) -> String {
     (f64::from(rate.numerator) / f64::from(rate.denominator.max(1))).to_string()
 }

@@ -1,4 +1,4 @@
-//! From a track to a Lipz document: codes, frames, segments, texts.
+//! Conversion of a track to a Lipz document: codes, frames, segments, texts.
 
 mod document;
 mod options;
@@ -21,64 +21,64 @@ use runs::{in_order, report, runs, with_codes};
 /// The result of an import.
 #[derive(Debug, Default)]
 #[non_exhaustive]
-pub struct Imported {
-    /// The clips, one for each speaker of the file; none if a diagnostic is an error.
-    pub clips: Vec<Clip>,
-    /// What is wrong or lost.
+pub struct ImportResult {
+    /// The clips, one for each speaker of the file; empty if a diagnostic is an error.
+    pub clips: Vec<ImportedClip>,
+    /// The problems and losses.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// An imported clip: the Lipz file of one speaker, and how it came about.
+/// An imported clip: the Lipz file of one speaker, and details of the import.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
-pub struct Clip {
-    /// What the file calls the speaker, if it has several.
+pub struct ImportedClip {
+    /// The speaker's name in the file, if it has several.
     pub name: Option<String>,
     /// The clip as a Lipz file.
     pub document: Document<'static>,
-    /// Its mouth, for a clip that exists: see [`Clip::merge`].
+    /// Its lip-sync track, for an existing clip: see [`ImportedClip::merge`].
     pub mouth: Mouth,
-    /// What is said, undivided, each with its locale.
+    /// The undivided texts, each with its locale.
     pub texts: Vec<Text>,
-    /// The table that was used: `rhubarb 1`.
+    /// The mapping table used: `rhubarb 1`.
     pub map: String,
     /// The frame rate.
     pub rate: Rate,
-    /// Frames of the clip.
+    /// The number of frames.
     pub frames: usize,
-    /// The shapes that have no frame.
+    /// The shapes without frames.
     pub lost: Vec<LostShape>,
-    /// How the file was read where there was a choice, a sentence each.
+    /// Notes on how ambiguous parts of the file were read, one sentence each.
     pub remarks: Vec<String>,
 }
 
 /// A shape without a frame.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct LostShape {
-    /// What the file calls it.
+    /// Its symbol in the file.
     pub symbol: String,
-    /// When it starts.
+    /// The start of the shape.
     pub start: Time,
-    /// When it ends.
+    /// The end of the shape.
     pub end: Time,
-    /// Why it has no frame.
+    /// The reason why it has no frame.
     pub reason: LossReason,
 }
 
 impl LostShape {
-    /// The loss as a sentence.
+    /// Returns the loss as a sentence.
     pub fn describe(&self) -> String {
         let ms = self.end.in_units(1000).saturating_sub(self.start.in_units(1000));
         format!("{} at {} ({ms} ms): {}", escape::quoted(&self.symbol), self.start, self.reason.describe())
     }
 }
 
-/// Reads a file of another tool as Lipz documents.
+/// Converts a file of another tool to Lipz documents.
 ///
-/// Nothing in the file makes this panic; what is wrong with it is in the diagnostics. Spans count from the
-/// first byte after a byte order mark; in binary files, notes name the byte.
-pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imported {
-    let mut imported = Imported::default();
+/// No content of the file causes a panic; problems become diagnostics. Spans count from the first byte after a byte
+/// order mark. For binary files, notes state the byte.
+pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> ImportResult {
+    let mut imported = ImportResult::default();
     let Some(read) = format.read else { return imported };
     let tracks = read(bytes, options, &mut imported.diagnostics);
     let several = tracks.len() > 1;
@@ -100,36 +100,41 @@ pub fn import(format: &Format, bytes: &[u8], options: &ImportOptions<'_>) -> Imp
         imported.clips.clear();
     }
     if imported.diagnostics.iter().any(|diagnostic| is_error(diagnostic) && diagnostic.code != Code::NoShapes) {
-        // Shapes that could not be read are not missing.
+        // If shapes could not be read, they are not reported as missing.
         imported.diagnostics.retain(|diagnostic| diagnostic.code != Code::NoShapes);
     }
     imported
 }
 
-/// The voice of a file is left out: it has no mouth shapes, but another has.
+/// Returns the diagnostic for a voice that is skipped, because only other voices of the file have mouth shapes.
 fn silent_voice(track: &Track) -> Diagnostic {
     let name = track.name.as_deref().unwrap_or_default();
     let message = format!("the voice {} has no mouth shapes", escape::quoted(name));
-    let mut diagnostic = Diagnostic::new(Code::NoShapes, message).note("no clip is made of it");
+    let mut diagnostic = Diagnostic::new(Code::NoShapes, message).note("it does not become a clip");
     diagnostic.severity = Severity::Warning;
     diagnostic
 }
 
-/// The table for a track: the one that is asked for, that of the file, or one of the format.
+/// Returns the mapping table for a track: the requested one, that of the file, or one of the format.
 fn table<'m>(format: &Format, track: &Track, options: &ImportOptions<'m>) -> Option<&'m Map> {
     let of_format = || {
         let maps = format.maps.iter().filter_map(|name| map::find(name));
         let wanted = |map: &&Map| options.viseme_type.is_none_or(|wanted| wanted == map.viseme_type);
         let has_all = |map: &&Map| track.shapes.iter().all(|shape| map.code(&shape.symbol).is_some());
         let mut of_type = maps.clone().filter(wanted);
-        // Files of one format come from several tools, each with its own names.
+        // Files of one format come from several tools, with different names.
         of_type.clone().find(has_all).or_else(|| of_type.next()).or_else(|| maps.clone().next())
     };
     options.map.or_else(|| map::find(track.map?)).or_else(of_format)
 }
 
-/// The clip of a track.
-fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Clip> {
+/// Returns the clip of a track.
+fn clip(
+    track: Track,
+    map: &Map,
+    options: &ImportOptions<'_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<ImportedClip> {
     let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
     let track = match options.codes {
         Some(codes) => with_codes(track, codes, map, rate),
@@ -139,7 +144,7 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut 
     if track.shapes.is_empty() {
         diagnostics.push(
             Diagnostic::new(Code::NoShapes, "the file has no mouth shapes")
-                .help("was the tool interrupted, or not asked for visemes? let it analyse the recording again"),
+                .help("analyse the recording again, with visemes; the tool may have been interrupted"),
         );
     }
     let resampled = resample(&runs, map.viseme_type, rate, options.min_hold);
@@ -147,7 +152,7 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut 
         .lost
         .iter()
         .filter_map(|&(index, reason)| {
-            // The rest before the first shape is ours: nobody misses it.
+            // The importer added the rest before the first shape, so its loss is not reported.
             let run = runs.get(index).filter(|run| run.code != REST || run.start > Time::ZERO)?;
             Some(LostShape { symbol: (*symbols.get(index)?).to_owned(), start: run.start, end: run.end, reason })
         })
@@ -156,8 +161,8 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut 
     if !track.shapes.is_empty() && resampled.lengths.iter().sum::<usize>() == 0 {
         let end = runs.last().map_or(Time::ZERO, |run| run.end);
         diagnostics.push(
-            Diagnostic::new(Code::NoShapes, format!("the clip would have no frames: its shapes end at {end}"))
-                .help("are the times of the file in the unit of its format?"),
+            Diagnostic::new(Code::NoShapes, format!("the clip would have no frames because its shapes end at {end}"))
+                .help("check whether the times of the file have the unit of its format"),
         );
     }
     let texts = texts(&track, options, diagnostics);
@@ -171,5 +176,5 @@ fn clip(track: Track, map: &Map, options: &ImportOptions<'_>, diagnostics: &mut 
     let document = document(&track, codes, &texts, &division, map.viseme_type, rate);
     let frames = resampled.lengths.iter().sum();
     let (map, remarks) = (map.label(), track.remarks);
-    Some(Clip { name: track.name, document, mouth, texts, map, rate, frames, lost, remarks })
+    Some(ImportedClip { name: track.name, document, mouth, texts, map, rate, frames, lost, remarks })
 }

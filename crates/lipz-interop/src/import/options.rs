@@ -1,47 +1,47 @@
-//! What is decided about an import.
+//! The options of an import.
 
 use crate::segments::Segments;
 use crate::{Map, Time};
 use lipz_file::rate::Rate;
 use lipz_types::VisemeType;
 
-/// The frame rate of clips if neither the file nor the project sets one: that of Rhubarb, Moho and Pamela.
+/// The frame rate of clips if neither the file nor the project sets one. Rhubarb, Moho and Pamela use the same rate.
 pub const DEFAULT_RATE: Rate = Rate { numerator: 24, denominator: 1, is_exact: true };
 
-/// What a project and a person decide about an import.
+/// The options of an import.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct ImportOptions<'a> {
     /// The table to use instead of the one of the format.
     pub map: Option<&'a Map>,
-    /// The viseme type of the clips, which chooses among the tables of the format; without it, the first one.
+    /// The viseme type of the clips, which selects one of the format's tables. The default is the first table.
     pub viseme_type: Option<VisemeType>,
-    /// The frame rate of the clips; without it, that of the file.
+    /// The frame rate of the clips. The default is that of the file.
     pub rate: Option<Rate>,
-    /// The frame rate of clips if neither is set.
+    /// The frame rate of clips if neither of them is set.
     pub default_rate: Rate,
-    /// Frames a second of files that count frames and do not say how many are a second.
+    /// The frame rate of files that count frames but do not state a rate.
     pub file_rate: Option<Rate>,
-    /// The name of the file without folders and extension, for formats that have it in the file, too.
+    /// The name of the file without folders and extension, for formats that store it.
     pub name: Option<&'a str>,
-    /// What a second has of the units in which a Fallout file counts; without it, what the length of the sound
-    /// tells, or what the engine plays.
+    /// The units per second of a Fallout file. The default is derived from the length of the recording, or is that of
+    /// the engine.
     pub units_per_second: Option<u32>,
-    /// How long the recording is.
+    /// The length of the recording.
     pub sound_length: Option<Time>,
     /// The number of the first frame in Moho files, 0 or 1.
     pub dat_base: u64,
-    /// The codes of the mouth, one per frame; without them, the shapes of the file are. For files with one speaker.
+    /// The codes of the lip-sync track, one per frame, instead of the shapes of the file. For files with one speaker.
     pub codes: Option<&'a str>,
-    /// Frames for which a shape is shown at least.
+    /// The least number of frames of a shape.
     pub min_hold: usize,
-    /// What is said; without it, what the file has.
+    /// The spoken text. The default is that of the file.
     pub text: Option<&'a str>,
     /// The locale of the text, `en-us`.
     pub locale: Option<&'a str>,
-    /// Where clips are divided.
+    /// The method of dividing clips.
     pub segments: Segments,
-    /// The shortest rest of the mouth that is a pause.
+    /// The shortest rest that counts as a pause.
     pub min_pause: Time,
 }
 
@@ -69,7 +69,7 @@ impl Default for ImportOptions<'_> {
 
 /// Setters; each takes a value or an `Option`.
 impl<'a> ImportOptions<'a> {
-    /// The usual decisions.
+    /// Returns the default options.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -93,13 +93,13 @@ impl<'a> ImportOptions<'a> {
         ImportOptions { rate: rate.into(), ..self }
     }
 
-    /// Sets the frame rate of clips if neither is known.
+    /// Sets the frame rate of clips if neither the file nor the project sets one.
     #[must_use]
     pub fn default_rate(self, default_rate: Rate) -> Self {
         ImportOptions { default_rate, ..self }
     }
 
-    /// Sets the frames a second of files that only count frames.
+    /// Sets the frame rate of files that only count frames.
     #[must_use]
     pub fn file_rate(self, file_rate: impl Into<Option<Rate>>) -> Self {
         ImportOptions { file_rate: file_rate.into(), ..self }
@@ -111,13 +111,13 @@ impl<'a> ImportOptions<'a> {
         ImportOptions { name: name.into(), ..self }
     }
 
-    /// Sets how many units of a Fallout file a second has.
+    /// Sets the units per second of a Fallout file.
     #[must_use]
     pub fn units_per_second(self, units_per_second: impl Into<Option<u32>>) -> Self {
         ImportOptions { units_per_second: units_per_second.into(), ..self }
     }
 
-    /// Sets how long the recording is.
+    /// Sets the length of the recording.
     #[must_use]
     pub fn sound_length(self, sound_length: impl Into<Option<Time>>) -> Self {
         ImportOptions { sound_length: sound_length.into(), ..self }
@@ -129,19 +129,19 @@ impl<'a> ImportOptions<'a> {
         ImportOptions { dat_base, ..self }
     }
 
-    /// Sets the codes of the mouth, one per frame.
+    /// Sets the codes of the lip-sync track, one per frame.
     #[must_use]
     pub fn codes(self, codes: impl Into<Option<&'a str>>) -> Self {
         ImportOptions { codes: codes.into(), ..self }
     }
 
-    /// Sets the frames for which a shape is shown at least.
+    /// Sets the least number of frames of a shape.
     #[must_use]
     pub fn min_hold(self, min_hold: usize) -> Self {
         ImportOptions { min_hold, ..self }
     }
 
-    /// Sets what is said.
+    /// Sets the spoken text.
     #[must_use]
     pub fn text(self, text: impl Into<Option<&'a str>>) -> Self {
         ImportOptions { text: text.into(), ..self }
@@ -153,13 +153,13 @@ impl<'a> ImportOptions<'a> {
         ImportOptions { locale: locale.into(), ..self }
     }
 
-    /// Sets where clips are divided.
+    /// Sets the method of dividing clips.
     #[must_use]
     pub fn segments(self, segments: Segments) -> Self {
         ImportOptions { segments, ..self }
     }
 
-    /// Sets the shortest rest of the mouth that is a pause.
+    /// Sets the shortest rest that counts as a pause.
     #[must_use]
     pub fn min_pause(self, min_pause: Time) -> Self {
         ImportOptions { min_pause, ..self }

@@ -1,19 +1,19 @@
-//! From the shapes of a track to runs of codes, and what is lost between them.
+//! Conversion of a track's shapes to runs of codes, with the losses.
 
 use super::LostShape;
 use super::document::spell;
-use crate::frames::Run;
+use crate::frames::ShapeRun;
 use crate::{Map, Shape, Time, Track, export};
 use lipz_diagnostics::{Code, Diagnostic, Label, escape};
 use lipz_file::rate::Rate;
 use std::collections::HashMap;
 
-/// Most frames of a clip: more than a day at 24 frames a second can only be a mistake.
+/// The most frames of a clip. More than a day at 24 frames per second can only be a mistake.
 const MAX_FRAMES: u64 = 1 << 22;
-/// Losses that a diagnostic names; [`Clip::lost`] has all.
+/// Losses that a diagnostic names; [`ImportedClip::lost`](crate::ImportedClip::lost) has all.
 const LOSSES_SHOWN: usize = 8;
 
-/// The track with its shapes in the order of their times; reports where they run backwards.
+/// Returns the track with its shapes sorted by time. Reports times that run backwards.
 pub(super) fn in_order(mut track: Track, diagnostics: &mut Vec<Diagnostic>) -> Track {
     let backwards = track.shapes.windows(2).filter_map(|pair| match pair {
         [before, after] if after.start < before.start => Some((before, after)),
@@ -24,15 +24,19 @@ pub(super) fn in_order(mut track: Track, diagnostics: &mut Vec<Diagnostic>) -> T
         let (earlier, later) = (after.start, before.start);
         let message = format!("times run backwards: {earlier} comes after {later}");
         let diagnostic = shape_diagnostic(Code::TimesBackwards, after, message)
-            .note("the shapes are used in the order of their times")
-            .help("was the file edited by hand, or joined from two? look at the clip there");
-        diagnostics.push(if count > 1 { diagnostic.note(format!("so do {} more", count - 1)) } else { diagnostic });
+            .note("the shapes are sorted by time")
+            .help("check the clip at this time; the file may have been edited or joined from two");
+        diagnostics.push(if count > 1 {
+            diagnostic.note(format!("{} more times run backwards", count - 1))
+        } else {
+            diagnostic
+        });
         track.shapes.sort_by_key(|shape| shape.start);
     }
     track
 }
 
-/// The track with shapes of these codes, one per frame.
+/// Returns the track with shapes for these codes, one per frame.
 pub(super) fn with_codes(track: Track, codes: &str, map: &Map, rate: Rate) -> Track {
     let symbol = |code: u8| map.symbol(code).map_or_else(|| char::from(code).to_string(), str::to_owned);
     let shape = |(frame, code)| Shape::new(Time::of_frame(frame, rate), symbol(code));
@@ -47,30 +51,32 @@ fn shape_diagnostic(code: Code, shape: &Shape, message: String) -> Diagnostic {
     }
 }
 
-/// The shapes as codes, equal neighbours joined, with the symbol of each; reports symbols that the table
-/// does not have.
+/// Returns the shapes as codes, each with its symbol, with equal neighbours merged. Reports symbols that are missing
+/// from the table.
 pub(super) fn runs<'t>(
     track: &'t Track,
     map: &Map,
     rate: Rate,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Option<(Vec<&'t str>, Vec<Run>)> {
+) -> Option<(Vec<&'t str>, Vec<ShapeRun>)> {
     let last = track.shapes.last().map_or(Time::ZERO, |shape| shape.start);
     let a_frame_later = Time::of_frame(last.nearest_frame(rate).saturating_add(1), rate);
     let end = track.end.unwrap_or(if track.shapes.is_empty() { last } else { a_frame_later }).max(last);
     if end.nearest_frame(rate) > MAX_FRAMES {
-        let message = format!("the clip would have more than {MAX_FRAMES} frames: it ends at {end}");
-        diagnostics.push(Diagnostic::new(Code::ForeignValue, message).help("are the times in the unit of the format?"));
+        let message = format!("the clip ends at {end}, after more than {MAX_FRAMES} frames");
+        diagnostics.push(
+            Diagnostic::new(Code::ForeignValue, message).help("check whether the times have the unit of the format"),
+        );
         return None;
     }
     let before = diagnostics.len();
     let mut unknown: Vec<Diagnostic> = Vec::new();
     let mut place_of: HashMap<&str, usize> = HashMap::new();
-    let (mut symbols, mut runs): (Vec<&str>, Vec<Run>) = (Vec::new(), Vec::new());
+    let (mut symbols, mut runs): (Vec<&str>, Vec<ShapeRun>) = (Vec::new(), Vec::new());
     let first = track.shapes.first().map_or(end, |shape| shape.start);
     if first > Time::ZERO {
         symbols.push("-");
-        runs.push(Run { code: REST, start: Time::ZERO, end: first });
+        runs.push(ShapeRun { code: REST, start: Time::ZERO, end: first });
     }
     for (index, shape) in track.shapes.iter().enumerate() {
         let Some(code) = map.code(&shape.symbol) else {
@@ -86,7 +92,7 @@ pub(super) fn runs<'t>(
             Some(run) if run.code == code => run.end = end,
             _ => {
                 symbols.push(&shape.symbol);
-                runs.push(Run { code, start: shape.start, end });
+                runs.push(ShapeRun { code, start: shape.start, end });
             }
         }
     }
@@ -94,7 +100,7 @@ pub(super) fn runs<'t>(
     (diagnostics.len() == before).then_some((symbols, runs))
 }
 
-/// The resting mouth in every viseme type.
+/// The code of rest in every viseme type.
 pub(crate) const REST: u8 = b'-';
 
 fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
@@ -107,13 +113,13 @@ fn unknown_symbol(shape: &Shape, map: &Map) -> Diagnostic {
     }
 }
 
-/// Reports the shapes that have no frame.
+/// Reports the shapes without frames.
 pub(super) fn report(lost: &[LostShape], all: usize, rate: Rate, diagnostics: &mut Vec<Diagnostic>) {
     if lost.is_empty() {
         return;
     }
     let (count, have) = (lost.len(), if lost.len() == 1 { "has" } else { "have" });
-    let message = format!("{count} of {all} mouth shapes {have} no frame at {} frames a second", spell(rate));
+    let message = format!("{count} of {all} mouth shapes {have} no frame at {} frames per second", spell(rate));
     let mut diagnostic = Diagnostic::new(Code::ShapesLost, message);
     for loss in lost.iter().take(LOSSES_SHOWN) {
         diagnostic = diagnostic.note(loss.describe());
@@ -121,5 +127,5 @@ pub(super) fn report(lost: &[LostShape], all: usize, rate: Rate, diagnostics: &m
     if count > LOSSES_SHOWN {
         diagnostic = diagnostic.note(format!("and {} more", count - LOSSES_SHOWN));
     }
-    diagnostics.push(diagnostic.help("choose a higher `fps` if the game can show it"));
+    diagnostics.push(diagnostic.help("choose a higher `fps` if the game supports it"));
 }

@@ -1,11 +1,11 @@
-//! The mapping tables that come with the crate.
+//! The built-in mapping tables.
 
 use super::Map;
 use std::sync::LazyLock;
 
 macro_rules! tables {
     ($($name:literal)+) => {
-        /// The files, as they are in `maps/`.
+        /// The files, from `maps/`.
         const FILES: &[(&str, &str)] = &[$(($name, include_str!(concat!("../../maps/", $name, ".toml")))),+];
     };
 }
@@ -34,17 +34,17 @@ tables! {
 static TABLES: LazyLock<Vec<Map>> =
     LazyLock::new(|| FILES.iter().filter_map(|(_, text)| Map::parse(text).ok()).collect());
 
-/// The mapping tables that come with the crate, by name.
+/// Returns the built-in mapping tables, sorted by name.
 pub fn built_in() -> &'static [Map] {
     &TABLES
 }
 
-/// The mapping table of this name that comes with the crate.
+/// Returns the built-in mapping table with this name.
 pub fn find(name: &str) -> Option<&'static Map> {
     TABLES.iter().find(|map| map.name == name)
 }
 
-/// The file of the mapping table of this name, to start one's own from.
+/// Returns the file of a built-in mapping table, as a starting point for a custom one.
 pub fn file(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
@@ -78,7 +78,7 @@ mod tests {
             for (code, symbol) in map.codes() {
                 let back = map.code(symbol);
                 assert!(back.is_some(), "{}: {symbol}", map.name);
-                // Codes may share a symbol; the one that the symbol reads as is among them.
+                // Codes may share a symbol. The code for which the symbol stands is among them.
                 let reads_as = back.unwrap();
                 assert_eq!(map.symbol(reads_as), Some(symbol), "{}: {}", map.name, char::from(code));
             }

@@ -1,4 +1,4 @@
-//! Reading a mapping table from TOML.
+//! Reading of a mapping table from TOML.
 
 use super::Map;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
@@ -7,26 +7,26 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What a table states about itself, each with what to write there.
+/// The fields that describe a table, each with an example value.
 const FIELDS: [(&str, &str); 8] = [
     ("name", "a name: \"our-rig\""),
-    ("version", "a whole number that counts up when a row changes: 1"),
+    ("version", "a whole number to increase when a row changes: 1"),
     ("about", "a sentence about the table"),
-    ("source", "where its rows come from"),
+    ("source", "the source of its rows"),
     ("viseme-type", "the viseme type of its codes: \"blair\", \"toonboom\" or \"rms\""),
-    ("ignore-case", "true if symbols are the same in upper and lower case"),
-    ("guessed", "a list of symbols whose code is a guess"),
+    ("ignore-case", "true if upper and lower case are equal"),
+    ("guessed", "a list of symbols with a guessed code"),
     ("to-lipz", "a table of symbols with their codes: MBP = \"M\""),
 ];
-/// The table of the way back, which may be left out.
+/// The table of codes to symbols, which is optional.
 const FROM_LIPZ: &str = "from-lipz";
 
 impl Map {
     /// Reads a mapping table.
     ///
     /// # Errors
-    /// Text that is not TOML, fields that are missing, unknown or of another type, codes that the viseme type
-    /// does not have.
+    /// If the text is not TOML, if fields are missing, unknown or of the wrong type, or if codes do not belong to the
+    /// viseme type.
     pub fn parse(text: &str) -> Result<Map, Vec<Diagnostic>> {
         let root = DeTable::parse(text).map_err(|error| {
             let message = format!("the mapping table is not TOML: {}", escape::text(error.message()));
@@ -35,7 +35,7 @@ impl Map {
                     .help("put symbols and codes in quotes: \"F.V\" = \"F\""),
             ]
         })?;
-        let mut reading = Reading { root: root.get_ref(), diagnostics: Vec::new() };
+        let mut reading = MapReader { root: root.get_ref(), diagnostics: Vec::new() };
         let map = reading.map();
         match map.filter(|_| reading.diagnostics.is_empty()) {
             Some(map) => Ok(map),
@@ -44,12 +44,12 @@ impl Map {
     }
 }
 
-struct Reading<'t> {
+struct MapReader<'t> {
     root: &'t DeTable<'t>,
     diagnostics: Vec<Diagnostic>,
 }
 
-impl<'t> Reading<'t> {
+impl<'t> MapReader<'t> {
     fn map(&mut self) -> Option<Map> {
         self.unknown_fields();
         let name = self.string("name")?.0.to_owned();
@@ -94,13 +94,15 @@ impl<'t> Reading<'t> {
                     refusal(key.span(), format!("a mapping table has no field {}", escape::quoted(written)));
                 self.diagnostics.push(match suggest::nearest(written, known()) {
                     Some(name) => diagnostic.help(format!("did you mean `{name}`?")),
-                    None => diagnostic.help("its fields are name, version, about, source, viseme-type, ignore-case, guessed, to-lipz and from-lipz"),
+                    None => diagnostic.help(
+                        "use name, version, about, source, viseme-type, ignore-case, guessed, to-lipz or from-lipz",
+                    ),
                 });
             }
         }
     }
 
-    /// The value of a field that must be there.
+    /// Returns the value of a required field.
     fn required(&mut self, field: &str) -> Option<&'t Spanned<DeValue<'t>>> {
         let found = self.root.get(field);
         if found.is_none() {
@@ -112,10 +114,10 @@ impl<'t> Reading<'t> {
 
     fn wrong_type(&mut self, field: &str, span: Range<usize>) {
         self.diagnostics
-            .push(refusal(span, format!("`{field}` has a value of another type")).help(what_to_write(field)));
+            .push(refusal(span, format!("`{field}` has a value of the wrong type")).help(what_to_write(field)));
     }
 
-    /// A text that must be there, with its place.
+    /// Returns a required text with its position.
     fn string(&mut self, field: &str) -> Option<(&'t str, Range<usize>)> {
         let value = self.required(field)?;
         match value.get_ref() {
@@ -127,7 +129,7 @@ impl<'t> Reading<'t> {
         }
     }
 
-    /// A text that may be left out.
+    /// Returns an optional text.
     fn optional(&mut self, field: &str) -> Option<String> {
         if !self.root.contains_key(field) {
             return Some(String::new());
@@ -152,7 +154,7 @@ impl<'t> Reading<'t> {
         let found = name.parse::<VisemeType>().ok();
         if found.is_none() {
             let message = format!("{} is not a viseme type", escape::quoted(name));
-            self.diagnostics.push(refusal(span, message).help("the viseme types are blair, toonboom and rms"));
+            self.diagnostics.push(refusal(span, message).help("write blair, toonboom or rms"));
         }
         found
     }
@@ -189,14 +191,14 @@ impl<'t> Reading<'t> {
         symbols
     }
 
-    /// The rows of a table of texts: key, value and place.
+    /// Returns the rows of a table of texts: key, value and position.
     fn rows(&mut self, field: &str) -> Option<Vec<(&'t str, &'t str, Range<usize>)>> {
         let value = self.required(field)?;
         let DeValue::Table(table) = value.get_ref() else {
             self.wrong_type(field, value.span());
             return None;
         };
-        // The parser sorts keys; the file's order says which symbol of a code is the first.
+        // The parser sorts keys, but the order in the file decides which symbol of a code is the first.
         let mut rows = Vec::with_capacity(table.len());
         for (key, value) in table {
             match value.get_ref() {
@@ -212,7 +214,7 @@ impl<'t> Reading<'t> {
         Some(rows)
     }
 
-    /// The one code that a text consists of.
+    /// Returns the code if a text consists of one.
     fn code(&mut self, text: &str, span: Range<usize>, viseme_type: VisemeType) -> Option<u8> {
         let code = match text.as_bytes() {
             [code] if viseme_type.contains(*code) => Some(*code),
@@ -220,7 +222,7 @@ impl<'t> Reading<'t> {
         };
         if code.is_none() {
             let message = format!("{} is not a code of the viseme type {viseme_type}", escape::quoted(text));
-            let help = format!("its codes are {}", viseme_type.codes());
+            let help = format!("use one of its codes: {}", viseme_type.codes());
             self.diagnostics.push(refusal(span, message).help(help));
         }
         code
@@ -266,6 +268,6 @@ mod tests {
             headlines(&format!("{START}[to-lipz]\nA = \"Z\"\n")),
             ["`Z` is not a code of the viseme type blair"]
         );
-        assert_eq!(headlines(&format!("{START}[to-lipz]\nA = 1\n")), ["`to-lipz` has a value of another type"]);
+        assert_eq!(headlines(&format!("{START}[to-lipz]\nA = 1\n")), ["`to-lipz` has a value of the wrong type"]);
     }
 }

@@ -1,20 +1,19 @@
-//! An imported clip and the clip that exists already: its mouth, and what else it brings.
+//! Merging of an imported clip into an existing clip: its lip-sync track, texts and elements.
 
 use super::place::speech;
-use super::{MergeOptions, Merged, merge, set, string, tag};
+use super::{MergeOptions, MergedClip, merge, set, string, tag};
 use crate::import::element;
 use crate::segments::{parts_by_shares, parts_by_words};
 use crate::subtitles::bounds;
-use crate::{Clip, Text, Time};
+use crate::{ImportedClip, Text, Time};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::text::{DELIMITER, display, segment_count, segments, trim};
 use lipz_file::{Document, Element};
 
-impl Clip {
-    /// The clip `clip` with the mouth of this one, as [`merge`] gives it, and with what only this one has: texts in
-    /// other locales, elements. Where both have something and it differs, that of `clip` stays, and a diagnostic
-    /// tells.
-    pub fn merge<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> Merged<'s> {
+impl ImportedClip {
+    /// Returns `clip` with the lip-sync track of this clip, as [`merge`] does, and with texts in locales and elements
+    /// that are only in this clip. Where both differ, the value in `clip` stays, and a diagnostic reports it.
+    pub fn merge<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> MergedClip<'s> {
         let is_divided = |element: &Element<'_>| match element.name.text.as_ref() {
             "events" => true,
             "visemes" => string(element).is_some_and(|visemes| visemes.contains(DELIMITER)),
@@ -31,8 +30,8 @@ impl Clip {
         merged
     }
 
-    /// Merges with a clip of a mouth alone, so that it gets the segments and texts of this one.
-    fn with_own_segments<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> Merged<'s> {
+    /// Merges with a clip that only has a lip-sync track, so that it gets the segments and texts of this clip.
+    fn with_own_segments<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> MergedClip<'s> {
         let mut merged = merge(clip, &self.mouth, options);
         for element in &self.document.elements {
             let name = element.name.text.as_ref();
@@ -44,8 +43,8 @@ impl Clip {
         merged
     }
 
-    /// Adds a text in a locale that the clip does not have yet.
-    fn add_text(&self, text: &Text, merged: &mut Merged<'_>) {
+    /// Adds a text in a locale that the clip lacks.
+    fn add_text(&self, text: &Text, merged: &mut MergedClip<'_>) {
         let rate = self.mouth.rate;
         let time = |frame: &u64| Time::of_frame(*frame, rate);
         let locale = text.locale.as_deref().unwrap_or_default();
@@ -54,11 +53,12 @@ impl Clip {
         let is_blank = |own: &&Element<'_>| string(own).is_some_and(|own| trim(own).is_empty());
         if let Some(own) = of_locale.filter(|own| !is_blank(own)) {
             if !string(own).is_some_and(|own| says_the_same(own, &text.text)) {
-                let message = format!("{} stays, but the import has another text", escape::quoted(&own.name.text));
+                let message =
+                    format!("{} is kept, but the import has a different text", escape::quoted(&own.name.text));
                 merged.diagnostics.push(
                     Diagnostic::at(Code::ImportKept, own.value.span(), message)
                         .note(format!("the text of the import: {}", escape::quoted(&text.text)))
-                        .help("change the text of the clip if the recording says something else"),
+                        .help("change the text of the clip if the recording has the text of the import"),
                 );
             }
             return;
@@ -76,8 +76,8 @@ impl Clip {
                         Code::SegmentGuessed,
                         format!("the {count} segments of `text_{locale}` are guessed"),
                     )
-                    .note("divided between words, as if every letter took the same time")
-                    .help("move the `|` of the text to where they are in the other texts"),
+                    .note("they are divided between words, with the same time for each letter")
+                    .help("move each `|` of the text to its position in the other texts"),
                 );
                 parts_by_shares(&whole, &starts, &speech(&self.mouth.codes, rate))
             })
@@ -87,17 +87,18 @@ impl Clip {
         set(&mut merged.document, &name, new);
     }
 
-    /// Adds the elements that the clip does not have yet.
-    fn add_elements(&self, merged: &mut Merged<'_>) {
+    /// Adds the elements that the clip lacks.
+    fn add_elements(&self, merged: &mut MergedClip<'_>) {
         let is_of_mouth = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps") || tag(name).is_some();
         for element in self.document.elements.iter().filter(|element| !is_of_mouth(&element.name.text)) {
             let name = element.name.text.as_ref();
             let counts = |of: Option<&str>| of.map_or(1, segment_count);
             let message = match merged.document.get(name) {
                 Some(own) if own.value == element.value => continue,
-                Some(_) => format!("{} stays, but the import has another value", escape::quoted(name)),
+                Some(_) => format!("{} is kept, but the import has a different value", escape::quoted(name)),
                 None if name == "events" && counts(string(element)) != counts(merged.document.string("visemes")) => {
-                    "the events of the import are left out: they have other segments than the clip".to_owned()
+                    "the events of the import are left out because their segments differ from those of the clip"
+                        .to_owned()
                 }
                 None => {
                     merged.document.elements.push(element.clone());
@@ -109,7 +110,7 @@ impl Clip {
     }
 }
 
-/// Whether two texts say the same to a player, however they are divided.
+/// Whether two texts are displayed with the same words, however they are divided.
 fn says_the_same(one: &str, other: &str) -> bool {
     let shown = |text: &str| {
         let parts = segments(text).map(|range| display(text.get(range).unwrap_or_default()).text.into_owned());

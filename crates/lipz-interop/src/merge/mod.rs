@@ -1,13 +1,13 @@
-//! A new mouth for a clip that exists: the work of writers and translators stays.
+//! A new lip-sync track for an existing clip, which keeps the work of writers and translators.
 //!
-//! A retake, or another analysis of the same recording, decides about mouth shapes and times only. [`merge`] gives
-//! them to a clip; [`Clip::merge`](crate::Clip::merge) does so with what an import has besides.
+//! A retake, or a new analysis of the same recording, only affects mouth shapes and times. [`merge`] applies these to a
+//! clip; [`Clip::merge`](crate::ImportedClip::merge) also adds the other content of an import.
 
 mod imported;
 mod place;
 
 use crate::import::{element, fps, spell};
-use crate::{Time, Timed};
+use crate::{Time, TimedText};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::rate::Rate;
@@ -15,7 +15,7 @@ use lipz_file::text::{DELIMITER, is_white_space, segment_count};
 use lipz_file::{Document, Value};
 use lipz_types::VisemeType;
 
-/// The mouth of a recording: codes, and what is known about the times of what is said.
+/// The lip-sync track of a recording: codes, and the known times of its text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Mouth {
@@ -25,51 +25,51 @@ pub struct Mouth {
     pub rate: Rate,
     /// The type of the codes.
     pub viseme_type: VisemeType,
-    /// When each segment but the first starts, if that is known. It counts for clips with that many segments.
+    /// The start of each segment except the first, if known. It is used for clips with the same number of segments.
     pub segment_starts: Option<Vec<Time>>,
-    /// The spoken words, in the order of their times.
-    pub words: Vec<Timed>,
-    /// Stretches of text that belong together, in the order of their times.
-    pub phrases: Vec<Timed>,
+    /// The spoken words, ordered by time.
+    pub words: Vec<TimedText>,
+    /// The phrases: stretches of text that belong together, ordered by time.
+    pub phrases: Vec<TimedText>,
 }
 
 impl Mouth {
-    /// A mouth of which nothing but the codes is known.
+    /// Returns a lip-sync track that only has codes.
     pub fn new(codes: impl Into<String>, rate: Rate, viseme_type: VisemeType) -> Mouth {
         let (codes, words, phrases) = (codes_of(&codes.into()).collect(), Vec::new(), Vec::new());
         Mouth { codes, rate, viseme_type, segment_starts: None, words, phrases }
     }
 
-    /// Sets when each segment but the first starts.
+    /// Sets the start of each segment except the first.
     #[must_use]
     pub fn segment_starts(self, segment_starts: impl Into<Option<Vec<Time>>>) -> Mouth {
         Mouth { segment_starts: segment_starts.into(), ..self }
     }
 
-    /// Sets the spoken words, in the order of their times.
+    /// Sets the spoken words, ordered by time.
     #[must_use]
-    pub fn words(self, words: Vec<Timed>) -> Mouth {
+    pub fn words(self, words: Vec<TimedText>) -> Mouth {
         Mouth { words, ..self }
     }
 
-    /// Sets the phrases, in the order of their times.
+    /// Sets the phrases, ordered by time.
     #[must_use]
-    pub fn phrases(self, phrases: Vec<Timed>) -> Mouth {
+    pub fn phrases(self, phrases: Vec<TimedText>) -> Mouth {
         Mouth { phrases, ..self }
     }
 }
 
-/// What a project decides about merging.
+/// The options of merging.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct MergeOptions<'a> {
-    /// The locale that is spoken; without it, or a text in it, the first text of the clip is.
+    /// The spoken locale. Without it, or without a text in it, the first text of the clip counts as spoken.
     pub locale: Option<&'a str>,
-    /// The shortest rest of the mouth that is a pause.
+    /// The shortest rest that counts as a pause.
     pub min_pause: Time,
-    /// The frame rate of files without `fps`: a clip of this rate needs none.
+    /// The frame rate of files without `fps`. Clips with this rate do not need the element.
     pub default_rate: Option<Rate>,
-    /// The type of files without `viseme_type`: a clip of this type needs none.
+    /// The type of files without `viseme_type`. Clips with this type do not need the element.
     pub default_viseme_type: Option<VisemeType>,
 }
 
@@ -82,19 +82,19 @@ impl Default for MergeOptions<'_> {
 
 /// Setters; each takes a value or an `Option`.
 impl<'a> MergeOptions<'a> {
-    /// The usual decisions.
+    /// Returns the default options.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Sets the locale that is spoken.
+    /// Sets the spoken locale.
     #[must_use]
     pub fn locale(self, locale: impl Into<Option<&'a str>>) -> Self {
         MergeOptions { locale: locale.into(), ..self }
     }
 
-    /// Sets the shortest rest of the mouth that is a pause.
+    /// Sets the shortest rest that counts as a pause.
     #[must_use]
     pub fn min_pause(self, min_pause: Time) -> Self {
         MergeOptions { min_pause, ..self }
@@ -113,23 +113,23 @@ impl<'a> MergeOptions<'a> {
     }
 }
 
-/// A clip with a new mouth.
+/// A clip with a new lip-sync track.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
-pub struct Merged<'s> {
+pub struct MergedClip<'s> {
     /// The clip.
     pub document: Document<'s>,
-    /// What was guessed, and what of an import was not taken.
+    /// The guesses, and the parts of an import that were dropped.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Gives a clip a new mouth: `visemes`, `viseme_type` and `fps` are replaced, all other elements stay, in their order.
+/// Replaces the lip-sync track of a clip: `visemes`, `viseme_type` and `fps`. All other elements stay, in order.
 ///
-/// The clip keeps its segments. Where each of them starts in the new mouth is looked up, in this order: the mouth's
-/// own segments, if it has as many; the old places, if the codes are the same; the mouth's phrases, if it has as many;
-/// the times of words; the old times, if the recording is as long as before; the pause of the mouth that is nearest to
-/// where the segment was in the old speech or, without an old mouth, to where it would be if every letter took the
-/// same time. A segment that starts at none of these is a guess, which a diagnostic tells (LZ1109).
+/// The clip keeps its segments. The first of these that applies determines where each of them starts: the segments of
+/// the new track, if it has the same number; the old positions, if the codes are unchanged; the phrases of the track,
+/// if it has the same number; the times of words; the old times, if the length of the recording is unchanged; the pause
+/// nearest to the old share of the speech or, without an old track, to the share of the letters. If none of them
+/// applies, the start is a guess, which a diagnostic reports (LZ1109).
 ///
 /// ```
 /// use lipz_interop::{MergeOptions, Mouth, merge};
@@ -143,21 +143,21 @@ pub struct Merged<'s> {
 /// assert!(merged.diagnostics.is_empty() && merged.document.get("mood").is_some());
 /// # Ok::<(), &str>(())
 /// ```
-pub fn merge<'s>(clip: &Document<'s>, mouth: &Mouth, options: &MergeOptions<'_>) -> Merged<'s> {
+pub fn merge<'s>(clip: &Document<'s>, mouth: &Mouth, options: &MergeOptions<'_>) -> MergedClip<'s> {
     let mut diagnostics = Vec::new();
     let parts = Parts::from_document(clip, options.locale);
     parts.report_others(clip, &mut diagnostics);
     let starts = place::starts(&parts, clip, mouth, options, &mut diagnostics);
     let mut document = clip.clone();
     set_mouth(&mut document, divided(&mouth.codes, &starts), mouth, options);
-    Merged { document, diagnostics }
+    MergedClip { document, diagnostics }
 }
 
-/// The segments of a clip, as its texts and events have them.
+/// The segments of a clip, from its texts and events.
 struct Parts<'d> {
-    /// How many there are.
+    /// The number of segments.
     count: usize,
-    /// What is spoken, if the clip has a text.
+    /// The spoken text, if the clip has one.
     spoken: Option<&'d str>,
 }
 
@@ -170,7 +170,7 @@ impl<'d> Parts<'d> {
         Parts { count: divided.map_or(1, segment_count), spoken }
     }
 
-    /// Reports texts and events with another number of segments: they did not agree before, either.
+    /// Reports texts and events with a different number of segments, which did not match before either.
     fn report_others(&self, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) {
         for element in &clip.elements {
             let is_divided = element.name.text == "events" || text_name(&element.name.text).is_some();
@@ -178,7 +178,7 @@ impl<'d> Parts<'d> {
             if count != self.count {
                 let name = escape::quoted(&element.name.text);
                 let segments = if count == 1 { "segment" } else { "segments" };
-                let message = format!("{name} has {count} {segments}, but the new mouth has {}", self.count);
+                let message = format!("{name} has {count} {segments}, but the new visemes have {}", self.count);
                 let diagnostic = Diagnostic::at(Code::SegmentCount, element.value.span(), message);
                 let mut diagnostic = diagnostic.help("put a `|` into each element where the segments meet");
                 diagnostic.severity = Severity::Warning;
@@ -188,7 +188,7 @@ impl<'d> Parts<'d> {
     }
 }
 
-/// The locale of a text by the name of its element, empty if it names none; `None` if it is no text.
+/// Returns the locale of a text from the name of its element, empty if it has none; `None` for other elements.
 fn tag(name: &str) -> Option<String> {
     Some(match text_name(name)? {
         TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => tag,
@@ -204,12 +204,12 @@ fn string<'d>(element: &'d lipz_file::Element<'_>) -> Option<&'d str> {
     }
 }
 
-/// The codes of `visemes` without `|`.
+/// Returns the codes of `visemes` without `|`.
 fn codes_of(visemes: &str) -> impl Iterator<Item = char> + '_ {
     visemes.chars().filter(|&code| code != DELIMITER && !is_white_space(code))
 }
 
-/// Codes with a `|` before each of these frames, which ascend.
+/// Returns the codes with a `|` before each of these frames, which ascend.
 fn divided(codes: &str, starts: &[usize]) -> String {
     let mut divided = String::with_capacity(codes.len() + starts.len());
     let mut done = 0;
@@ -221,7 +221,7 @@ fn divided(codes: &str, starts: &[usize]) -> String {
     divided + codes.get(done..).unwrap_or_default()
 }
 
-/// Replaces what a mouth decides about. Values that say the same stay as they are spelled.
+/// Replaces the elements of the lip-sync track. Values with the same meaning keep their spelling.
 fn set_mouth(document: &mut Document<'_>, visemes: String, mouth: &Mouth, options: &MergeOptions<'_>) {
     if document.string("visemes") != Some(&visemes) {
         set(document, "visemes", element("visemes", visemes));
@@ -238,14 +238,14 @@ fn set_mouth(document: &mut Document<'_>, visemes: String, mouth: &Mouth, option
         Some(_) => crate::export::rate(document),
         None => options.default_rate,
     };
-    // A rate that decimal digits do not hold is compared as it would be spelled.
+    // A rate without an exact decimal form is compared by its spelling.
     let spelled = rate.is_some_and(|rate| spell(rate) == spell(mouth.rate));
     if !spelled && !rate.is_some_and(is_same) {
         set(document, "fps", fps(mouth.rate));
     }
 }
 
-/// Gives an element a value; a new one comes where the specification's examples have it.
+/// Sets the value of an element. A new element is inserted at the position that the specification's examples use.
 fn set(document: &mut Document<'_>, name: &str, new: lipz_file::Element<'static>) {
     if let Some(element) = document.elements.iter_mut().find(|element| element.name.text == name) {
         element.value = new.value;

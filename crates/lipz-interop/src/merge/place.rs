@@ -1,20 +1,20 @@
-//! Where the segments of a clip start in a new mouth.
+//! The starts of a clip's segments in a new lip-sync track.
 
 use super::{MergeOptions, Mouth, Parts, codes_of};
-use crate::frames::Run;
+use crate::frames::ShapeRun;
 use crate::import::REST;
-use crate::segments::{Place, Speech, guessed};
+use crate::segments::{PartStart, Speech, guessed};
 use crate::subtitles::bounds;
-use crate::{Time, Timed};
+use crate::{Time, TimedText};
 use lipz_diagnostics::Diagnostic;
 use lipz_file::Document;
 use lipz_file::rate::Rate;
 use lipz_file::text::{display, segments};
 
-/// Words of a mouth among which the next word of a text is looked for: a few may have been added or misheard.
+/// The number of words of a track that are searched for the next word of a text. A few may be inserted or misheard.
 const WORDS_AHEAD: usize = 8;
 
-/// The frames at which the segments but the first start, ascending; reports guesses.
+/// Returns the first frames of all segments except the first, ascending. Reports guesses.
 pub(super) fn starts(
     parts: &Parts<'_>,
     clip: &Document<'_>,
@@ -34,7 +34,7 @@ pub(super) fn starts(
         times.iter().map(frame).collect()
     };
     if wanted == 0 || frames == 0 {
-        return vec![0; wanted]; // there is but one place
+        return vec![0; wanted]; // there is only one place
     }
     if let Some(known) = mouth.segment_starts.as_ref().filter(|starts| starts.len() == wanted) {
         return in_frames(known);
@@ -53,7 +53,7 @@ pub(super) fn starts(
     let end = Time::of_frame(frames as u64, mouth.rate);
     let (places, note) = match (&old, parts.spoken) {
         (Some(old), _) => {
-            (old.places(&speech, end, options.min_pause), "guessed from where they were in the mouth before")
+            (old.places(&speech, end, options.min_pause), "guessed from their position in the previous visemes")
         }
         (None, text) => {
             let letters = |range| {
@@ -64,29 +64,29 @@ pub(super) fn starts(
                     .count()
             };
             let lengths: Vec<usize> = segments(text.unwrap_or_default()).map(letters).collect();
-            (speech.starts(&lengths, options.min_pause), "guessed as if every letter took the same time")
+            (speech.starts(&lengths, options.min_pause), "guessed with the same time for each letter")
         }
     };
     let known = by_words.into_iter().chain(std::iter::repeat(None));
-    let places: Vec<Place> = places
+    let places: Vec<PartStart> = places
         .into_iter()
         .zip(known)
-        .map(|(place, known)| known.map_or(place, |time| Place { time, is_guess: false }))
+        .map(|(place, known)| known.map_or(place, |time| PartStart { time, is_guess: false }))
         .collect();
     diagnostics.extend(guessed(&places, note));
     in_frames(&places.iter().map(|place| place.time).collect::<Vec<_>>())
 }
 
-/// The mouth that a clip has so far, divided as the clip is.
+/// The current lip-sync track of a clip, divided like the clip.
 struct OldMouth {
     codes: String,
     rate: Rate,
-    /// The frames at which its segments but the first start.
+    /// The first frames of all segments except the first.
     starts: Vec<usize>,
 }
 
 impl OldMouth {
-    /// The mouth of a clip, if it has one that `wanted` delimiters divide.
+    /// Returns the lip-sync track of a clip, if it has one with `wanted` delimiters.
     fn from_document(clip: &Document<'_>, wanted: usize, default_rate: Rate) -> Option<OldMouth> {
         let visemes = clip.string("visemes")?;
         let codes: String = codes_of(visemes).collect();
@@ -97,33 +97,33 @@ impl OldMouth {
         (starts.len() == wanted && !codes.is_empty()).then_some(OldMouth { codes, rate, starts })
     }
 
-    /// Where its segments start in a new mouth that speaks like this until `end`.
-    fn places(&self, speech: &Speech, end: Time, min_pause: Time) -> Vec<Place> {
+    /// Returns the starts of the segments in a new track, which speaks like `speech` and ends at `end`.
+    fn places(&self, speech: &Speech, end: Time, min_pause: Time) -> Vec<PartStart> {
         let time = |frame: usize| Time::of_frame(frame as u64, self.rate);
         let old_end = time(self.codes.len());
         let old_speech = self::speech(&self.codes, self.rate);
         let a_frame_more = |end: Time| Time::of_frame(end.nearest_frame(self.rate) + 1, self.rate);
         let is_as_long = old_end <= a_frame_more(end) && end <= a_frame_more(old_end);
         if is_as_long || old_speech.is_silent() || speech.is_silent() {
-            // Nothing tells more than the times.
+            // The times are the only information.
             let is_guess = |start: Time| !is_as_long && (start > end || !old_speech.is_silent());
             let places = self.starts.iter().map(|&start| time(start));
-            return places.map(|start| Place { time: start.min(end), is_guess: is_guess(start) }).collect();
+            return places.map(|start| PartStart { time: start.min(end), is_guess: is_guess(start) }).collect();
         }
         let shares: Vec<f64> = self.starts.iter().map(|&start| old_speech.share(time(start))).collect();
         let places = speech.at_shares(&shares, min_pause);
         if places.iter().all(|place| !place.is_guess) || !self.starts.iter().all(|&start| self.is_in_pause(start)) {
             return places;
         }
-        // All segments began after a pause, and the new mouth pauses as often.
+        // All segments began after a pause, and the new track has the same number of pauses.
         let pauses: Vec<Time> = speech.long_pauses(min_pause).map(|pause| pause.end).collect();
         match pauses.len() == places.len() {
-            true => pauses.into_iter().map(|time| Place { time, is_guess: false }).collect(),
+            true => pauses.into_iter().map(|time| PartStart { time, is_guess: false }).collect(),
             false => places,
         }
     }
 
-    /// Whether the mouth rests beside a frame where a segment starts, and speaks before it and from there on.
+    /// Whether the mouth rests next to the first frame of a segment, and speaks before and after it.
     fn is_in_pause(&self, start: usize) -> bool {
         let (before, after) = self.codes.split_at(start.min(self.codes.len()));
         let speaks = |codes: &str| codes.bytes().any(|code| code != REST);
@@ -137,22 +137,21 @@ fn is_same(one: Rate, other: Rate) -> bool {
     (one.numerator, one.denominator) == (other.numerator, other.denominator)
 }
 
-/// When a mouth speaks: always but when it rests, however short.
+/// Returns the speech of a lip-sync track. Any rest interrupts it, however short.
 pub(super) fn speech(codes: &str, rate: Rate) -> Speech {
     let mut frame = 0;
     let run = |codes: &[u8]| {
         let start = frame;
         frame += codes.len() as u64;
         let code = codes.first().copied().unwrap_or_default();
-        Run { code, start: Time::of_frame(start, rate), end: Time::of_frame(frame, rate) }
+        ShapeRun { code, start: Time::of_frame(start, rate), end: Time::of_frame(frame, rate) }
     };
-    let runs: Vec<Run> = codes.as_bytes().chunk_by(|a, b| a == b).map(run).collect();
+    let runs: Vec<ShapeRun> = codes.as_bytes().chunk_by(|a, b| a == b).map(run).collect();
     Speech::from_runs(&runs, Time::ZERO)
 }
 
-/// When the segments of a text but the first start, where the times of words tell: those of segments whose first
-/// word was heard.
-fn word_starts(text: &str, heard: &[Timed]) -> Vec<Option<Time>> {
+/// Returns the starts of all segments except the first, as far as the first word of the segment was found in `heard`.
+fn word_starts(text: &str, heard: &[TimedText]) -> Vec<Option<Time>> {
     let heard: Vec<(String, Time)> =
         heard.iter().flat_map(|timed| words(&timed.text).into_iter().map(|word| (word, timed.start))).collect();
     let of_segments: Vec<Vec<String>> =
@@ -164,7 +163,7 @@ fn word_starts(text: &str, heard: &[Timed]) -> Vec<Option<Time>> {
         let mut start = None;
         for (index, word) in words.iter().enumerate() {
             let ahead = || heard.iter().skip(next);
-            // As many words are the same words, however they are spelled.
+            // With the same number of words, they correspond one to one, however they are spelled.
             let found =
                 if is_as_many { Some(0) } else { ahead().take(WORDS_AHEAD).position(|(heard, _)| heard == word) };
             let Some(found) = found else { continue };
@@ -179,7 +178,7 @@ fn word_starts(text: &str, heard: &[Timed]) -> Vec<Option<Time>> {
     starts
 }
 
-/// The words of a text in lower case, without marks.
+/// Returns the words of a text in lower case, without punctuation.
 fn words(text: &str) -> Vec<String> {
     let word = |word: &str| word.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect();
     text.split_whitespace().map(word).filter(|word: &String| !word.is_empty()).collect()

@@ -1,39 +1,39 @@
-//! Segments of imported clips: where they start, and which part of the text belongs to each.
+//! Segments of imported clips: their starts and their parts of the text.
 
 mod pauses;
 mod sentences;
 
-pub(crate) use pauses::{Place, Speech};
+pub(crate) use pauses::{PartStart, Speech};
 
-use crate::{Text, Time, Timed, Track};
+use crate::{Text, Time, TimedText, Track};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::text::{DELIMITER, trim};
 use sentences::{cut, sentences, words};
 
-/// Where an imported clip is divided into segments, if its text has no `|` that say so.
+/// The method of dividing an imported clip into segments, if its text has no `|`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Segments {
     /// At the phrases of the file, if it has any.
     #[default]
     Phrases,
-    /// Where the mouth rests for a while.
+    /// Where the mouth rests for some time.
     Pauses,
     /// At the ends of the text's sentences.
     Sentences,
-    /// Nowhere.
+    /// The clip is not divided.
     None,
 }
 
 /// A clip's segments.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Division {
-    /// When each segment but the first starts.
+    /// The start of each segment except the first.
     pub(crate) starts: Vec<Time>,
     /// The parts of each text, one for each segment.
     pub(crate) texts: Vec<Vec<String>>,
 }
 
-/// Divides the texts and the shapes of a track alike.
+/// Divides the texts and the shapes of a track consistently.
 pub(crate) fn divide(
     track: &Track,
     speech: &Speech,
@@ -41,7 +41,7 @@ pub(crate) fn divide(
     segments: Segments,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Division {
-    // `|` in a text say how many segments there are, whatever divides the others.
+    // The `|` of a text determine the number of segments, whatever divides the others.
     if let Some(marked) = texts.iter().find(|text| text.text.contains(DELIMITER)) {
         let starts = starts_of(&parts(&marked.text), track, speech, diagnostics);
         let divided = |text: &Text| match parts(&text.text) {
@@ -76,23 +76,23 @@ pub(crate) fn divide(
     }
 }
 
-/// Whether `parts` say together what `text` says.
+/// Whether `parts` together have the words of `text`.
 fn is_all(text: &str, parts: &[String]) -> bool {
     words(text).eq(parts.iter().flat_map(|part| words(part)))
 }
 
-/// The parts between the `|` of a text, trimmed.
+/// Returns the parts between the `|` of a text, trimmed.
 fn parts(text: &str) -> Vec<String> {
     text.split(DELIMITER).map(|part| trim(part).to_owned()).collect()
 }
 
-/// A text in as many parts as there are segments.
+/// Splits a text into one part per segment.
 fn parts_at(text: &str, starts: &[Time], track: &Track, speech: &Speech) -> Vec<String> {
     parts_by_words(text, starts, &track.words).unwrap_or_else(|| parts_by_shares(text, starts, speech))
 }
 
-/// A text in as many parts as there are segments, if it is known when each of its words is spoken.
-pub(crate) fn parts_by_words(text: &str, starts: &[Time], spoken: &[Timed]) -> Option<Vec<String>> {
+/// Splits a text into one part per segment by the times of its words, if these are known.
+pub(crate) fn parts_by_words(text: &str, starts: &[Time], spoken: &[TimedText]) -> Option<Vec<String>> {
     let words: Vec<usize> = words(text).map(|word| word.as_ptr() as usize - text.as_ptr() as usize).collect();
     if words.len() != spoken.len() {
         return None;
@@ -112,14 +112,14 @@ pub(crate) fn parts_by_words(text: &str, starts: &[Time], spoken: &[Timed]) -> O
     Some(parts)
 }
 
-/// A text in as many parts as there are segments, as if every letter took the same time.
+/// Splits a text into one part per segment, assuming that every letter takes the same time.
 pub(crate) fn parts_by_shares(text: &str, starts: &[Time], speech: &Speech) -> Vec<String> {
     let shares: Vec<f64> = starts.iter().map(|start| speech.share(*start)).collect();
     cut(text, &shares)
 }
 
-/// When each of these parts but the first starts: as the file says, or else at the pause that is
-/// nearest to where the part would start if every letter took the same time.
+/// Returns the starts of these parts except the first: those of the file, or else the pauses nearest to where the parts
+/// would start if every letter took the same time.
 fn starts_of(parts: &[String], track: &Track, speech: &Speech, diagnostics: &mut Vec<Diagnostic>) -> Vec<Time> {
     if track.phrases.len() == parts.len() {
         return track.phrases.iter().skip(1).map(|phrase| phrase.start).collect();
@@ -138,15 +138,15 @@ fn starts_of(parts: &[String], track: &Track, speech: &Speech, diagnostics: &mut
     }
     let lengths: Vec<usize> = parts.iter().map(|part| part.chars().filter(|c| c.is_alphanumeric()).count()).collect();
     let places = speech.starts(&lengths, Time::ZERO);
-    diagnostics.extend(guessed(&places, "guessed as if every letter took the same time"));
+    diagnostics.extend(guessed(&places, "guessed with the same time for each letter"));
     places.iter().map(|place| place.time).collect()
 }
 
-/// The diagnostic about the places that are guesses, if any is.
-pub(crate) fn guessed(places: &[Place], note: &str) -> Option<Diagnostic> {
+/// Returns the diagnostic about guessed places, if there are any.
+pub(crate) fn guessed(places: &[PartStart], note: &str) -> Option<Diagnostic> {
     let guessed = places.iter().filter(|place| place.is_guess).count();
     let (all, what) = (places.len(), if guessed == 1 { "boundaries is" } else { "boundaries are" });
     let message = format!("{guessed} of {all} segment {what} not in a pause of the mouth");
-    let help = "move the `|` of the visemes to where the voice is, or divide the text at its pauses";
+    let help = "move the `|` of the visemes to the pauses of the voice, or split the text at its pauses";
     (guessed > 0).then(|| Diagnostic::new(Code::SegmentGuessed, message).note(note).help(help))
 }

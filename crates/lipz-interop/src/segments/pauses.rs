@@ -1,22 +1,22 @@
-//! Speech and pauses, as the shapes of the mouth show them.
+//! Speech and pauses, derived from mouth shapes.
 
 use crate::Time;
-use crate::frames::Run;
+use crate::frames::ShapeRun;
 use std::ops::Range;
 
-/// When a mouth speaks and when it rests, from first to last.
+/// The times at which a mouth speaks and rests, from its first to its last sound.
 pub(crate) struct Speech {
-    /// The stretches between pauses, in seconds; the first starts with the first sound.
+    /// The stretches between pauses, in seconds. The first starts with the first sound.
     spoken: Vec<Range<f64>>,
-    /// Seconds of speaking before each of them, and of all.
+    /// The seconds of speech before each of them, and in total.
     spoken_before: Vec<f64>,
-    /// The pauses between them: one fewer.
+    /// The pauses between them.
     pauses: Vec<Range<Time>>,
 }
 
 impl Speech {
-    /// The speech in `runs`, in which `is_rest` says which codes rest. Rests shorter than `min_pause` are part of speaking.
-    pub(crate) fn from_runs(runs: &[Run], min_pause: Time) -> Speech {
+    /// Returns the speech in `runs`. Rests shorter than `min_pause` count as speech.
+    pub(crate) fn from_runs(runs: &[ShapeRun], min_pause: Time) -> Speech {
         let mut speech = Speech { spoken: Vec::new(), spoken_before: vec![0.0], pauses: Vec::new() };
         for run in runs.iter().filter(|run| run.code != b'-' && run.start < run.end) {
             let (start, end) = (run.start.as_f64(), run.end.as_f64());
@@ -37,7 +37,7 @@ impl Speech {
                 }
             }
         }
-        speech.pauses.pop(); // the rest behind the last sound
+        speech.pauses.pop(); // the rest after the last sound
         let mut done = 0.0;
         for spoken in &speech.spoken {
             done += spoken.end - spoken.start;
@@ -46,17 +46,17 @@ impl Speech {
         speech
     }
 
-    /// The pauses between sounds.
+    /// Returns the pauses between sounds.
     pub(crate) fn pauses(&self) -> impl Iterator<Item = &Range<Time>> {
         self.pauses.iter()
     }
 
-    /// The pauses that last for `min_pause` or longer.
+    /// Returns the pauses of at least `min_pause`.
     pub(crate) fn long_pauses(&self, min_pause: Time) -> impl Iterator<Item = &Range<Time>> {
         self.pauses().filter(move |pause| is_long(pause, min_pause))
     }
 
-    /// How much of the speaking is done at a time, from 0 to 1.
+    /// Returns the share of the speech before a time, from 0 to 1.
     pub(crate) fn share(&self, time: Time) -> f64 {
         let time = time.as_f64();
         let begun = self.spoken.partition_point(|spoken| spoken.start < time);
@@ -65,15 +65,15 @@ impl Speech {
         (self.spoken_before.get(last).copied().unwrap_or(0.0) + within) / self.seconds()
     }
 
-    /// Seconds of speaking, without pauses.
+    /// Returns the seconds of speech, without pauses.
     fn seconds(&self) -> f64 {
         self.spoken_before.last().copied().unwrap_or(0.0)
     }
 
-    /// When this share of the speaking is done.
+    /// Returns the time at which this share of the speech has passed.
     fn time(&self, share: f64) -> Time {
         let wanted = share * self.seconds();
-        // The stretch that ends with or behind the share.
+        // The first stretch that ends at or after the share.
         let ends = self.spoken_before.get(1..).unwrap_or_default();
         let index = ends.partition_point(|end| *end < wanted);
         match self.spoken.get(index) {
@@ -82,14 +82,14 @@ impl Speech {
         }
     }
 
-    /// Whether nothing is said.
+    /// Whether there is no speech.
     pub(crate) fn is_silent(&self) -> bool {
         self.spoken.is_empty()
     }
 
-    /// When parts of these lengths start, but for the first.
+    /// Returns the starts of parts with these lengths, except the first.
     #[allow(clippy::cast_precision_loss, reason = "lengths of texts")]
-    pub(crate) fn starts(&self, lengths: &[usize], min_pause: Time) -> Vec<Place> {
+    pub(crate) fn starts(&self, lengths: &[usize], min_pause: Time) -> Vec<PartStart> {
         let all = lengths.iter().sum::<usize>().max(1) as f64;
         let mut before = 0;
         let share = |length: &usize| {
@@ -100,54 +100,55 @@ impl Speech {
         self.at_shares(shares.split_last().map_or(&[], |(_, starts)| starts), min_pause)
     }
 
-    /// When parts start that do so at these shares of the speaking, which ascend: in the nearest pauses, rather in those
-    /// of `min_pause` or longer. Parts without speech start at the same share, and are the pause there.
-    pub(crate) fn at_shares(&self, shares: &[f64], min_pause: Time) -> Vec<Place> {
+    /// Returns the starts of parts at these shares of the speech, which ascend. Parts start in the nearest pauses,
+    /// preferably of at least `min_pause`. Parts without speech start at the same share, and consist of the pause
+    /// there.
+    pub(crate) fn at_shares(&self, shares: &[f64], min_pause: Time) -> Vec<PartStart> {
         let pauses: Vec<(f64, &Range<Time>)> = self.pauses().map(|pause| (self.share(pause.end), pause)).collect();
         let mut places = Vec::with_capacity(shares.len());
         let mut before = 0.0;
         for same in shares.chunk_by(|a, b| (a - b).abs() < SAME_SHARE) {
             let wanted = same.first().copied().unwrap_or_default();
             let after = shares.get(places.len() + same.len()).copied().unwrap_or(1.0);
-            // A pause nearer than half of either part cannot be nearer to another boundary, so they stay in order.
+            // Limiting the distance to half of either part keeps the boundaries in order.
             let reach = (wanted - before).min(after - wanted) / 2.0;
             before = wanted;
             let distance = |pause: &(f64, &Range<Time>)| (pause.0 - wanted).abs();
-            // Pauses ascend, and no two boundaries reach the same one: all of this is linear.
+            // Pauses ascend, and each is within reach of one boundary at most, so all of this takes linear time.
             let first = pauses.partition_point(|pause| pause.0 <= wanted - reach);
             let near = pauses.iter().skip(first).take_while(|pause| pause.0 < wanted + reach);
             let nearest = near.min_by(|a, b| {
                 is_long(b.1, min_pause).cmp(&is_long(a.1, min_pause)).then_with(|| distance(a).total_cmp(&distance(b)))
             });
             let (pause, is_guess) = match nearest {
-                // Rest before and after all speech is no pause, but is no guess, either.
+                // Rest before and after all speech does not count as a pause, but is not a guess either.
                 _ if wanted < SAME_SHARE => (Time::ZERO..self.time(0.0), false),
                 _ if wanted > 1.0 - SAME_SHARE => (self.time(1.0)..self.time(1.0), false),
                 Some((_, pause)) => (pause.start..pause.end, false),
                 None => (self.time(wanted)..self.time(wanted), true),
             };
-            // A part starts when speech goes on; those without speech before it divide the pause.
+            // A part starts when speech continues. Parts without speech before it divide the pause.
             let (start, length) = (pause.start.as_f64(), pause.end.as_f64() - pause.start.as_f64());
             let gaps = same.len().saturating_sub(1);
             for index in 0..same.len() {
-                let first = if wanted < SAME_SHARE { 1 } else { 0 }; // a part of its own lies before the speech
+                let first = if wanted < SAME_SHARE { 1 } else { 0 }; // a separate part precedes the speech
                 let time = match index {
                     _ if index == gaps => pause.end,
                     _ if index + first == 0 => pause.start,
                     _ => time(start + length * fraction(index + first, gaps + first)),
                 };
-                places.push(Place { time, is_guess: is_guess || (index + first > 0 && index < gaps) });
+                places.push(PartStart { time, is_guess: is_guess || (index + first > 0 && index < gaps) });
             }
         }
         places
     }
 }
 
-/// Where a part starts.
+/// The start of a part.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Place {
+pub(crate) struct PartStart {
     pub(crate) time: Time,
-    /// Whether nothing but the lengths of the parts says so.
+    /// Whether it is based only on the lengths of the parts.
     pub(crate) is_guess: bool,
 }
 
@@ -155,7 +156,7 @@ fn is_long(pause: &Range<Time>, min_pause: Time) -> bool {
     nanoseconds(pause.end) - nanoseconds(pause.start) >= nanoseconds(min_pause)
 }
 
-/// Shares that differ by less are the same.
+/// Shares that differ by less are equal.
 const SAME_SHARE: f64 = 1e-9;
 
 #[allow(clippy::cast_precision_loss, reason = "numbers of segments")]
@@ -163,7 +164,7 @@ fn fraction(index: usize, of: usize) -> f64 {
     index as f64 / of.max(1) as f64
 }
 
-/// Nanoseconds of a second.
+/// Nanoseconds per second.
 const NANOSECONDS: u32 = 1_000_000_000;
 
 fn nanoseconds(time: Time) -> u64 {
@@ -184,7 +185,7 @@ mod tests {
         let run = |&(code, ms): &(u8, u64)| {
             let start = end;
             end += ms;
-            Run { code, start: Time::new(start, 1000), end: Time::new(end, 1000) }
+            ShapeRun { code, start: Time::new(start, 1000), end: Time::new(end, 1000) }
         };
         Speech::from_runs(&shapes.iter().map(run).collect::<Vec<_>>(), Time::new(300, 1000))
     }
@@ -234,7 +235,7 @@ mod tests {
         let shapes: Vec<(u8, u64)> =
             (0..200_000).map(|index| (if index % 2 == 0 { b'A' } else { b'-' }, 300)).collect();
         let speech = speech(&shapes);
-        // Looking at all of them for each part would take minutes.
+        // Comparing all of them for each part would take minutes.
         let places = speech.starts(&vec![1; 60_000], Time::ZERO);
         assert_eq!(places.len(), 59_999);
         assert!(places.windows(2).all(|pair| matches!(pair, [one, next] if one.time <= next.time)));

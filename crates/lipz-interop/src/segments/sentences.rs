@@ -1,20 +1,20 @@
-//! Texts in parts: at the ends of sentences, or at shares of the speech.
+//! Division of texts at the ends of sentences, or by shares of the speech.
 
 use lipz_file::text::trim;
 use unicode_segmentation::UnicodeSegmentation;
 
-/// What it costs to cut a text elsewhere than at the end of a sentence, as a share of the whole text: at
-/// another mark, and between any two words.
+/// The cost of cutting a text at other places than the end of a sentence, as a share of the whole text: at other
+/// punctuation, and between any two words.
 const COST_AT_SENTENCE: f64 = 0.0;
 const COST_AT_MARK: f64 = 0.04;
 const COST_AT_BLANK: f64 = 0.10;
 
-/// The words of a text as tools count them: separated by white space.
+/// Returns the words of a text as tools count them: separated by whitespace.
 pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split_whitespace()
 }
 
-/// The sentences of a text (Unicode Standard Annex 29).
+/// Returns the sentences of a text (Unicode Standard Annex 29).
 pub(super) fn sentences(text: &str) -> Vec<String> {
     let found: Vec<String> = text
         .split_sentence_bounds()
@@ -24,18 +24,18 @@ pub(super) fn sentences(text: &str) -> Vec<String> {
     if found.is_empty() { vec![String::new()] } else { found }
 }
 
-/// Cuts a text near these shares of it, rather where a sentence or a clause ends. There is one part more
-/// than there are shares; it may be empty.
+/// Cuts a text near these shares of it, preferably at the end of a sentence or clause. Returns one more part than there
+/// are shares. Parts may be empty.
 pub(super) fn cut(text: &str, shares: &[f64]) -> Vec<String> {
     let places = places(text);
-    // Places of the same cost are in the order of their shares, too, so that the best one of them can be looked up.
+    // The places of each cost are also sorted by share, so a binary search finds the best one.
     let of_cost = |cost: f64| places.iter().filter(|place| place.cost == cost).collect::<Vec<_>>();
     let by_cost = [COST_AT_SENTENCE, COST_AT_MARK, COST_AT_BLANK].map(of_cost);
     let mut parts = Vec::with_capacity(shares.len() + 1);
     let mut start = 0;
     for &share in shares {
         let nearest = by_cost.iter().flat_map(|places| nearest(places, start, share));
-        let cost = |place: &&Place| (place.share - share).abs() + place.cost;
+        let cost = |place: &&SentenceCut| (place.share - share).abs() + place.cost;
         let best = nearest.min_by(|a, b| cost(a).total_cmp(&cost(b)).then(a.at.cmp(&b.at)));
         let end = best.map_or(text.len(), |place| place.at);
         parts.push(trim(text.get(start..end).unwrap_or_default()).to_owned());
@@ -45,9 +45,13 @@ pub(super) fn cut(text: &str, shares: &[f64]) -> Vec<String> {
     parts
 }
 
-/// The places from the byte `start` on that are nearest to a share: before it, and at or behind it. Of several with the
-/// same share, the first.
-fn nearest<'p>(places: &[&'p Place], start: usize, share: f64) -> impl Iterator<Item = &'p Place> + use<'p> {
+/// Returns the places from byte `start` on that are nearest to a share: one before it, and one at or after it. Of
+/// several with the same share, it returns the first.
+fn nearest<'p>(
+    places: &[&'p SentenceCut],
+    start: usize,
+    share: f64,
+) -> impl Iterator<Item = &'p SentenceCut> + use<'p> {
     let left = places.get(places.partition_point(|place| place.at < start)..).unwrap_or_default();
     let behind = left.partition_point(|place| place.share < share);
     let before = behind.checked_sub(1).and_then(|last| left.get(last)).and_then(|last| {
@@ -58,19 +62,19 @@ fn nearest<'p>(places: &[&'p Place], start: usize, share: f64) -> impl Iterator<
 }
 
 /// A place where a text can be cut.
-struct Place {
-    /// The byte before which it is cut.
+struct SentenceCut {
+    /// The offset of the cut in bytes.
     at: usize,
-    /// How much of the letters comes before it.
+    /// The share of the letters before it.
     share: f64,
     cost: f64,
 }
 
 #[allow(clippy::cast_precision_loss, reason = "lengths of texts")]
-fn places(text: &str) -> Vec<Place> {
+fn places(text: &str) -> Vec<SentenceCut> {
     let letters = |text: &str| text.chars().filter(|c| c.is_alphanumeric()).count();
     let all = letters(text).max(1) as f64;
-    let at_end = |at, share| Place { at, share, cost: COST_AT_SENTENCE };
+    let at_end = |at, share| SentenceCut { at, share, cost: COST_AT_SENTENCE };
     let mut places = vec![at_end(0, 0.0), at_end(text.len(), 1.0)];
     let ends_of_sentences: Vec<usize> =
         text.split_sentence_bound_indices().map(|(start, sentence)| start + sentence.trim_end().len()).collect();
@@ -84,7 +88,7 @@ fn places(text: &str) -> Vec<Place> {
             Some(mark) if !mark.is_alphanumeric() && !mark.is_whitespace() => COST_AT_MARK,
             _ => COST_AT_BLANK,
         };
-        places.push(Place { at: blank, share: before as f64 / all, cost });
+        places.push(SentenceCut { at: blank, share: before as f64 / all, cost });
     }
     places.sort_by_key(|place| place.at);
     places
@@ -120,7 +124,7 @@ mod tests {
             let mut start = 0;
             let mut expected = Vec::new();
             for share in shares {
-                let cost = |place: &&Place| (place.share - share).abs() + place.cost;
+                let cost = |place: &&SentenceCut| (place.share - share).abs() + place.cost;
                 let behind = places.iter().filter(|place| place.at >= start);
                 let end = behind.min_by(|a, b| cost(a).total_cmp(&cost(b))).map_or(text.len(), |place| place.at);
                 expected.push(trim(&text[start..end]).to_owned());

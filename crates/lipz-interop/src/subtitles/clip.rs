@@ -1,4 +1,4 @@
-//! From a clip to cues: a segment with a text shows from its first frame to that of the next one.
+//! Conversion of a clip to cues: a segment with a text is shown from its first frame to the start of the next one.
 
 use super::Cue;
 use crate::Time;
@@ -8,18 +8,18 @@ use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, display, is_white_space, segments};
 use lipz_file::{Document, Value};
 
-/// What a project decides about subtitles.
+/// A project's options for subtitles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SubtitleOptions<'a> {
     /// The frame rate of files without `fps`.
     pub default_rate: Option<Rate>,
-    /// Who speaks where the text has no `{speaker: …}`.
+    /// The default speaker for texts without `{speaker: …}`.
     pub speaker: Option<&'a str>,
 }
 
-/// The cues of a clip in a locale, with times to the millisecond: the nearest one to the start of a frame. Segments
-/// without a text have none; diagnostics say what has no time. `None` if the clip has no text in the locale, or a
-/// diagnostic is an error.
+/// Returns the cues of a clip in a locale, with times to the millisecond, rounded to the nearest. Segments without a
+/// text have no cue; diagnostics report texts without a time. Returns `None` if the clip has no text in the locale, or
+/// a diagnostic is an error.
 ///
 /// ```
 /// use lipz_interop::subtitles::{SubtitleOptions, cues};
@@ -44,7 +44,7 @@ pub fn cues(
         return None;
     };
     let Some(bounds) = document.string("visemes").map(bounds) else {
-        diagnostics.push(refusal("the clip has no mouth shapes, which time its segments"));
+        diagnostics.push(refusal("the clip has no mouth shapes, so its segments have no times"));
         return None;
     };
     let mut cues = Vec::new();
@@ -57,8 +57,8 @@ pub fn cues(
         let span = string.span_of(range);
         if start == end {
             let diagnostic =
-                Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, so it becomes no cue");
-            diagnostics.push(diagnostic.help("give it frames, or move its text to a segment that has some"));
+                Diagnostic::at(Code::SubtitleLoss, span, "the segment has no frames, so it does not become a cue");
+            diagnostics.push(diagnostic.help("give it frames, or move its text to a segment with frames"));
             continue;
         }
         let ms = |frame| Time::of_frame(frame, rate).in_units(1000);
@@ -71,7 +71,7 @@ pub fn cues(
     Some(cues)
 }
 
-/// The frames at which segments start, and the number of all frames.
+/// Returns the first frames of the segments, and the number of all frames.
 pub(crate) fn bounds(visemes: &str) -> Vec<u64> {
     let mut frame = 0;
     let mut bounds = vec![0];

@@ -1,4 +1,4 @@
-//! From cues to a clip: the texts of its segments, and where it has none yet, the segments.
+//! Conversion of cues to a clip: sets the texts of its segments, and creates segments if there are none.
 
 use super::Cue;
 use super::clip::bounds;
@@ -11,7 +11,8 @@ use lipz_file::text::{DELIMITER, display, is_white_space, meta, segments, trim};
 use lipz_file::{Document, Value};
 use std::cmp::Reverse;
 
-/// A clip of subtitles alone: the mouth rests, and each cue is a segment. Between them are segments without text.
+/// Returns a clip made of subtitles alone. The mouth rests, each cue becomes a segment, and segments without text fill
+/// the gaps.
 ///
 /// ```
 /// use lipz_interop::subtitles::{Cue, clip};
@@ -26,9 +27,9 @@ pub fn clip(cues: &[Cue], locale: &str, rate: Rate, diagnostics: &mut Vec<Diagno
     let end_ms = cues.iter().map(|cue| cue.end_ms).max().unwrap_or(0);
     let frames = usize::try_from(Time::new(end_ms, 1000).nearest_frame(rate)).unwrap_or(usize::MAX);
     if let Some(last) = cues.iter().max_by_key(|cue| cue.end_ms).filter(|_| frames > MAX_FRAMES) {
-        let message = format!("the clip would have {frames} frames: it ends after {MAX_FRAMES}");
+        let message = format!("the clip would have {frames} frames, more than {MAX_FRAMES}");
         let diagnostic = Diagnostic::at(Code::SubtitlePlace, last.span, message);
-        diagnostics.push(diagnostic.help("is the time right? more than a day can only be a mistake"));
+        diagnostics.push(diagnostic.help("correct the time, which is more than a day"));
     }
     let codes = vec![REST; frames.min(MAX_FRAMES)];
     let division = divide(cues, codes.len() as u64, rate, diagnostics);
@@ -41,14 +42,14 @@ pub fn clip(cues: &[Cue], locale: &str, rate: Rate, diagnostics: &mut Vec<Diagno
     }
 }
 
-/// Frames of a clip, at most: more than a day at 24 frames a second can only be a mistake.
+/// The most frames of a clip. More than a day at 24 frames per second can only be a mistake.
 const MAX_FRAMES: usize = 1 << 22;
 
-/// Gives a clip the texts of `cues` in a locale, in place of those that it has.
+/// Replaces the texts of a clip in a locale with those of `cues`.
 ///
-/// A clip without segments gets those of the cues. One that has them keeps them: a cue is the text of the
-/// segment that it shows in for longest. Segments whose display text stays the same keep their spelling, with
-/// meta and blanks.
+/// A clip without segments gets those of the cues. Otherwise it keeps its segments, and a cue becomes the text of the
+/// segment that it overlaps longest. Segments whose display text does not change keep their spelling, including meta
+/// and spaces.
 pub fn join<'s>(
     mut document: Document<'s>,
     cues: &[Cue],
@@ -84,23 +85,23 @@ pub fn join<'s>(
 /// `|` as a string.
 const BAR: &str = "|";
 
-/// Whether nothing in the document says that it has segments, but perhaps the text with this name, which is replaced.
+/// Whether the document is undivided, apart from the text with this name, which is replaced.
 fn is_undivided(document: &Document<'_>, name: &str) -> bool {
     let is_segmented = |name: &str| matches!(name, "visemes" | "events") || name.starts_with("text_");
     let mut others =
         document.elements.iter().filter(|element| element.name.text != name && is_segmented(&element.name.text));
     others.all(|element| match &element.value {
-        // One text for the whole clip in another locale would have to be divided, too.
+        // An undivided text in a different locale would have to be divided as well.
         Value::String(string) if element.name.text == "visemes" => !string.text.contains(DELIMITER),
         Value::String(string) => trim(&string.text).is_empty(),
         _ => true,
     })
 }
 
-/// The segments that cues make.
+/// The segments for a list of cues.
 #[derive(Default)]
 struct Division {
-    /// Where each starts, with its text.
+    /// The start of each segment, with its text.
     segments: Vec<(u64, String)>,
 }
 
@@ -120,7 +121,7 @@ impl Division {
     }
 }
 
-/// A segment for each cue, and one without text for each time without a cue.
+/// Returns a segment for each cue, and one without text for each gap.
 fn divide(cues: &[Cue], frames: u64, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Division {
     let mut division = Division::default();
     let mut end = 0;
@@ -128,7 +129,7 @@ fn divide(cues: &[Cue], frames: u64, rate: Rate, diagnostics: &mut Vec<Diagnosti
         let frame = |ms| Time::new(ms, 1000).nearest_frame(rate).min(frames);
         let (start, until) = (frame(cue.start_ms).max(end), frame(cue.end_ms));
         if until <= start {
-            diagnostics.push(place(cue, "the subtitle shows in no frame of the clip"));
+            diagnostics.push(place(cue, "the subtitle is not visible in any frame of the clip"));
         }
         if start > end {
             division.segments.push((end, String::new()));
@@ -142,7 +143,7 @@ fn divide(cues: &[Cue], frames: u64, rate: Rate, diagnostics: &mut Vec<Diagnosti
     division
 }
 
-/// The texts of segments with these bounds: of each cue in the one that it shows in for longest.
+/// Returns the texts of segments with these bounds. Each cue belongs to the segment that it overlaps longest.
 fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Vec<String> {
     let mut texts = vec![String::new(); bounds.len().saturating_sub(1)];
     for cue in cues {
@@ -152,22 +153,24 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, diagnostics: &mut Vec<D
             &[first, next] => end.min(next).saturating_sub(start.max(first)),
             _ => 0,
         };
-        // Only the segments from the start of the cue to its end are looked at.
+        // Only the segments from the start of the cue to its end are searched.
         let begun = bounds.partition_point(|first| *first <= start).saturating_sub(1);
         let until = bounds.partition_point(|first| *first < end).max(begun);
         let spanned = bounds.get(begun..=until).unwrap_or_else(|| bounds.get(begun..).unwrap_or_default());
         let shows = || (begun..).zip(spanned.windows(2).map(shared));
-        // The first of equal ones; of a subtitle that shows in none, the last one that has begun.
+        // The first one of equal length. A subtitle that overlaps none belongs to the last segment that has begun.
         let last_begun = begun.min(texts.len().saturating_sub(1));
         let longest = shows().max_by_key(|&(at, frames)| (frames, Reverse(at))).filter(|(_, frames)| *frames > 0);
         let (at, longest) = longest.unwrap_or((last_begun, 0));
         if longest == 0 {
-            diagnostics.push(place(cue, "the subtitle shows in no frame of the clip"));
+            diagnostics.push(place(cue, "the subtitle is not visible in any frame of the clip"));
         } else if let Some((other, frames)) = shows().find(|&(other, frames)| other != at && frames > 1) {
             let (own, other) = (at + 1, other + 1);
             let diagnostic =
-                place(cue, &format!("the cue is the text of segment {own}, but also shows in segment {other}"));
-            diagnostics.push(diagnostic.note(format!("for {longest} frames in the one, and {frames} in the other")));
+                place(cue, &format!("the cue becomes the text of segment {own}, but overlaps segment {other}"));
+            diagnostics.push(
+                diagnostic.note(format!("it shows for {longest} frames in the first, and for {frames} in the second")),
+            );
         }
         if let Some(text) = texts.get_mut(at) {
             if !text.is_empty() {
@@ -181,10 +184,10 @@ fn in_segments(cues: &[Cue], bounds: &[u64], rate: Rate, diagnostics: &mut Vec<D
 
 fn place(cue: &Cue, message: &str) -> Diagnostic {
     Diagnostic::at(Code::SubtitlePlace, cue.span, message)
-        .help("give it the times of a segment, which `|` in the visemes sets")
+        .help("give it the times of a segment, which each `|` in the visemes sets")
 }
 
-/// Which segment of each text is as it was in `old`, as far as a player sees: that keeps its spelling.
+/// Restores the old spelling of all segments whose display text has not changed.
 fn keep_spelling(old: &str, new: &str) -> String {
     let parts = |text: &str| segments(text).map(|range| text.get(range).unwrap_or_default().to_owned()).collect();
     let (old, mut new): (Vec<String>, Vec<String>) = (parts(old), parts(new));
@@ -196,8 +199,8 @@ fn keep_spelling(old: &str, new: &str) -> String {
     new.join(BAR)
 }
 
-/// What a new text does not have of the old one, beside the words that it changes: texts of segments that are empty now,
-/// and meta.
+/// Returns the parts of the old text that the new one lacks, apart from changed words: texts of segments that are now
+/// empty, and meta.
 fn lost(name: &str, old: &str, new: &str) -> Option<Diagnostic> {
     let parts = |text| segments(text).map(move |range| text.get(range).unwrap_or_default());
     let (mut emptied, mut metas) = (Vec::new(), Vec::new());
@@ -210,8 +213,10 @@ fn lost(name: &str, old: &str, new: &str) -> Option<Diagnostic> {
         metas.extend(own.map(|own| format!("segment {number}: {}", escape::quoted(own))));
     }
     let mut all = emptied.iter().map(|text| format!("no subtitle for {text}")).chain(metas);
-    let mut diagnostic =
-        Diagnostic::new(Code::ClipReplaced, format!("{} loses what the subtitles do not have", escape::quoted(name)));
+    let mut diagnostic = Diagnostic::new(
+        Code::ClipReplaced,
+        format!("{} loses parts that the subtitles do not have", escape::quoted(name)),
+    );
     diagnostic = diagnostic.note(all.next()?);
     for text in all.by_ref().take(LOSSES_SHOWN - 1) {
         diagnostic = diagnostic.note(text);
@@ -222,10 +227,10 @@ fn lost(name: &str, old: &str, new: &str) -> Option<Diagnostic> {
     }
 }
 
-/// Losses that a diagnostic names.
+/// The number of losses that a diagnostic lists.
 const LOSSES_SHOWN: usize = 8;
 
-/// Gives an element a value; a new text comes behind the last one, or behind the visemes.
+/// Sets the value of an element. A new text is inserted after the last one, or after the visemes.
 fn set(document: &mut Document<'_>, name: &str, value: String) {
     let new = element(name, value);
     match document.elements.iter_mut().find(|element| element.name.text == name) {

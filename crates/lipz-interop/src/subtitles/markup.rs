@@ -1,9 +1,9 @@
-//! Markup in cues: tags, character references, who speaks.
+//! Markup in cues: tags, character references, speakers.
 
 use lipz_file::text::{display, is_white_space};
 use std::ops::Range;
 
-/// The meta of a Lipz text that says who speaks what follows.
+/// The meta of a Lipz text that names the speaker of the text after it.
 const SPEAKER: &str = "{speaker:";
 
 /// Character references of WebVTT, with their characters (W3C, "WebVTT cue text parsing rules").
@@ -18,43 +18,43 @@ const REFERENCES: [(&str, char); 8] = [
     ("apos", '\''),
 ];
 
-/// Bytes of the longest reference that is looked for.
+/// The length of the longest reference that is searched for, in bytes.
 const LONGEST_REFERENCE: usize = 10;
 
-/// Tags that players of SubRip know; all else between `<` and `>` is text.
+/// The tags that SubRip players support. Anything else between `<` and `>` is text.
 const SRT_TAGS: [&str; 5] = ["i", "b", "u", "s", "font"];
 
-/// A text of a cue as one of a Lipz file.
+/// The text of a cue in the form of a Lipz file.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Plain {
+pub(super) struct PlainText {
     pub(super) text: String,
-    /// The first tag that a Lipz text has no place for, by its bytes in the text with markup.
+    /// The range of the first tag that a Lipz text cannot store, in the text with markup.
     pub(super) lost_tag: Option<Range<usize>>,
 }
 
-/// What a tag becomes.
+/// The conversion of a tag.
 enum Tag {
     Text,
     Lost,
     Nothing,
-    /// Characters that do without it.
+    /// Characters that replace it.
     Written(&'static str),
     Speaker(String),
 }
 
-/// A text of WebVTT: `<v Mara>` becomes `{speaker: Mara}`, and ruby text stands in parentheses, as in browsers that do not
-/// know it.
-pub(super) fn from_vtt(text: &str) -> Plain {
+/// Converts a text of WebVTT: `<v Mara>` becomes `{speaker: Mara}`, and ruby text is put in parentheses, as in browsers
+/// that do not support it.
+pub(super) fn from_vtt(text: &str) -> PlainText {
     let mut is_ruby_text = false;
     let tag = |tag: &str| {
         let (name, annotation) = tag.split_once(char::is_whitespace).unwrap_or((tag, ""));
         match name.split('.').next() {
             Some("v") => Tag::Speaker(referenced(annotation)),
-            // Nothing shows where a voice ends, and where a word is spoken.
+            // A Lipz text stores neither the end of a voice nor the times of words.
             Some("/v") => Tag::Nothing,
             Some(time) if time.starts_with(|first: char| first.is_ascii_digit()) => Tag::Nothing,
             Some("rt") => Tag::Written(if std::mem::replace(&mut is_ruby_text, true) { ")(" } else { "(" }),
-            // The end of ruby may also be that of its text.
+            // The end of ruby may also end its text.
             Some("/rt" | "/ruby") if std::mem::take(&mut is_ruby_text) => Tag::Written(")"),
             _ => Tag::Lost,
         }
@@ -62,8 +62,8 @@ pub(super) fn from_vtt(text: &str) -> Plain {
     without_tags(text, tag, referenced)
 }
 
-/// A text of SubRip.
-pub(super) fn from_srt(text: &str) -> Plain {
+/// Converts a text of SubRip.
+pub(super) fn from_srt(text: &str) -> PlainText {
     let tag = |tag: &str| {
         let name = tag.trim_start_matches('/').split(char::is_whitespace).next().unwrap_or_default();
         if SRT_TAGS.iter().any(|known| name.eq_ignore_ascii_case(known)) { Tag::Lost } else { Tag::Text }
@@ -71,8 +71,8 @@ pub(super) fn from_srt(text: &str) -> Plain {
     without_tags(text, tag, str::to_owned)
 }
 
-fn without_tags(text: &str, mut tag: impl FnMut(&str) -> Tag, plain: impl Fn(&str) -> String) -> Plain {
-    let mut result = Plain { text: String::new(), lost_tag: None };
+fn without_tags(text: &str, mut tag: impl FnMut(&str) -> Tag, plain: impl Fn(&str) -> String) -> PlainText {
+    let mut result = PlainText { text: String::new(), lost_tag: None };
     let mut rest = text;
     while let Some((before, tagged)) = rest.split_once('<') {
         result.text += &plain(before);
@@ -100,7 +100,7 @@ fn without_tags(text: &str, mut tag: impl FnMut(&str) -> Tag, plain: impl Fn(&st
     result
 }
 
-/// The text with the characters that references stand for, by name or by number. Anything else stays.
+/// Replaces references, by name or number, with their characters. Anything else stays.
 fn referenced(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
@@ -121,7 +121,7 @@ fn referenced(text: &str) -> String {
     shown + rest
 }
 
-/// The character of a reference without `&` and `;`.
+/// Returns the character of a reference without `&` and `;`.
 fn character(reference: &str) -> Option<char> {
     let by_name = REFERENCES.iter().find(|(name, _)| *name == reference).map(|(_, character)| *character);
     by_name.or_else(|| {
@@ -134,8 +134,8 @@ fn character(reference: &str) -> Option<char> {
     })
 }
 
-/// The meta that says who speaks; nothing for a voice without a name. Only the first one in a text has a blank behind
-/// it, which is not displayed there.
+/// Returns the meta for a speaker; empty for a voice without a name. Only the first one in a text is followed by a
+/// space, because that one is not displayed.
 fn speaker(name: &str, is_first: bool) -> String {
     let name = name.replace(['{', '}'], "");
     match name.trim() {
@@ -145,7 +145,7 @@ fn speaker(name: &str, is_first: bool) -> String {
     }
 }
 
-/// A text for WebVTT. `{speaker: Mara}` becomes `<v Mara>`.
+/// Converts a text for WebVTT. `{speaker: Mara}` becomes `<v Mara>`.
 pub(super) fn to_vtt(text: &str) -> String {
     let mut marked_up = String::new();
     for (speaker, said) in voices(text) {
@@ -157,20 +157,20 @@ pub(super) fn to_vtt(text: &str) -> String {
     lines(&marked_up)
 }
 
-/// A text as it is displayed, without who speaks.
+/// Returns a text as displayed, without speakers.
 pub(super) fn to_plain(text: &str) -> String {
     lines(&voices(text).into_iter().map(|(_, said)| said).collect::<String>())
 }
 
-/// The text without lines of blanks, which would end a cue, and without other line breaks than `\n`.
+/// Removes blank lines, which would end a cue, and replaces other line breaks with `\n`.
 fn lines(text: &str) -> String {
     let lines = text.split(['\n', '\r']).filter(|line| !line.chars().all(is_white_space));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// What speakers say, one after the other, as it is displayed: `None` for what nobody is named for.
+/// Returns the displayed texts with their speakers, in order; `None` for a text without a speaker.
 fn voices(text: &str) -> Vec<(Option<&str>, String)> {
-    // A character that stands for `{speaker: …}` while the rest is made ready for display.
+    // A character that replaces `{speaker: …}` while the rest is converted for display.
     let Some(mark) = ('\u{e000}'..='\u{f8ff}').find(|mark| !text.contains(*mark)) else {
         return vec![(None, display(text).text.into_owned())];
     };
@@ -188,7 +188,7 @@ fn voices(text: &str) -> Vec<(Option<&str>, String)> {
     let mut voices: Vec<(Option<&str>, String)> = Vec::new();
     for (index, said) in shown.split(mark).enumerate() {
         let name = if index == 0 { None } else { names.next().filter(|name| !name.is_empty()) };
-        // What is displayed starts with the first character that is no blank, whoever says it.
+        // The displayed text starts with the first character that is not a space, whoever speaks it.
         let is_first = voices.iter().all(|(_, said)| said.is_empty());
         let said = if is_first { said.trim_start_matches(is_white_space) } else { said };
         voices.push((name, said.to_owned()));

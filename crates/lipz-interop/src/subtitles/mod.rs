@@ -1,7 +1,7 @@
-//! Subtitle files: SubRip (`.srt`) and WebVTT (`.vtt`), to and from the texts and segments of clips.
+//! Subtitle files: conversion of SubRip (`.srt`) and WebVTT (`.vtt`) to and from the texts and segments of clips.
 //!
-//! A segment with a text in a locale is a [`Cue`], as both formats call what shows from one time to another.
-//! `docs/guides/other-tools.md` says what is kept in which direction.
+//! A segment with a text in a locale corresponds to a [`Cue`], which is the term of both formats.
+//! `docs/guides/other-tools.md` lists the losses in each direction.
 
 mod clip;
 mod join;
@@ -16,36 +16,36 @@ pub use join::{clip, join};
 
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use lipz_file::text::{DELIMITER, display};
-use markup::Plain;
+use markup::PlainText;
 use timing::Body;
 
-/// A text that shows from one time to another.
+/// A cue: a text that is shown for some time.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Cue {
-    /// When it appears, in milliseconds.
+    /// The start, in milliseconds.
     pub start_ms: u64,
-    /// When it vanishes, in milliseconds.
+    /// The end, in milliseconds.
     pub end_ms: u64,
-    /// What shows, in the words of Lipz files: `{speaker: Mara}` says who speaks, other meta is not written.
+    /// The text in the syntax of Lipz files. `{speaker: Mara}` names the speaker; other meta is not written.
     pub text: String,
-    /// Where a file says when it shows.
+    /// The position of the times in the file.
     pub span: Span,
 }
 
 /// A format of subtitle files.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SubtitleFormat {
-    /// SubRip. It has no way to say who speaks, and none to write a text that looks like markup.
+    /// SubRip. It cannot store speakers, nor texts that look like markup.
     Srt,
     /// WebVTT (W3C). Speakers are voice spans, `<v Mara>`.
     Vtt,
 }
 
 impl SubtitleFormat {
-    /// Both.
+    /// Both formats.
     pub const ALL: [SubtitleFormat; 2] = [SubtitleFormat::Srt, SubtitleFormat::Vtt];
 
-    /// What files are called: their extension, without the dot.
+    /// Returns the extension of its files, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             SubtitleFormat::Srt => "srt",
@@ -53,13 +53,13 @@ impl SubtitleFormat {
         }
     }
 
-    /// The format of files with this extension, in any case.
+    /// Returns the format of files with this extension, in either case.
     pub fn of_extension(extension: &str) -> Option<SubtitleFormat> {
         SubtitleFormat::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
     }
 
-    /// The cues of a file in the order of their times, and what is wrong with it. Spans count from the first byte
-    /// after a byte order mark.
+    /// Reads the cues of a file, sorted by time, and reports its problems. Spans count from the first byte after a byte
+    /// order mark.
     ///
     /// ```
     /// use lipz_interop::subtitles::SubtitleFormat;
@@ -79,7 +79,7 @@ impl SubtitleFormat {
         cues
     }
 
-    /// The file with these cues. Diagnostics say what the format cannot hold.
+    /// Returns a file with these cues. Diagnostics report losses.
     pub fn write(self, cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
         match self {
             SubtitleFormat::Srt => srt::write(cues, diagnostics),
@@ -88,28 +88,28 @@ impl SubtitleFormat {
     }
 }
 
-/// The diagnostic for a text that comes back as another one, if it does: `written` is how the format has it, `plain` frees
-/// it of markup.
-fn changed(cue: &Cue, written: &str, plain: impl Fn(&str) -> Plain) -> Option<Diagnostic> {
+/// Returns the diagnostic for a text that changes in a round trip. `written` is the text in the format, and `plain`
+/// removes its markup.
+fn changed(cue: &Cue, written: &str, plain: impl Fn(&str) -> PlainText) -> Option<Diagnostic> {
     let (before, after) = (display(&cue.text).text, plain(written).text);
     (display(&after).text != before).then(|| {
-        Diagnostic::at(Code::SubtitleLoss, cue.span, "the text is not quite the same in a subtitle file")
-            .note("a cue cannot have empty lines, nor other line breaks than LF")
-            .help("write its lines one below the other")
+        Diagnostic::at(Code::SubtitleLoss, cue.span, "the text changes in a subtitle file")
+            .note("a cue cannot have empty lines, nor line breaks other than LF")
+            .help("remove empty lines and unusual line breaks from the text")
     })
 }
 
-/// What stands for `|` in a text: there it would divide segments.
+/// The replacement for `|` in a text, where it would divide segments.
 const BAR_IN_TEXT: &str = "\u{a6}";
 
-/// The text of a cue, which `plain` frees of markup; reports what a Lipz text cannot hold.
-fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, diagnostics: &mut Vec<Diagnostic>) -> String {
+/// Returns the text of a cue without its markup, which `plain` removes. Reports parts that a Lipz text cannot store.
+fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> PlainText, diagnostics: &mut Vec<Diagnostic>) -> String {
     let marked_up = body.text();
-    let Plain { text, lost_tag } = plain(&marked_up);
+    let PlainText { text, lost_tag } = plain(&marked_up);
     if let Some(tag) = lost_tag {
         diagnostics.push(
-            Diagnostic::at(Code::SubtitleText, body.span(tag), "the subtitle has tags, which are left out")
-                .note("texts of Lipz files have no markup; a game may have its own, as {meta}"),
+            Diagnostic::at(Code::SubtitleText, body.span(tag), "the tags of the subtitle are left out")
+                .note("texts of Lipz files have no markup; a game may define its own as {meta}"),
         );
     }
     if text.contains(DELIMITER) {
@@ -118,7 +118,7 @@ fn read_text(body: &Body<'_>, plain: impl Fn(&str) -> Plain, diagnostics: &mut V
         diagnostics.push(
             Diagnostic::at(Code::SubtitleText, body.span(at..at + DELIMITER.len_utf8()), message)
                 .note("in Lipz files, `|` separates segments")
-                .help("write the text in another way if the difference matters"),
+                .help("rephrase the text if the difference matters"),
         );
     }
     text.replace(DELIMITER, BAR_IN_TEXT)

@@ -1,10 +1,11 @@
-//! SubRip: a number, the times, the lines, an empty line. There is no specification; this is what players read.
+//! SubRip: a number, the times, the lines, an empty line. There is no specification; this is the form that players
+//! read.
 
 use super::{Cue, markup, timing};
 use lipz_diagnostics::{Code, Diagnostic};
 use std::fmt::Write;
 
-/// What stands for an arrow of times in a text: players would take the line for times.
+/// The replacement for an arrow in a text, which players would read as a line with times.
 const ARROW_IN_TEXT: &str = "\u{2192}";
 
 pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
@@ -28,7 +29,7 @@ pub(super) fn write(cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
             diagnostics.push(loss(cue, format!("`{arrow}` in the text is written as `{ARROW_IN_TEXT}`")));
         }
         if markup::from_srt(&text).lost_tag.is_some() {
-            diagnostics.push(loss(cue, "players take a part of the text for a tag".to_owned()));
+            diagnostics.push(loss(cue, "players read a part of the text as a tag".to_owned()));
         }
         if diagnostics.len() == told {
             diagnostics.extend(super::changed(cue, &text, markup::from_srt));
@@ -40,5 +41,5 @@ pub(super) fn write(cues: &[Cue], diagnostics: &mut Vec<Diagnostic>) -> String {
 }
 
 fn loss(cue: &Cue, message: String) -> Diagnostic {
-    Diagnostic::at(Code::SubtitleLoss, cue.span, message).help("WebVTT can store it")
+    Diagnostic::at(Code::SubtitleLoss, cue.span, message).help("export WebVTT, which can store it")
 }

@@ -1,4 +1,4 @@
-//! Times of cues: the lines that have them, and their order.
+//! The times of cues: their lines and their order.
 
 use super::Cue;
 use crate::source::{self, Line};
@@ -6,11 +6,11 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 use lipz_file::text::is_white_space;
 use std::ops::Range;
 
-/// What separates the times of a cue.
+/// The separator between the times of a cue.
 pub(super) const ARROW: &str = "-->";
 
-/// The lines of a SubRip file between lines of blanks. An empty line within a cue does not end it: what follows belongs
-/// to it until there are times again, which is reported once.
+/// Returns the blocks of a SubRip file, which are separated by blank lines. A blank line inside a cue does not end it:
+/// blocks without times are added to the cue before them, which is reported once.
 pub(super) fn srt_blocks<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Vec<Line<'t>>> {
     let tries_times =
         |block: &[Line<'_>]| block.iter().take(2).any(|line| line.text.contains('>') && line.text.contains(':'));
@@ -18,15 +18,15 @@ pub(super) fn srt_blocks<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -
     let mut blocks: Vec<Vec<Line<'t>>> = Vec::new();
     let mut is_told = false;
     for block in blocks_between(text, |line| line.text.chars().all(is_white_space)) {
-        // Text above the first times belongs to no cue.
+        // Text above the first times does not belong to a cue.
         match blocks.last_mut().filter(|last| has_times(last)) {
             Some(last) if !has_times(&block) && !tries_times(&block) => {
                 if let (Some(line), false) = (block.first(), is_told) {
                     is_told = true;
-                    let message = "an empty line divides the subtitle, which goes on here";
+                    let message = "an empty line splits the subtitle, which continues here";
                     diagnostics.push(
                         line.diagnostic(Code::SubtitleText, message)
-                            .note("what follows is read as a part of the subtitle above it; players may not show it")
+                            .note("the rest is read as a part of the subtitle above it; players may not show it")
                             .help("remove the empty line"),
                     );
                 }
@@ -38,8 +38,8 @@ pub(super) fn srt_blocks<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -
     blocks
 }
 
-/// The lines of a WebVTT file between empty ones. A line of blanks does not end a cue there (automatic captions
-/// have them), and shows nothing.
+/// Returns the blocks of a WebVTT file, which are separated by empty lines. A line of spaces does not end a cue
+/// (automatic captions contain such lines), and is dropped.
 pub(super) fn vtt_blocks(text: &str) -> Vec<Vec<Line<'_>>> {
     let mut blocks = blocks_between(text, |line| line.text.is_empty());
     for block in &mut blocks {
@@ -50,7 +50,7 @@ pub(super) fn vtt_blocks(text: &str) -> Vec<Vec<Line<'_>>> {
 }
 
 fn blocks_between<'t>(text: &'t str, is_end: impl Fn(&Line<'t>) -> bool) -> Vec<Vec<Line<'t>>> {
-    // Macintoshes of old end lines with CR alone.
+    // The classic Mac OS ends lines with CR alone.
     let lines: Vec<Line<'_>> = match text.contains('\n') {
         true => source::lines(text).collect(),
         false => source::lines_of(text, '\r').collect(),
@@ -58,16 +58,16 @@ fn blocks_between<'t>(text: &'t str, is_end: impl Fn(&Line<'t>) -> bool) -> Vec<
     lines.split(is_end).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
 }
 
-/// The lines of a cue below its times.
+/// The lines of a cue after its times.
 pub(super) struct Body<'t>(&'t [Line<'t>]);
 
 impl Body<'_> {
-    /// The text of all lines.
+    /// Returns the text of all lines.
     pub(super) fn text(&self) -> String {
         self.0.iter().map(|line| line.text).collect::<Vec<_>>().join("\n")
     }
 
-    /// Where a part of the text is in the file: as far as it is in the line where it starts.
+    /// Returns the position in the file of a part of the text, up to the end of its first line.
     pub(super) fn span(&self, part: Range<usize>) -> Span {
         let mut start = 0;
         for line in self.0 {
@@ -81,13 +81,16 @@ impl Body<'_> {
     }
 }
 
-/// The cue of a block: perhaps a name or number, the times, then the text.
+/// Returns the cue of a block: an optional name or number, the times, then the text.
 pub(super) fn cue<'t>(block: &'t [Line<'t>], diagnostics: &mut Vec<Diagnostic>) -> Option<(Cue, Body<'t>)> {
     let Some((at, line)) = block.iter().enumerate().take(2).find(|(_, line)| line.text.contains(ARROW)) else {
         let line = block.first()?;
         diagnostics.push(
-            line.diagnostic(Code::SubtitleSyntax, "a line belongs to no cue: there are no times above it")
-                .help("a subtitle is its times, 00:00:01,000 --> 00:00:02,500, and its lines; an empty line ends it"),
+            line.diagnostic(Code::SubtitleSyntax, "the line does not belong to a cue because it has no times above it")
+                .help(
+                    "write the times, such as 00:00:01,000 --> 00:00:02,500, then the lines; end the subtitle with \
+                    an empty line",
+                ),
         );
         return None;
     };
@@ -96,7 +99,7 @@ pub(super) fn cue<'t>(block: &'t [Line<'t>], diagnostics: &mut Vec<Diagnostic>) 
     Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, body))
 }
 
-/// The times of a line, `00:00:01,000 --> 00:00:02,500`. What follows them is about places on the screen.
+/// Parses the times of a line, `00:00:01,000 --> 00:00:02,500`. The rest of the line concerns positions on the screen.
 fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
     let (before, after) = line.text.split_once(ARROW)?;
     let behind = Line { text: after, at: line.at + before.len() + ARROW.len() };
@@ -106,7 +109,7 @@ fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)
         let time = milliseconds(field.text);
         if time.is_none() {
             let diagnostic = field.diagnostic(Code::SubtitleSyntax, "this is not the time of a cue");
-            diagnostics.push(diagnostic.help("times are hours, minutes, seconds and milliseconds: 00:00:02,500"));
+            diagnostics.push(diagnostic.help("write hours, minutes, seconds and milliseconds: 00:00:02,500"));
         }
         time
     };
@@ -114,15 +117,15 @@ fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)
     let (start_ms, end_ms) = (start_ms?, end_ms?);
     if end_ms < start_ms {
         let message = "the subtitle ends before it starts";
-        diagnostics.push(line.diagnostic(Code::SubtitleSyntax, message).help("exchange the times, or correct them"));
+        diagnostics.push(line.diagnostic(Code::SubtitleSyntax, message).help("swap the times, or correct them"));
         return None;
     }
     Some((start_ms, end_ms))
 }
 
-/// `HH:MM:SS,mmm`. WebVTT has a dot and may leave out the hours; files in the wild mix both.
+/// Parses `HH:MM:SS,mmm`. WebVTT uses a dot, and hours are optional there; files in the wild mix both forms.
 fn milliseconds(text: &str) -> Option<u64> {
-    // Some tools leave out milliseconds that are 0.
+    // Some tools omit milliseconds that are 0.
     let (clock, fraction) = text.split_once([',', '.']).unwrap_or((text, "0"));
     let number = |digits: &str| digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok()).flatten();
     let ms = format!("{fraction:0<3}");
@@ -141,23 +144,22 @@ fn milliseconds(text: &str) -> Option<u64> {
     hours.checked_mul(3_600_000)?.checked_add(minutes * 60_000 + seconds * 1000 + number(&ms)?)
 }
 
-/// `00:00:02,500`, with the separator of the format.
+/// Returns a time such as `00:00:02,500`, with the separator of the format.
 pub(super) fn timestamp(ms: u64, separator: char) -> String {
     let (seconds, ms) = (ms / 1000, ms % 1000);
     format!("{:02}:{:02}:{:02}{separator}{ms:03}", seconds / 3600, seconds / 60 % 60, seconds % 60)
 }
 
-/// Brings cues into the order of their times; reports cues that are out of order or overlap.
+/// Sorts cues by time. Reports cues that are out of order or overlap.
 pub(super) fn sort(cues: &mut [Cue], diagnostics: &mut Vec<Diagnostic>) {
     let backwards = cues.windows(2).find_map(|pair| match pair {
         [before, after] if after.start_ms < before.start_ms => Some(after.span),
         _ => None,
     });
     if let Some(span) = backwards {
-        let message = "the subtitle appears before the one above it";
-        let diagnostic =
-            Diagnostic::at(Code::SubtitleTimes, span, message).note("all are taken in the order of their times");
-        diagnostics.push(diagnostic.help("was the file edited by hand, or joined from two? look at it there"));
+        let message = "the subtitle starts before the one above it";
+        let diagnostic = Diagnostic::at(Code::SubtitleTimes, span, message).note("subtitles are sorted by time");
+        diagnostics.push(diagnostic.help("check the file here; it may have been edited or joined from two"));
     }
     cues.sort_by_key(|cue| cue.start_ms);
     let overlap = cues.windows(2).find_map(|pair| match pair {
@@ -165,10 +167,10 @@ pub(super) fn sort(cues: &mut [Cue], diagnostics: &mut Vec<Diagnostic>) {
         _ => None,
     });
     if let Some((before, after)) = overlap {
-        let diagnostic = Diagnostic::at(Code::SubtitleTimes, after, "the subtitle appears while another one shows")
-            .also(before, "this one")
-            .note("a segment has one text: each subtitle starts when the one before it ends");
-        diagnostics.push(diagnostic.help("join the two, or let the first one end earlier"));
+        let diagnostic = Diagnostic::at(Code::SubtitleTimes, after, "the subtitle overlaps another subtitle")
+            .also(before, "the other subtitle")
+            .note("a segment has one text, so each subtitle starts at the end of the one before it");
+        diagnostics.push(diagnostic.help("merge the two, or let the first one end earlier"));
     }
 }
 

@@ -5,7 +5,7 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::fmt::Write;
 
 const SIGNATURE: &str = "WEBVTT";
-/// Blocks other than cues start with one of these.
+/// The first words of blocks other than cues.
 const OTHER_BLOCKS: [&str; 3] = ["NOTE", "STYLE", "REGION"];
 
 pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
@@ -16,12 +16,12 @@ pub(super) fn read(text: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Cue> {
     if !starts_with(first, SIGNATURE) {
         diagnostics.push(
             Diagnostic::at(Code::SubtitleSyntax, Span::new(0, first.len()), "the file does not start with `WEBVTT`")
-                .help("is it of another format? those of SubRip are read as srt"),
+                .help("check the format; read SubRip files as srt"),
         );
         return Vec::new();
     }
     let mut cues = Vec::new();
-    // What stands right below the signature belongs to the header.
+    // Text directly after the signature belongs to the header.
     for block in timing::vtt_blocks(text).iter().skip(1) {
         let is_other = |line: &&str| OTHER_BLOCKS.iter().any(|word| starts_with(line, word));
         if block.first().map(|line| line.text).filter(is_other).is_some() {

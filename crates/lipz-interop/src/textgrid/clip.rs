@@ -1,11 +1,12 @@
-//! TextGrids as clips: words, phones and texts of aligners, mouth shapes and texts of ours.
+//! TextGrids as clips: words, phones and texts of aligners, mouth shapes and texts of lipz.
 //!
-//! A tier is known by its name. Aligners write a pair of tiers for each speaker, `Mara - words` and `Mara - phones`.
+//! The name of a tier determines its content. Aligners write a pair of tiers for each speaker, `Mara - words` and `Mara
+//! - phones`.
 
 use super::phones::{is_arpabet, is_silence, plain_ipa, without_stress};
 use super::{Interval, TextGrid, Tier};
 use crate::import::element;
-use crate::{DEFAULT_RATE, Format, ImportOptions, Map, Shape, Text, Time, Timed, Track, find_map};
+use crate::{DEFAULT_RATE, Format, ImportOptions, Map, Shape, Text, Time, TimedText, Track, find_map};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::text::{DELIMITER, trim};
@@ -16,7 +17,7 @@ use std::collections::HashMap;
 /// Tables for phones, then those for codes.
 const ARPABET: &str = "cmu";
 const IPA: &str = "ipa";
-/// A spoken word that the aligner does not know, and a phoneme that shows as much.
+/// The label of a spoken word that is unknown to the aligner, and the phoneme that replaces it.
 const SPOKEN_NOISE: &str = "spn";
 const SPOKEN_NOISE_IN_ARPABET: &str = "AH";
 
@@ -32,41 +33,41 @@ pub(crate) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-/// What a tier is to a clip.
+/// The role of a tier in a clip.
 #[derive(Clone, PartialEq, Eq, Debug)]
-enum Role {
+enum TierRole {
     /// Lipz codes of a type.
     Visemes(VisemeType),
     Phones,
     Words,
     /// Stretches of text that belong together.
     Phrases,
-    /// An element of a Lipz file, a part for each segment.
+    /// An element of a Lipz file, with a part for each segment.
     Element,
     Unknown,
 }
 
 /// The tiers of a speaker.
-type Tiers<'t> = Vec<(Role, &'t Tier)>;
+type Tiers<'t> = Vec<(TierRole, &'t Tier)>;
 
-/// The role of a tier by its name, and the speaker whom the name begins with.
-fn role(name: &str) -> (Option<&str>, Role) {
+/// Returns the role of a tier from its name, and the speaker at the start of the name.
+fn role(name: &str) -> (Option<&str>, TierRole) {
     let (speaker, name) = match name.rsplit_once(" - ") {
         Some((speaker, name)) => (Some(speaker.trim()), name.trim()),
         None => (None, name.trim()),
     };
     let role = match name.to_ascii_lowercase().as_str() {
-        "visemes" | "viseme" | "mouth" => Role::Visemes(VisemeType::Blair),
-        "phones" | "phone" | "phonemes" | "phoneme" => Role::Phones,
-        "words" | "word" => Role::Words,
+        "visemes" | "viseme" | "mouth" => TierRole::Visemes(VisemeType::Blair),
+        "phones" | "phone" | "phonemes" | "phoneme" => TierRole::Phones,
+        "words" | "word" => TierRole::Words,
         "segments" | "segment" | "phrases" | "phrase" | "utterances" | "utterance" | "sentences" | "sentence" => {
-            Role::Phrases
+            TierRole::Phrases
         }
-        "events" => Role::Element,
+        "events" => TierRole::Element,
         other => match other.strip_prefix("visemes-").and_then(|name| name.parse().ok()) {
-            Some(viseme_type) => Role::Visemes(viseme_type),
-            None if matches!(text_name(name), Some(TextName::Canonical(_))) => Role::Element,
-            None => Role::Unknown,
+            Some(viseme_type) => TierRole::Visemes(viseme_type),
+            None if matches!(text_name(name), Some(TextName::Canonical(_))) => TierRole::Element,
+            None => TierRole::Unknown,
         },
     };
     (speaker.filter(|speaker| !speaker.is_empty()), role)
@@ -78,25 +79,26 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     let mut place_of: HashMap<Option<&str>, usize> = HashMap::new();
     for tier in &grid.tiers {
         let (speaker, role) = role(&tier.name);
-        // A tier with another name is nobody's, whatever stands before its hyphen.
-        let speaker = speaker.filter(|_| role != Role::Unknown);
+        // A tier with an unknown name does not belong to a speaker, even if it contains a hyphen.
+        let speaker = speaker.filter(|_| role != TierRole::Unknown);
         let place = *place_of.entry(speaker).or_insert(speakers.len());
         if place == speakers.len() {
             speakers.push((speaker, Vec::new()));
         }
         speakers.get_mut(place).into_iter().for_each(|(_, tiers)| tiers.push((role.clone(), tier)));
     }
-    let is_spoken =
-        |tiers: &[(Role, &Tier)]| tiers.iter().any(|(role, _)| matches!(role, Role::Visemes(_) | Role::Phones));
+    let is_spoken = |tiers: &[(TierRole, &Tier)]| {
+        tiers.iter().any(|(role, _)| matches!(role, TierRole::Visemes(_) | TierRole::Phones))
+    };
     if !speakers.iter().any(|(_, tiers)| is_spoken(tiers)) {
         let names: Vec<String> = grid.tiers.iter().map(|tier| escape::quoted(&tier.name).to_string()).collect();
-        let diagnostic = Diagnostic::new(Code::NoShapes, "no tier is called `phones` or `visemes`");
+        let diagnostic = Diagnostic::new(Code::NoShapes, "the file has no tier called `phones` or `visemes`");
         let tiers =
             if names.is_empty() { "the file has no tiers".into() } else { format!("its tiers: {}", names.join(", ")) };
         diagnostics.push(diagnostic.note(tiers).help("rename the tier with the phones"));
         return Vec::new();
     }
-    let origin = Origin(grid.start);
+    let origin = TimeOrigin(grid.start);
     let (spoken, silent): (Vec<_>, Vec<_>) = speakers.into_iter().partition(|(_, tiers)| is_spoken(tiers));
     let spoken = spoken.into_iter();
     let mut tracks: Vec<Track> =
@@ -106,16 +108,16 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     tracks
 }
 
-/// What is said about a tier that is nothing to a clip.
+/// Returns the remark about a tier that is skipped.
 fn left_out(tier: &Tier) -> String {
     format!("the tier {} is left out", escape::quoted(&tier.name))
 }
 
-/// Times from the start of the file, which may be a part of a longer sound.
+/// The start of the file, which may be a part of a longer recording.
 #[derive(Clone, Copy)]
-struct Origin(Time);
+struct TimeOrigin(Time);
 
-impl Origin {
+impl TimeOrigin {
     fn time(self, time: Time) -> Time {
         const NANOSECONDS: u32 = 1_000_000_000;
         match self.0 == Time::ZERO {
@@ -125,24 +127,25 @@ impl Origin {
     }
 }
 
-/// The track of one speaker.
+/// Returns the track of one speaker.
 fn track(
     name: Option<&str>,
-    tiers: &[(Role, &Tier)],
+    tiers: &[(TierRole, &Tier)],
     grid: &TextGrid,
-    origin: Origin,
+    origin: TimeOrigin,
     options: &ImportOptions<'_>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Track {
     let mut track = Track { name: name.map(str::to_owned), end: Some(origin.time(grid.end)), ..Track::default() };
-    let first = |is: &dyn Fn(&Role) -> bool| tiers.iter().find(|(role, _)| is(role)).copied_role();
-    let timed = |interval: &Interval| Timed { start: origin.time(interval.start), text: interval.label.clone() };
-    if let Some((_, words)) = first(&|role| *role == Role::Words) {
+    let first = |is: &dyn Fn(&TierRole) -> bool| tiers.iter().find(|(role, _)| is(role)).copied_role();
+    let timed = |interval: &Interval| TimedText { start: origin.time(interval.start), text: interval.label.clone() };
+    if let Some((_, words)) = first(&|role| *role == TierRole::Words) {
         track.words = words.intervals.iter().filter(|word| !is_silence(trim(&word.label))).map(timed).collect();
     }
-    let mouth = first(&|role| matches!(role, Role::Visemes(_))).or_else(|| first(&|role| *role == Role::Phones));
+    let mouth =
+        first(&|role| matches!(role, TierRole::Visemes(_))).or_else(|| first(&|role| *role == TierRole::Phones));
     let symbols = match mouth {
-        Some((Role::Visemes(viseme_type), _)) => Symbols::Codes(viseme_type),
+        Some((TierRole::Visemes(viseme_type), _)) => Symbols::Codes(viseme_type),
         Some((_, phones)) => Symbols::of_phones(phones, options.map),
         None => return track,
     };
@@ -151,10 +154,11 @@ fn track(
     track.shapes = shapes(intervals, symbols, origin, grid.end);
     let noises = intervals.iter().filter(|interval| trim(&interval.label).eq_ignore_ascii_case(SPOKEN_NOISE)).count();
     if noises > 0 {
-        track.remarks.push(format!("words that the aligner does not know (`{SPOKEN_NOISE}`) are shown as one shape"));
+        track.remarks.push(format!("words unknown to the aligner (`{SPOKEN_NOISE}`) are shown as one shape"));
     }
-    let elements: Vec<&Tier> = tiers.iter().filter(|(role, _)| *role == Role::Element).map(|(_, tier)| *tier).collect();
-    let phrases = first(&|role| *role == Role::Phrases).map(|(_, tier)| tier);
+    let elements: Vec<&Tier> =
+        tiers.iter().filter(|(role, _)| *role == TierRole::Element).map(|(_, tier)| *tier).collect();
+    let phrases = first(&|role| *role == TierRole::Phrases).map(|(_, tier)| tier);
     if let Some(divided) = phrases.or_else(|| elements.first().copied()) {
         track.phrases = divided.intervals.iter().map(timed).collect();
         for tier in &elements {
@@ -165,7 +169,7 @@ fn track(
                 _ => track.elements.push(element(own, text)),
             }
         }
-        // Numbers of segments are no text.
+        // Numbers of segments do not count as text.
         let is_text = |phrase: &Interval| phrase.label.chars().any(char::is_alphabetic) && !is_silence(&phrase.label);
         if elements.is_empty() && divided.intervals.iter().any(is_text) {
             let said = |phrase: &Interval| if is_text(phrase) { part(&phrase.label) } else { String::new() };
@@ -173,28 +177,29 @@ fn track(
             track.texts.push(Text { locale: None, text });
         }
     }
-    let unknown = tiers.iter().filter(|(role, _)| *role == Role::Unknown);
+    let unknown = tiers.iter().filter(|(role, _)| *role == TierRole::Unknown);
     track.remarks.extend(unknown.map(|(_, tier)| left_out(tier)));
     track
 }
 
 /// A pair of references, copied.
 trait CopiedRole<'t> {
-    fn copied_role(self) -> Option<(Role, &'t Tier)>;
+    fn copied_role(self) -> Option<(TierRole, &'t Tier)>;
 }
 
-impl<'t> CopiedRole<'t> for Option<&(Role, &'t Tier)> {
-    fn copied_role(self) -> Option<(Role, &'t Tier)> {
+impl<'t> CopiedRole<'t> for Option<&(TierRole, &'t Tier)> {
+    fn copied_role(self) -> Option<(TierRole, &'t Tier)> {
         self.map(|(role, tier)| (role.clone(), *tier))
     }
 }
 
-/// A label as a part of a text: `|` would divide it.
+/// Returns a label as a part of a text, without `|`, which would divide it.
 fn part(label: &str) -> String {
     trim(label).replace(DELIMITER, "\u{a6}")
 }
 
-/// The labels of a tier for each interval of the one that divides the clip: the interval in whose time its middle is.
+/// Returns the labels of a tier for each interval of the tier that divides the clip. A label belongs to the interval
+/// that contains its middle.
 fn parts(tier: &Tier, divided: &Tier, diagnostics: &mut Vec<Diagnostic>) -> Vec<String> {
     let mut parts = vec![String::new(); divided.intervals.len()];
     let starts: Vec<Time> = divided.intervals.iter().map(|interval| interval.start).collect();
@@ -210,24 +215,24 @@ fn parts(tier: &Tier, divided: &Tier, diagnostics: &mut Vec<Diagnostic>) -> Vec<
     }
     if tier.intervals.len() != divided.intervals.len() {
         let (name, own, other) = (escape::quoted(&tier.name), tier.intervals.len(), divided.intervals.len());
-        let message = format!("the tier {name} has {own} intervals, and {} has {other}", escape::quoted(&divided.name));
+        let message = format!("the tier {name} has {own} intervals, but {} has {other}", escape::quoted(&divided.name));
         let span = tier.intervals.first().and_then(|interval| interval.span).unwrap_or_else(|| Span::new(0, 0));
         diagnostics.push(
             Diagnostic::at(Code::ForeignOddity, span, message)
-                .note("each label belongs to the segment in which its middle is")
+                .note("each label belongs to the segment that contains its middle")
                 .help("give both tiers the same boundaries"),
         );
     }
     parts
 }
 
-/// How the labels of a tier become symbols of a table.
+/// The conversion of a tier's labels to symbols of a table.
 #[derive(Clone, Copy)]
 enum Symbols<'m> {
     Codes(VisemeType),
     Arpabet,
     Ipa,
-    /// A table of the user, with its own symbols.
+    /// A custom table, with its own symbols.
     Own(&'m Map),
 }
 
@@ -235,7 +240,7 @@ impl<'m> Symbols<'m> {
     fn of_phones(phones: &Tier, own: Option<&'m Map>) -> Symbols<'m> {
         let mut labels = phones.intervals.iter().map(|interval| trim(&interval.label));
         let arpabet = find_map(ARPABET);
-        // Some corpora write it in small letters, all of which the table has.
+        // Some corpora use lower case. Their labels are all in the table.
         let is_phoneme =
             |label: &str| is_arpabet(label) || arpabet.is_some_and(|map| map.code(without_stress(label)).is_some());
         let is_known = |label: &str| is_phoneme(label) || is_silence(label) || label.eq_ignore_ascii_case(SPOKEN_NOISE);
@@ -256,7 +261,7 @@ impl<'m> Symbols<'m> {
         }
     }
 
-    /// The symbol for a label.
+    /// Returns the symbol for a label.
     fn symbol(self, label: &str) -> String {
         let label = trim(label);
         let rest = || find_map(self.table()).and_then(|map| map.symbol(b'-')).unwrap_or("sil").to_owned();
@@ -276,23 +281,23 @@ impl<'m> Symbols<'m> {
     }
 }
 
-/// Letters of a phone that are looked up: no symbol of a table has more.
+/// The most letters of a phone that are looked up. No symbol of a table has more.
 const MOST_LETTERS: usize = 8;
 
-/// The symbol for a phone in the letters of the IPA, in the table of that name or in one of the user's.
+/// Returns the symbol for a phone in IPA, in the built-in table or in a custom one.
 pub(crate) fn phone_symbol(label: &str, own: Option<&Map>) -> String {
     own.map_or(Symbols::Ipa, Symbols::Own).symbol(label)
 }
 
-/// The symbol of a table for a phone: the whole of it, or its first letters.
+/// Returns the symbol of a table for a phone: the whole phone, or its first letters.
 fn known(phone: &str, map: &Map) -> Option<String> {
     let ends = phone.char_indices().map(|(at, _)| at).skip(1).chain([phone.len()]).take(MOST_LETTERS);
     let prefixes = ends.collect::<Vec<_>>().into_iter().rev().filter_map(|end| phone.get(..end));
     prefixes.filter(|prefix| !prefix.is_empty()).find(|prefix| map.code(prefix).is_some()).map(str::to_owned)
 }
 
-/// The shapes of a tier; the mouth rests where it has no interval.
-fn shapes(intervals: &[Interval], symbols: Symbols<'_>, origin: Origin, end: Time) -> Vec<Shape> {
+/// Returns the shapes of a tier. The mouth rests in its gaps.
+fn shapes(intervals: &[Interval], symbols: Symbols<'_>, origin: TimeOrigin, end: Time) -> Vec<Shape> {
     let shape = |start: Time, label: &str, span: Option<Span>| Shape {
         start: origin.time(start),
         symbol: symbols.symbol(label),
@@ -313,7 +318,7 @@ fn shapes(intervals: &[Interval], symbols: Symbols<'_>, origin: Origin, end: Tim
     shapes
 }
 
-/// A tier that ends where the file does: a recording ends within the last frame of its mouth.
+/// Returns a tier cut at the end of the file, because a recording ends within the last frame of its lip-sync track.
 fn until(tier: &Tier, end: Time) -> Tier {
     let cut = |interval: &Interval| Interval { end: interval.end.min(end), ..interval.clone() };
     let mut intervals: Vec<Interval> =
@@ -325,10 +330,10 @@ fn until(tier: &Tier, end: Time) -> Tier {
     Tier { intervals, ..tier.clone() }
 }
 
-/// Writes when words and phones are said, the codes as `visemes`, the segments, and a tier for each text and the events.
+/// Writes the times of words and phones, the codes as `visemes`, the segments, and a tier for each text and the events.
 fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let end = track.end.unwrap_or(Time::ZERO);
-    // Praat has no sound, and no file, of no length.
+    // Praat rejects audio and files of zero length.
     let end = if end == Time::ZERO { Time::of_frame(1, track.rate.unwrap_or(DEFAULT_RATE)) } else { end };
     let tier_of = |starts: &[(Time, String)]| {
         let ends = starts.iter().skip(1).map(|(start, _)| *start).chain([end]);
@@ -358,8 +363,8 @@ fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let lost = starts.len() - tier_of(&numbers).len();
     if lost > 0 {
         let segments = if lost == 1 { "segment has" } else { "segments have" };
-        let message = format!("{lost} {segments} no frames, and no place in a TextGrid");
-        diagnostics.push(Diagnostic::new(Code::ExportLoss, message).note("so have its texts and its event"));
+        let message = format!("{lost} {segments} no frames and cannot be stored in a TextGrid");
+        diagnostics.push(Diagnostic::new(Code::ExportLoss, message).note("its texts and its event are also left out"));
     }
     add(&mut grid, "segments", &numbers);
     for text in &track.texts {

@@ -1,7 +1,7 @@
-//! Praat TextGrids: tiers of intervals with labels, as phoneticians and the Montreal Forced Aligner write them.
+//! Praat TextGrids: tiers of labelled intervals, as written by phoneticians and the Montreal Forced Aligner.
 //!
-//! [`TextGrid`] is such a file, in its long and its short text form. `clip` makes it a [format](crate::formats): words,
-//! phones, mouth shapes and texts of a clip, to and from Lipz documents.
+//! [`TextGrid`] is such a file, in the long or the short text form. `clip` makes it a [format](crate::formats): it
+//! converts words, phones, mouth shapes and texts of a clip to and from Lipz documents.
 
 pub(crate) mod clip;
 mod phones;
@@ -28,9 +28,9 @@ use lipz_diagnostics::Span;
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct TextGrid {
-    /// When it starts; the times of intervals count from the same zero.
+    /// The start. Times of intervals are relative to the same zero.
     pub start: Time,
-    /// When it ends.
+    /// The end.
     pub end: Time,
     /// The tiers, from top to bottom.
     pub tiers: Vec<Tier>,
@@ -39,7 +39,7 @@ pub struct TextGrid {
 /// A tier: intervals, or points in time, which have no length.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Tier {
-    /// What it is called, `words`.
+    /// The name, `words`.
     pub name: String,
     /// Whether its intervals are points.
     pub has_points: bool,
@@ -50,25 +50,25 @@ pub struct Tier {
 /// A labelled stretch of time.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Interval {
-    /// When it starts.
+    /// The start.
     pub start: Time,
-    /// When it ends.
+    /// The end.
     pub end: Time,
-    /// What it is: a word, a phone; often empty in pauses.
+    /// The content: a word or a phone; often empty in pauses.
     pub label: String,
-    /// Where the label is in the file.
+    /// The position of the label in the file.
     pub span: Option<Span>,
 }
 
 impl Tier {
-    /// A tier of intervals.
+    /// Returns a tier of intervals.
     pub fn new(name: impl Into<String>, intervals: Vec<Interval>) -> Tier {
         Tier { name: name.into(), has_points: false, intervals }
     }
 }
 
 impl Interval {
-    /// A labelled stretch of time that is in no file.
+    /// Returns a labelled stretch of time without a position in a file.
     pub fn new(start: Time, end: Time, label: impl Into<String>) -> Interval {
         Interval { start, end, label: label.into(), span: None }
     }

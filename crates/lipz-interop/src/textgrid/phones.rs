@@ -1,25 +1,25 @@
-//! Labels of phones as symbols of mapping tables: Arpabet, and the letters of the IPA.
+//! Conversion of phone labels to symbols of mapping tables: ARPAbet, and the letters of the IPA.
 
-/// Labels for silence, in aligners and by hand.
+/// The labels of silence, from aligners and by hand.
 const SILENCES: [&str; 10] = ["", "sil", "sp", "silence", "pau", "<eps>", "<sil>", "#", "_", "<p:>"];
 
-/// Whether a label says that nobody speaks.
+/// Whether a label stands for silence.
 pub fn is_silence(label: &str) -> bool {
     SILENCES.iter().any(|silence| label.eq_ignore_ascii_case(silence))
 }
 
-/// Whether a label is a phoneme of the Arpabet, with or without its stress: `AH0`.
+/// Whether a label is an ARPAbet phone, with or without its stress: `AH0`.
 pub(super) fn is_arpabet(label: &str) -> bool {
     let letters = without_stress(label);
     (1..=2).contains(&letters.len()) && letters.bytes().all(|byte| byte.is_ascii_uppercase())
 }
 
-/// A phoneme of the Arpabet without the digit of its stress.
+/// Returns an ARPAbet phone without the digit of its stress.
 pub(super) fn without_stress(label: &str) -> &str {
     label.strip_suffix(['0', '1', '2']).unwrap_or(label)
 }
 
-/// A phone without what does not show on a mouth: stress, length, tones, ties, and marks of voice and place.
+/// Returns a phone without invisible details: stress, length, tones, ties, and marks of voice and place.
 pub(super) fn plain_ipa(label: &str) -> String {
     let shows = |c: &char| {
         !matches!(c,
@@ -31,7 +31,7 @@ pub(super) fn plain_ipa(label: &str) -> String {
     decomposed(label).filter(shows).collect()
 }
 
-/// The characters, letters with marks of the IPA taken apart.
+/// Returns the characters of a label, with letters and marks of the IPA separated.
 fn decomposed(label: &str) -> impl Iterator<Item = char> + '_ {
     label.chars().map(|c| match c {
         'ã' => 'a',

@@ -1,5 +1,6 @@
-//! Reading a TextGrid. Of its text, only free-standing numbers, texts in double quotes and flags in `<>` count, in their
-//! order; all other words are for people (Praat manual, "TextGrid file formats"). So both text forms are read alike.
+//! Reading of a TextGrid. Only free-standing numbers, texts in double quotes and flags in `<>` count, in order. All
+//! other words are for people (Praat manual, "TextGrid file formats"). Therefore both text forms are read in the same
+//! way.
 
 use super::{Interval, TextGrid, Tier};
 use crate::Time;
@@ -9,15 +10,15 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 /// The first text of every file that Praat saves as text, and the second one of a TextGrid.
 const TEXT_FILE: &str = "ooTextFile";
 const TEXT_GRID: &str = "TextGrid";
-/// How Praat's binary files start, and those in the order of time.
+/// The first bytes of Praat's binary files, and of its chronological ones.
 const BINARY_FILE: &[u8] = b"ooBinaryFile";
 const CHRONOLOGICAL: &str = "Praat chronological TextGrid text file";
 const INTERVALS: &str = "IntervalTier";
 const POINTS: &str = "TextTier";
 
 impl TextGrid {
-    /// Reads a file, in UTF-8 (see [`to_utf8`](crate::to_utf8) for others); `None` if it is no TextGrid, or damaged. Spans
-    /// count from the first byte after a byte order mark.
+    /// Reads a file in UTF-8 (for other encodings, see [`to_utf8`](crate::to_utf8)). Returns `None` if it is not a
+    /// TextGrid, or damaged. Spans count from the first byte after a byte order mark.
     pub fn read(bytes: &[u8], diagnostics: &mut Vec<Diagnostic>) -> Option<TextGrid> {
         if bytes.starts_with(BINARY_FILE) {
             diagnostics.push(another("a binary file of Praat"));
@@ -27,7 +28,7 @@ impl TextGrid {
         let mut values = Values { text, at: 0, diagnostics };
         let first = values.string("the type of the file")?;
         if first.label == CHRONOLOGICAL {
-            diagnostics.push(another("a TextGrid in the order of time"));
+            diagnostics.push(another("a TextGrid sorted by time"));
             return None;
         }
         if first.label != TEXT_FILE {
@@ -51,35 +52,35 @@ impl TextGrid {
     }
 }
 
-const IS_IT: &str = "is this a TextGrid, saved as a text file?";
+const IS_IT: &str = "check whether this is a TextGrid that was saved as a text file";
 
 fn another(what: &str) -> Diagnostic {
     Diagnostic::new(Code::ForeignSyntax, format!("the file is {what}"))
         .help("open it in Praat, and save it as a text file or a short text file")
 }
 
-/// A text in quotes, and where it is.
+/// A text in quotes, and its position.
 struct Label<'t> {
     label: String,
     line: Line<'t>,
 }
 
-/// The values of a file, one after the other.
+/// The values of a file, in order.
 struct Values<'t, 'd> {
     text: &'t str,
     at: usize,
     diagnostics: &'d mut Vec<Diagnostic>,
 }
 
-enum Value<'t> {
+enum GridValue<'t> {
     Number(Line<'t>),
     String(Label<'t>),
     Flag(Line<'t>),
 }
 
 impl<'t> Values<'t, '_> {
-    /// The next value; reports `what` is missing if the file ends.
-    fn next(&mut self, what: &str) -> Option<Value<'t>> {
+    /// Returns the next value. If the file ends, reports that `what` is missing.
+    fn next(&mut self, what: &str) -> Option<GridValue<'t>> {
         loop {
             let rest = self.text.get(self.at..).unwrap_or_default();
             let start = self.at + rest.len() - rest.trim_start().len();
@@ -93,26 +94,28 @@ impl<'t> Values<'t, '_> {
             match first {
                 '"' => {
                     let Some((label, length)) = quoted(rest) else {
-                        let message = "the text has no quote at its end";
+                        let message = "the closing quote of the text is missing";
                         self.diagnostics.push(
-                            Diagnostic::at(Code::ForeignCutOff, Span::new(start, start + 1), message)
-                                .help("was the file cut off? a quote within a text is written twice"),
+                            Diagnostic::at(Code::ForeignCutOff, Span::new(start, start + 1), message).help(
+                                "write the quote, write a quote inside a text twice, or copy the file again if \
+                                    it was cut off",
+                            ),
                         );
                         return None;
                     };
                     self.at = start + length;
-                    return Some(Value::String(Label { label, line: word(length) }));
+                    return Some(GridValue::String(Label { label, line: word(length) }));
                 }
                 '!' => self.at = start + rest.find('\n').unwrap_or(rest.len()),
                 '<' => {
                     self.at = start + end_of_word;
-                    return Some(Value::Flag(word(end_of_word)));
+                    return Some(GridValue::Flag(word(end_of_word)));
                 }
                 _ => {
                     self.at = start + end_of_word;
                     let is_number = first.is_ascii_digit() || matches!(first, '-' | '+' | '.');
                     if is_number && word(end_of_word).text.parse::<f64>().is_ok() {
-                        return Some(Value::Number(word(end_of_word)));
+                        return Some(GridValue::Number(word(end_of_word)));
                     }
                 }
             }
@@ -126,16 +129,16 @@ impl<'t> Values<'t, '_> {
 
     fn string(&mut self, what: &str) -> Option<Label<'t>> {
         match self.next(what)? {
-            Value::String(label) => Some(label),
-            Value::Number(line) | Value::Flag(line) => self.refuse(line, &format!("{what}, a text in quotes")),
+            GridValue::String(label) => Some(label),
+            GridValue::Number(line) | GridValue::Flag(line) => self.refuse(line, &format!("{what}, a text in quotes")),
         }
     }
 
     fn number(&mut self, what: &str) -> Option<Line<'t>> {
         match self.next(what)? {
-            Value::Number(line) => Some(line),
-            Value::String(label) => self.refuse(label.line, &format!("{what}, a number")),
-            Value::Flag(line) => self.refuse(line, &format!("{what}, a number")),
+            GridValue::Number(line) => Some(line),
+            GridValue::String(label) => self.refuse(label.line, &format!("{what}, a number")),
+            GridValue::Flag(line) => self.refuse(line, &format!("{what}, a number")),
         }
     }
 
@@ -153,10 +156,10 @@ impl<'t> Values<'t, '_> {
     }
 
     fn has_tiers(&mut self) -> Option<bool> {
-        match self.next("the flag that says whether there are tiers")? {
-            Value::Flag(flag) => Some(flag.text == "<exists>"),
-            Value::Number(line) | Value::String(Label { line, .. }) => {
-                self.refuse(line, "`<exists>`, which says that there are tiers")
+        match self.next("the flag for the presence of tiers")? {
+            GridValue::Flag(flag) => Some(flag.text == "<exists>"),
+            GridValue::Number(line) | GridValue::String(Label { line, .. }) => {
+                self.refuse(line, "`<exists>`, the flag for the presence of tiers")
             }
         }
     }
@@ -171,7 +174,7 @@ impl<'t> Values<'t, '_> {
         self.time("the start of a tier")?;
         self.time("the end of a tier")?;
         let mut tier = Tier { name, has_points, intervals: Vec::new() };
-        // A wrong count must not take memory: intervals are counted as they come.
+        // Memory is not reserved by the count, which may be wrong.
         for _ in 0..self.count("the number of intervals")? {
             let start = self.time("the start of an interval")?;
             let end = if has_points { start } else { self.time("the end of an interval")? };
@@ -188,7 +191,7 @@ impl<'t> Values<'t, '_> {
     }
 }
 
-/// The text in quotes at the start of `text`, in which a quote is written twice, and its length with the quotes.
+/// Returns the text in quotes at the start of `text`, in which quotes are doubled, and its length including the quotes.
 fn quoted(text: &str) -> Option<(String, usize)> {
     let mut label = String::new();
     let mut at = 1;
@@ -253,8 +256,8 @@ mod tests {
             ),
             (format!("{HEAD}0 -1"), "`-1` is not the end, a time in seconds, 0 or later"),
             (format!("{HEAD}0 1 <exists> 1.5"), "`1.5` is not the number of tiers, a whole number"),
-            (format!("{HEAD}0 1 \"x\""), "`\"x\"` is not `<exists>`, which says that there are tiers"),
-            (format!("{HEAD}0 1 <exists> 1 \"IntervalTier\" \"a"), "the text has no quote at its end"),
+            (format!("{HEAD}0 1 \"x\""), "`\"x\"` is not `<exists>`, the flag for the presence of tiers"),
+            (format!("{HEAD}0 1 <exists> 1 \"IntervalTier\" \"a"), "the closing quote of the text is missing"),
             (
                 format!("{HEAD}0 1 <exists> 1 \"IntervalTier\" \"a\" 0 1 9999999999999 1 0 \"\""),
                 "the interval ends before it starts",

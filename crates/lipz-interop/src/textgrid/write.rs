@@ -1,11 +1,11 @@
-//! Writing a TextGrid in Praat's long text form.
+//! Writing of a TextGrid in Praat's long text form.
 
 use super::TextGrid;
 use crate::Time;
 use std::fmt::Write;
 
 impl TextGrid {
-    /// The file, in UTF-8.
+    /// Returns the file, in UTF-8.
     pub fn write(&self) -> String {
         let mut file = String::from("File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n");
         let (start, end) = (seconds(self.start), seconds(self.end));
@@ -39,7 +39,7 @@ impl TextGrid {
     }
 }
 
-/// Seconds with all digits that a program needs to read the same number.
+/// Returns seconds with all digits needed to read the same number.
 fn seconds(time: Time) -> String {
     time.as_f64().to_string()
 }

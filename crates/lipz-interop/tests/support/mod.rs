@@ -1,4 +1,4 @@
-//! The fixtures of `fixtures/interop`: a folder for each format, named like it.
+//! The fixtures of `fixtures/interop`, in a folder for each format with its name.
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(clippy::panic, clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
@@ -6,7 +6,7 @@ use lipz_interop::{Format, formats};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The format's fixtures, in the order of their names.
+/// Returns the fixtures of a format, sorted by name.
 pub(crate) fn fixtures(format: &Format) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop").join(format.name);
     let entries = fs::read_dir(&folder);
@@ -17,7 +17,7 @@ pub(crate) fn fixtures(format: &Format) -> Vec<PathBuf> {
     files
 }
 
-/// Every format that is imported, with each of its fixtures.
+/// Returns every format that can be imported, with each of its fixtures.
 pub(crate) fn every_fixture() -> impl Iterator<Item = (&'static Format, PathBuf, Vec<u8>)> {
     let readable = formats::ALL.iter().filter(|format| format.read.is_some());
     readable.flat_map(|format| {

@@ -1,33 +1,34 @@
-//! The names of curves that a file does not have yet.
+//! The names of curves that a file lacks.
 
 use super::Offer;
-use super::names::Around;
+use super::names::NameContext;
 use crate::context;
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use lipz_file::curve::ARKIT;
 use lipz_types::{Emotion, FaceCurve};
 use lsp_types::CompletionItemKind;
 use std::collections::HashSet;
 
-/// Those that lipz knows and those of the project: emotions, what moves a face, the project's own, blend shapes.
-pub(super) fn offers(document: &Document, known: &Known, around: Around) -> Vec<Offer> {
+/// Returns the names defined by lipz and the project: emotions, facial controls, the project's own curves, blend
+/// shapes.
+pub(super) fn offers(document: &Document, known: &KnownProject, around: NameContext) -> Vec<Offer> {
     let present: HashSet<&str> = context::curve_names(&document.text).into_iter().collect();
     let mut all: Vec<(&str, &str)> = Vec::new();
     all.extend(Emotion::ALL.map(|emotion| (emotion.name(), "emotion, 0 to 10")));
     all.extend(FaceCurve::ALL.map(|curve| (curve.name(), "moves the face")));
     let own = known.project.settings.options.get_known_names().get_curves().into_iter().flatten();
     all.extend(own.map(|name| (name.as_str(), "curve of the project")));
-    all.extend(ARKIT.map(|name| (name, "blend shape of ARKit, 0 to 1")));
+    all.extend(ARKIT.map(|name| (name, "ARKit blend shape, 0 to 1")));
     all.retain(|(name, _)| !present.contains(name));
     all.into_iter().map(|(name, about)| offer(name, about, around)).collect()
 }
 
-fn offer(name: &str, about: &str, around: Around) -> Offer {
+fn offer(name: &str, about: &str, around: NameContext) -> Offer {
     let text = match around {
-        Around::Nothing => format!("\"{name}\": \"0:$0\""),
-        Around::Quote => format!("{name}\": \"0:$0\""),
-        Around::Colon => name.to_owned(),
+        NameContext::Nothing => format!("\"{name}\": \"0:$0\""),
+        NameContext::Quote => format!("{name}\": \"0:$0\""),
+        NameContext::Colon => name.to_owned(),
     };
     Offer { text, ..Offer::new(name, about, CompletionItemKind::PROPERTY) }
 }
@@ -35,12 +36,12 @@ fn offer(name: &str, about: &str, around: Around) -> Offer {
 #[cfg(test)]
 mod tests {
     use super::super::tests::at;
-    use crate::project::Known;
+    use crate::project::KnownProject;
     use lipz_compiler::{KnownNames, Options};
 
     #[test]
     fn curves_that_are_missing_are_offered() {
-        let mut known = Known::default();
+        let mut known = KnownProject::default();
         known.project.settings.options = Options::new().known_names(KnownNames::new().curves(["sparks"]));
         let (names, first) = at("{ \"curves\": { \"sadness\": \"0:1\", \"§\" } }", &known);
         assert_eq!(names.len(), 11 + 15 + 1 + 52);

@@ -1,28 +1,28 @@
 //! Emotions and their values: in the braces of texts, and after `feels`.
 
 use super::Offer;
-use crate::project::Known;
+use crate::project::KnownProject;
 use lipz_file::text::{DELIMITER, is_white_space};
 use lipz_types::Emotion;
 use lsp_types::CompletionItemKind;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Values that differ to the eye; a writer makes the others of them.
+/// Visibly different values, from which writers derive the others.
 const VALUES: [(&str, &str); 6] = [
     ("1", "a trace"),
     ("2", "a little"),
-    ("3", "some: each of three that are mixed"),
+    ("3", "medium, as in a blend of three"),
     ("5", "the usual value"),
-    ("8", "much"),
-    ("10", "the most"),
+    ("8", "strong"),
+    ("10", "the maximum"),
 ];
 
-/// How long a face takes, in other times than the project's.
+/// Alternatives to the project's duration of a change.
 const OVER: [(&str, &str); 2] = [("over 0.1s", "at once"), ("over 1s", "slowly")];
 
-/// What could follow in braces that are open before a place in a text; none outside of braces.
-pub(super) fn in_braces(before: &str, known: &Known) -> Vec<Offer> {
+/// Returns the completions in braces that are open before a position in a text; nothing outside braces.
+pub(super) fn in_braces(before: &str, known: &KnownProject) -> Vec<Offer> {
     let segment = before.rsplit(DELIMITER).next().unwrap_or_default();
     match segment.rfind(['{', '}']).map(|at| segment.split_at(at)) {
         Some((_, meta)) if meta.starts_with('{') => {
@@ -33,21 +33,21 @@ pub(super) fn in_braces(before: &str, known: &Known) -> Vec<Offer> {
     }
 }
 
-/// The word that byte `at` of a text is in.
+/// Returns the range of the word that contains byte `at` of a text.
 pub(super) fn word_around(text: &str, start: usize, at: usize) -> Range<usize> {
     let ends = |c: char| is_white_space(c) || matches!(c, '{' | '}' | '+' | ',' | DELIMITER | '"');
     let before = text.get(start..at).unwrap_or_default();
     let behind = text.get(at..).unwrap_or_default();
-    // White space has one byte, as the others.
+    // All whitespace characters have one byte, as the other delimiters.
     let first = before.rfind(ends).map_or(start, |place| start + place + 1);
     first..at + behind.find(ends).unwrap_or(behind.len())
 }
 
-/// What could follow in one emotion of a blend.
-pub(super) fn in_term(term: &str, known: &Known) -> Vec<Offer> {
+/// Returns the completions in one emotion of a blend.
+pub(super) fn in_term(term: &str, known: &KnownProject) -> Vec<Offer> {
     let mut words: Vec<&str> = term.split(is_white_space).filter(|word| !word.is_empty()).collect();
     if !term.ends_with(is_white_space) {
-        words.pop(); // it is being written
+        words.pop(); // incomplete
     }
     let fixed =
         |offers: &[(&str, &str)], kind| offers.iter().map(|(label, about)| Offer::new(*label, *about, kind)).collect();
@@ -64,8 +64,8 @@ pub(super) fn in_term(term: &str, known: &Known) -> Vec<Offer> {
     }
 }
 
-/// The names of emotions: attributes, then what is made of them, then the project's own that only its events know.
-fn names(known: &Known) -> Vec<Offer> {
+/// Returns the names of emotions: attributes, then emotions composed of these, then custom ones that only events use.
+fn names(known: &KnownProject) -> Vec<Offer> {
     let options = &known.project.settings.options;
     let mut seen = BTreeSet::new();
     let names = options.get_emotions().names().map(str::to_owned);
@@ -81,11 +81,11 @@ fn names(known: &Known) -> Vec<Offer> {
         .collect()
 }
 
-fn about(name: &str, known: &Known) -> String {
+fn about(name: &str, known: &KnownProject) -> String {
     let attributes = known.project.settings.options.get_emotions().attributes(name);
     match attributes.as_slice() {
         _ if Emotion::from_name(name).is_some() => "emotion, 0 to 10".to_owned(),
-        [] => "emotion: nothing shows".to_owned(),
+        [] => "emotion without a face".to_owned(),
         some => {
             let one = |(emotion, value): &(Emotion, i32)| format!("{} {}", emotion.name(), f64::from(*value) / 1e3);
             format!("emotion: {}", some.iter().map(one).collect::<Vec<_>>().join(", "))
@@ -93,17 +93,17 @@ fn about(name: &str, known: &Known) -> String {
     }
 }
 
-fn is_emotion(name: &str, known: &Known) -> bool {
+fn is_emotion(name: &str, known: &KnownProject) -> bool {
     known.project.settings.options.get_emotions().names().any(|own| own == name)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::tests::at;
-    use crate::project::Known;
+    use crate::project::KnownProject;
 
     fn offered(text: &str) -> (Vec<String>, String) {
-        at(&format!("{{\"text_en-us\": \"{text}\"}}"), &Known::default())
+        at(&format!("{{\"text_en-us\": \"{text}\"}}"), &KnownProject::default())
     }
 
     #[test]

@@ -1,30 +1,30 @@
-//! The words of events: who, what, whom or what.
+//! The words of events: subject, verb and object.
 
 use super::{Offer, emotions};
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::words::Role;
 use lipz_file::event::SEPARATOR;
 use lipz_file::text::{DELIMITER, is_white_space};
 use lsp_types::CompletionItemKind;
 use std::ops::Range;
 
-/// The verbs, and what they say.
+/// The verbs, and their meanings.
 const VERBS: [(&str, &str); 12] = [
-    ("feels", "an emotion, until it changes"),
+    ("feels", "shows an emotion until it changes"),
     ("sees", "looks at a character or a prop for a moment"),
     ("stares", "looks at a character or a prop until it stops"),
     ("stops staring", "looks away"),
     ("points", "points at a character or a prop until it stops"),
-    ("stops pointing", "takes the hand back"),
-    ("does", "an action of the game"),
-    ("nods", "moves the head down and up, a number times as strong"),
-    ("shakes", "turns the head to both sides, a number times as strong"),
-    ("breathes", "takes a breath, a number times as deep"),
-    ("blinks", "shuts the eyes for a moment"),
-    ("looks away", "looks at nobody for a moment"),
+    ("stops pointing", "lowers the hand"),
+    ("does", "performs an action of the game"),
+    ("nods", "nods the head, with an optional strength"),
+    ("shakes", "shakes the head, with an optional strength"),
+    ("breathes", "takes a breath, with an optional depth"),
+    ("blinks", "closes the eyes for a moment"),
+    ("looks away", "averts the eyes for a moment"),
 ];
 
-/// The word that byte `at` of a string is in, which starts at `start`.
+/// Returns the range of the word that contains byte `at` of a string, which starts at `start`.
 pub(super) fn word_around(text: &str, start: usize, at: usize) -> Range<usize> {
     let ends = |c: char| is_white_space(c) || matches!(c, SEPARATOR | DELIMITER | '+' | '"');
     let before = text.get(start..at).unwrap_or_default();
@@ -33,16 +33,16 @@ pub(super) fn word_around(text: &str, start: usize, at: usize) -> Range<usize> {
     first..at + behind.find(ends).unwrap_or(behind.len())
 }
 
-/// What could follow events that are written so far.
-pub(super) fn offers(before: &str, known: &Known) -> Vec<Offer> {
+/// Returns the completions after the events in `before`.
+pub(super) fn offers(before: &str, known: &KnownProject) -> Vec<Offer> {
     let part = before.rsplit([SEPARATOR, DELIMITER]).next().unwrap_or_default();
     let mut words: Vec<&str> = part.split(is_white_space).filter(|word| !word.is_empty()).collect();
     if !part.ends_with(is_white_space) {
-        words.pop(); // it is being written
+        words.pop(); // incomplete
     }
     let named = |role, detail: &str, kind| named(known, role, detail, kind);
     let things = || named(Role::Target, "character or prop", CompletionItemKind::VARIABLE);
-    // What is behind `feels` is a blend: `feels anger 2 + joy`.
+    // A blend follows `feels`: `feels anger 2 + joy`.
     if let Some(feels) = words.iter().position(|word| *word == "feels") {
         let blend = part.split_once("feels").map_or("", |(_, blend)| blend);
         let term = blend.rsplit('+').next().unwrap_or_default();
@@ -66,7 +66,7 @@ fn verbs() -> Vec<Offer> {
     VERBS.map(|(verb, about)| Offer::new(verb, about, CompletionItemKind::KEYWORD)).into()
 }
 
-fn named(known: &Known, role: Role, detail: &str, kind: CompletionItemKind) -> Vec<Offer> {
+fn named(known: &KnownProject, role: Role, detail: &str, kind: CompletionItemKind) -> Vec<Offer> {
     let names = known.words.allowed(role, known.project.settings.options.get_known_names());
     names.into_iter().map(|name| Offer::new(name, detail, kind)).collect()
 }
@@ -74,11 +74,11 @@ fn named(known: &Known, role: Role, detail: &str, kind: CompletionItemKind) -> V
 #[cfg(test)]
 mod tests {
     use super::super::tests::at;
-    use crate::project::Known;
+    use crate::project::KnownProject;
     use lipz_compiler::{KnownNames, Options};
 
-    fn known() -> Known {
-        let mut known = Known::default();
+    fn known() -> KnownProject {
+        let mut known = KnownProject::default();
         let names = KnownNames::new().characters(["mara"]).props(["door"]).actions(["wave"]);
         known.project.settings.options = Options::new().known_names(names);
         known

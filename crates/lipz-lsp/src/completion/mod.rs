@@ -8,7 +8,7 @@ mod names;
 use crate::context::{Context, context};
 use crate::document::Document;
 use crate::place;
-use crate::project::Known;
+use crate::project::KnownProject;
 use lipz_file::locale::text_name;
 use lipz_types::VisemeType;
 use lsp_types::{
@@ -17,19 +17,19 @@ use lsp_types::{
 };
 use std::ops::Range;
 
-/// Rates that recordings and films have.
+/// The common frame rates of recordings and films.
 const RATES: [&str; 6] = ["24", "25", "30", "60", "23.976", "29.97"];
 
-/// Something that could stand at the cursor.
+/// A completion.
 struct Offer {
-    /// What it is called.
+    /// The displayed name.
     label: String,
-    /// What it is, in a few words.
+    /// A short description.
     detail: String,
-    /// What there is to know about it, in Markdown.
+    /// The documentation, in Markdown.
     about: String,
     kind: CompletionItemKind,
-    /// What is written, with `$0` where the cursor goes.
+    /// The inserted text, with `$0` at the position of the cursor.
     text: String,
 }
 
@@ -40,16 +40,21 @@ impl Offer {
     }
 }
 
-/// What could stand at byte `at`, in the order in which it is offered.
-pub(crate) fn complete(document: &Document, known: &Known, at: usize, has_snippets: bool) -> Vec<CompletionItem> {
+/// Returns the completions at byte `at`, in the order in which they are offered.
+pub(crate) fn complete(
+    document: &Document,
+    known: &KnownProject,
+    at: usize,
+    has_snippets: bool,
+) -> Vec<CompletionItem> {
     let text = document.text.as_str();
     let (offers, replaced) = match context(text, at) {
-        Context::Between => (names::offers(document, known, names::Around::Nothing), at..at),
+        Context::Between => (names::offers(document, known, names::NameContext::Nothing), at..at),
         Context::Name(start) => {
             let (around, end) = names::around(text, at);
             (names::offers(document, known, around), start..end)
         }
-        Context::BetweenCurves => (curves::offers(document, known, names::Around::Nothing), at..at),
+        Context::BetweenCurves => (curves::offers(document, known, names::NameContext::Nothing), at..at),
         Context::CurveName(start) => {
             let (around, end) = names::around(text, at);
             (curves::offers(document, known, around), start..end)
@@ -91,9 +96,9 @@ fn item(
         kind: Some(offer.kind),
         detail: Some(offer.detail),
         documentation: (!about.value.is_empty()).then_some(Documentation::MarkupContent(about)),
-        // Editors sort by this, otherwise by the label.
+        // Editors sort by this text, or else by the label.
         sort_text: Some(format!("{number:05}")),
-        // What they compare with what is typed: all of it, with its quote.
+        // Editors compare this text with all typed characters, including the quote.
         filter_text: document.text.get(replaced).filter(|typed| typed.starts_with('"')).map(str::to_owned),
         insert_text_format: is_snippet.then_some(InsertTextFormat::SNIPPET),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range, new_text })),
@@ -117,7 +122,7 @@ fn rates() -> Vec<Offer> {
     RATES.into_iter().map(|rate| Offer::new(rate, "frames per second", CompletionItemKind::VALUE)).collect()
 }
 
-/// Where the string ends that byte `at` is in: at its quote, or with the line.
+/// Returns the end of the string that contains byte `at`: at its quote, or at the end of the line.
 fn end_of_text(text: &str, at: usize) -> usize {
     let rest = text.get(at..).unwrap_or_default();
     at + rest.find(['"', '\n', '\r']).unwrap_or(rest.len())
@@ -130,8 +135,8 @@ mod tests {
     use lsp_types::Uri;
     use std::str::FromStr;
 
-    /// The labels at `§`, and the file with the first of them.
-    pub(super) fn at(text: &str, known: &Known) -> (Vec<String>, String) {
+    /// Returns the labels at `§`, and the file with the first of them.
+    pub(super) fn at(text: &str, known: &KnownProject) -> (Vec<String>, String) {
         let at = text.find('§').unwrap();
         let text = text.replace('§', "");
         let document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text.clone());
@@ -148,7 +153,7 @@ mod tests {
 
     #[test]
     fn types_and_rates_are_offered_where_they_stand() {
-        let known = Known::default();
+        let known = KnownProject::default();
         let types = ["blair", "toonboom", "rms"].map(str::to_owned).to_vec();
         assert_eq!(at("{\"viseme_type\": §", &known), (types.clone(), "{\"viseme_type\": \"blair\"".into()));
         assert_eq!(at("{\"viseme_type\": \"to§on\",", &known), (types.clone(), "{\"viseme_type\": \"blair\",".into()));

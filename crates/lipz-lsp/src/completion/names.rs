@@ -1,43 +1,43 @@
-//! The names of elements that a file does not have yet.
+//! The names of elements that a file lacks.
 
 use super::Offer;
 use crate::context;
 use crate::document::Document;
 use crate::hover::element;
-use crate::project::Known;
+use crate::project::KnownProject;
 use lsp_types::CompletionItemKind;
 use std::collections::{BTreeSet, HashSet};
 
-/// What stands around the name that is completed.
+/// The characters around the name to be completed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Around {
-    /// Not even a quote.
+pub(super) enum NameContext {
+    /// There is no quote.
     Nothing,
-    /// The quote before it.
+    /// There is a quote before it.
     Quote,
-    /// Quotes on both sides, and a colon behind them: there is a value.
+    /// There are quotes on both sides, and a colon after them, so there is a value.
     Colon,
 }
 
-/// What stands behind the name at byte `at`, and the byte where the name or its quote ends.
-pub(super) fn around(text: &str, at: usize) -> (Around, usize) {
+/// Returns the characters around the name at byte `at`, and the end of the name or of its quote.
+pub(super) fn around(text: &str, at: usize) -> (NameContext, usize) {
     let rest = text.get(at..).unwrap_or_default();
     let length = rest.find(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '-'))).unwrap_or(rest.len());
     let end = at + length;
     match rest.get(length..).and_then(|behind| behind.strip_prefix('"')) {
-        Some(behind) if behind.trim_start().starts_with(':') => (Around::Colon, end),
-        Some(_) => (Around::Quote, end + 1),
-        None => (Around::Quote, end),
+        Some(behind) if behind.trim_start().starts_with(':') => (NameContext::Colon, end),
+        Some(_) => (NameContext::Quote, end + 1),
+        None => (NameContext::Quote, end),
     }
 }
 
-/// The names of the format, and of texts in the locales of the project.
-pub(super) fn offers(document: &Document, known: &Known, around: Around) -> Vec<Offer> {
+/// Returns the names of the format, and of texts in the locales of the project.
+pub(super) fn offers(document: &Document, known: &KnownProject, around: NameContext) -> Vec<Offer> {
     let present: HashSet<&str> = context::names(&document.text).into_iter().collect();
     let options = &known.project.settings.options;
     let mut locales: BTreeSet<&str> = known.words.locales.iter().map(String::as_str).collect();
     locales.extend(options.get_locales().into_iter().flatten().map(String::as_str));
-    // That of the project comes first; `en-us` where nothing else is known.
+    // The project's default locale comes first; `en-us` if no locale is known.
     let first = options.get_default_locale().or((locales.is_empty()).then_some("en-us"));
     let texts = first.into_iter().chain(locales.iter().copied().filter(|tag| Some(*tag) != first));
     let texts = texts.map(|tag| format!("text_{tag}"));
@@ -46,16 +46,16 @@ pub(super) fn offers(document: &Document, known: &Known, around: Around) -> Vec<
     names.map(|name| offer(name, around)).collect()
 }
 
-fn offer(name: String, around: Around) -> Offer {
+fn offer(name: String, around: NameContext) -> Offer {
     let value = match name.as_str() {
         "fps" => "$0",
         "curves" => "{ $0 }",
         _ => "\"$0\"",
     };
     let text = match around {
-        Around::Nothing => format!("\"{name}\": {value}"),
-        Around::Quote => format!("{name}\": {value}"),
-        Around::Colon => name.clone(),
+        NameContext::Nothing => format!("\"{name}\": {value}"),
+        NameContext::Quote => format!("{name}\": {value}"),
+        NameContext::Colon => name.clone(),
     };
     let (title, about) = element::about(&name).unwrap_or_default();
     Offer { text, about: about.to_owned(), ..Offer::new(name, title, CompletionItemKind::PROPERTY) }
@@ -64,12 +64,12 @@ fn offer(name: String, around: Around) -> Offer {
 #[cfg(test)]
 mod tests {
     use super::super::tests::at;
-    use crate::project::Known;
+    use crate::project::KnownProject;
     use lipz_compiler::Options;
 
     #[test]
     fn elements_that_are_missing_are_offered() {
-        let mut known = Known::default();
+        let mut known = KnownProject::default();
         let (labels, first) = at("{ §", &known);
         assert_eq!(labels, ["visemes", "viseme_type", "fps", "events", "curves", "text_en-us"]);
         assert_eq!(first, "{ \"visemes\": \"$0\"");
@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn a_value_that_is_there_stays() {
-        let (_, first) = at("{ \"vis§eme\" : \"MA\" }", &Known::default());
+        let (_, first) = at("{ \"vis§eme\" : \"MA\" }", &KnownProject::default());
         assert_eq!(first, "{ \"visemes\" : \"MA\" }");
     }
 }

@@ -1,4 +1,4 @@
-//! What the elements of the format are, in the words of its JSON Schema.
+//! Descriptions of the elements of the format, from its JSON Schema.
 
 use lipz_file::locale::text_name;
 use lipz_file::schema::json_schema;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// The title and the description of each element, and of texts under `text`.
+/// The title and the description of each element, with `text` for all texts.
 static ELEMENTS: LazyLock<BTreeMap<String, (String, String)>> = LazyLock::new(|| {
     let schema: Value = serde_json::from_str(&json_schema(false)).unwrap_or_default();
     let entries = |part: &str| schema.get(part).and_then(Value::as_object).cloned().unwrap_or_default();
@@ -16,7 +16,7 @@ static ELEMENTS: LazyLock<BTreeMap<String, (String, String)>> = LazyLock::new(||
     known.chain(texts).map(|(name, value)| (name, (string(&value, "title"), string(&value, "description")))).collect()
 });
 
-/// The title and the description of the element with this name; `None` for one that is not of the format.
+/// Returns the title and the description of the element with this name; `None` if the format does not define it.
 pub(crate) fn about(name: &str) -> Option<(&'static str, &'static str)> {
     let name = if text_name(name).is_some() { "text" } else { name };
     let (title, about) = ELEMENTS.get(name)?;

@@ -1,11 +1,11 @@
-//! What an editor shows beside the pointer: where in the clip it is, what stands there, and what is wrong with it.
+//! Hover: the position in the clip, a description of the content, and its diagnostics.
 
 pub(crate) mod element;
 mod shape;
 
 use crate::convert;
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::timing::{Timing, decoded, element_at, frames, segment_at};
 use lipz_diagnostics::{Code, Span};
 use lipz_file::locale::text_name;
@@ -13,8 +13,8 @@ use lipz_file::{Element, JsonString, Value, text};
 use lipz_types::VisemeType;
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
 
-/// What there is to say about byte `at`.
-pub(crate) fn hover(document: &Document, known: &Known, at: usize, has_pictures: bool) -> Option<Hover> {
+/// Returns the hover for byte `at`.
+pub(crate) fn hover(document: &Document, known: &KnownProject, at: usize, has_pictures: bool) -> Option<Hover> {
     let shift = document.mark_bytes();
     let at = at.checked_sub(shift)?;
     let parsed = lipz_file::parse(document.text.as_bytes());
@@ -26,7 +26,7 @@ pub(crate) fn hover(document: &Document, known: &Known, at: usize, has_pictures:
         let timing = Timing::of(&read, options.get_default_fps());
         let viseme_type =
             read.string("viseme_type").and_then(|name| name.parse().ok()).or(options.get_default_viseme_type());
-        let clip = Clip { timing: timing.as_ref(), viseme_type, has_pictures };
+        let clip = HoverClip { timing: timing.as_ref(), viseme_type, has_pictures };
         if let Some((said, place)) = clip.about(element, at) {
             parts.push(said);
             span = Some(place);
@@ -47,20 +47,20 @@ pub(crate) fn hover(document: &Document, known: &Known, at: usize, has_pictures:
     (!parts.is_empty()).then_some(Hover { contents: HoverContents::Markup(contents), range })
 }
 
-/// The page about a rule, as `lipz explain` has it.
+/// Returns the page about a rule, as in `lipz explain`.
 fn explanation(code: Code) -> String {
     format!("**{code}** {}: {}\n\n{}", code.name(), code.summary(), code.page().trim_end())
 }
 
-/// What a hover needs to know of a clip.
-struct Clip<'t> {
+/// The parts of a clip that a hover describes.
+struct HoverClip<'t> {
     timing: Option<&'t Timing>,
     viseme_type: Option<VisemeType>,
     has_pictures: bool,
 }
 
-impl Clip<'_> {
-    /// What stands at byte `at` of an element, and which characters that is about.
+impl HoverClip<'_> {
+    /// Returns a description of byte `at` of an element, and the characters that it describes.
     fn about(&self, element: &Element<'_>, at: usize) -> Option<(String, Span)> {
         let name = element.name.text.as_ref();
         let place = match &element.value {
@@ -74,7 +74,7 @@ impl Clip<'_> {
         }
     }
 
-    /// The frame of a code, and its shape.
+    /// Returns the frame and the shape of a code.
     fn code(&self, string: &JsonString<'_>, at: usize) -> Option<(String, Span)> {
         let code = string.text.get(at..)?.chars().next()?;
         let (segment, _) = segment_at(&string.text, at);
@@ -91,17 +91,18 @@ impl Clip<'_> {
         Some((format!("{shape}frame {frame}{time}\n\n{line}"), span))
     }
 
-    /// The segment of a text or of events.
+    /// Returns the segment of a text or of events.
     fn segment(&self, string: &JsonString<'_>, at: usize) -> Option<(String, Span)> {
         let (segment, range) = segment_at(&string.text, at);
         Some((self.segment_line(segment)?, string.span_of(range)))
     }
 
-    /// `segment 2 of 3: frames 24–48, 1.000 s–2.000 s`.
+    /// Returns a line such as `segment 2 of 3: frames 24–48, 1.000 s–2.000 s`.
     fn segment_line(&self, segment: usize) -> Option<String> {
         let timing = self.timing?;
-        let shown =
-            timing.shown(segment..segment + 1).unwrap_or_else(|| "no frames: `visemes` has fewer segments".to_owned());
+        let shown = timing
+            .shown(segment..segment + 1)
+            .unwrap_or_else(|| "no frames because `visemes` has fewer segments".to_owned());
         Some(format!("segment {} of {}: {shown}", segment + 1, timing.segment_count()))
     }
 }
@@ -114,11 +115,11 @@ mod tests {
     use lsp_types::Uri;
     use std::str::FromStr;
 
-    /// The hover at `§`, and the characters that it is about.
+    /// Returns the hover at `§`, and the characters that it describes.
     fn at(text: &str) -> (String, String) {
         let place = text.find('§').unwrap();
         let mut document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, text.replace('§', ""));
-        let known = Known::default();
+        let known = KnownProject::default();
         document.shown = check::check(&known, None, &document.text);
         let Some(hover) = hover(&document, &known, place, false) else { return Default::default() };
         let HoverContents::Markup(contents) = hover.contents else { panic!() };

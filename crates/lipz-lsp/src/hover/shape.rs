@@ -1,4 +1,4 @@
-//! The mouth shapes: the sounds that they are for, and their pictures.
+//! Mouth shapes, with their sounds and pictures.
 
 use lipz_types::VisemeType;
 use std::collections::HashMap;
@@ -50,7 +50,7 @@ fn sounds(kind: VisemeType) -> &'static [&'static str] {
     }
 }
 
-/// What a code stands for, in Markdown, with its picture; `None` for a code that the type does not have.
+/// Returns the description of a code in Markdown, with its picture; `None` if the type does not have the code.
 pub(super) fn about(kind: VisemeType, code: char, has_pictures: bool) -> Option<String> {
     let index = kind.codes().find(code)?;
     let said = format!("**{code}** of {}: {}", kind.name(), sounds(kind).get(index)?);
@@ -61,7 +61,7 @@ pub(super) fn about(kind: VisemeType, code: char, has_pictures: bool) -> Option<
     })
 }
 
-/// A picture as an address that is the picture (RFC 2397).
+/// Returns a picture as a data URI (RFC 2397).
 fn data_uri(svg: &str) -> String {
     let mut uri = "data:image/svg+xml,".to_owned();
     for byte in svg.bytes() {

@@ -1,9 +1,9 @@
-//! Renaming a character, a prop or an action, in all files of a project.
+//! Renaming of a character, a prop or an action, in all files of a project.
 
 mod settings;
 
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::timing::decoded;
 use crate::words::{Role, each, events};
 use crate::{convert, uri};
@@ -20,26 +20,27 @@ use std::path::Path;
 
 /// A name in the events of a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Name {
+pub(crate) struct NamedSpan {
     pub(crate) text: String,
     pub(crate) span: Span,
     role: Role,
 }
 
-impl Name {
-    /// The roles in which the same name means the same.
+impl NamedSpan {
+    /// Returns the roles that share their names with this one.
     fn roles(&self) -> &'static [Role] {
         if self.role == Role::Action { &[Role::Action] } else { &[Role::Character, Role::Target] }
     }
 
-    /// The lists of the settings that may have it.
+    /// Returns the lists of the settings that may contain the name.
     fn lists(&self) -> &'static [&'static str] {
         if self.role == Role::Action { &["actions"] } else { &["characters", "props"] }
     }
 }
 
-/// The name at byte `at` of the text, behind a byte order mark. Emotions are not names: the format has them.
-pub(crate) fn name_at(text: &str, at: usize) -> Option<Name> {
+/// Returns the name at byte `at` of the text, after a byte order mark. Emotions cannot be renamed, because the format
+/// defines them.
+pub(crate) fn name_at(text: &str, at: usize) -> Option<NamedSpan> {
     let parsed = lipz_file::parse(text.as_bytes());
     let read = parsed.document.or(parsed.fragment.map(|fragment| fragment.document))?;
     let events = events(&read)?;
@@ -52,25 +53,30 @@ pub(crate) fn name_at(text: &str, at: usize) -> Option<Name> {
     });
     let (role, range) = found?;
     let text = events.text.get(range.clone())?.to_owned();
-    Some(Name { text, span: events.span_of(range), role })
+    Some(NamedSpan { text, span: events.span_of(range), role })
 }
 
-/// The files that are open in the editor, by the names of their paths.
+/// The files that are open in the editor, by path name.
 pub(crate) type OpenFiles<'d> = HashMap<String, &'d Document>;
 
-/// The edits that give a name another text.
+/// Returns the edits that rename `name` to `new`.
 ///
 /// # Errors
-/// If that text is no name, or something else has it.
-pub(crate) fn rename(known: &Known, open: &OpenFiles<'_>, name: &Name, new: &str) -> Result<WorkspaceEdit, String> {
+/// If `new` is not a valid name, or is already in use.
+pub(crate) fn rename(
+    known: &KnownProject,
+    open: &OpenFiles<'_>,
+    name: &NamedSpan,
+    new: &str,
+) -> Result<WorkspaceEdit, String> {
     if !is_word(new) {
-        return Err("a name is a word without spaces, `,` and `|`".to_owned());
+        return Err("a name is one word without spaces, `,` or `|`".to_owned());
     }
     let is_same = new == name.text;
     let is_taken =
         |role: &Role| known.words.allowed(*role, known.project.settings.options.get_known_names()).contains(new);
     if !is_same && name.roles().iter().any(is_taken) {
-        return Err(format!("`{new}` is in use: the two could not be told apart any more"));
+        return Err(format!("`{new}` is already in use"));
     }
     let unsaved = open.iter().map(|(path, document)| (path.clone(), document.text.clone())).collect();
     let work = |path: &str, bytes: &[u8]| file_edit(path, bytes, open.get(path).copied(), name, new);
@@ -81,20 +87,20 @@ pub(crate) fn rename(known: &Known, open: &OpenFiles<'_>, name: &Name, new: &str
     Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Edits(edits)), ..WorkspaceEdit::default() })
 }
 
-/// The edit of a Lipz file that has the name; an error if it may have it, and cannot be read.
+/// Returns the edit of a Lipz file that contains the name. Fails if the file may contain it, but cannot be parsed.
 fn file_edit(
     path: &str,
     bytes: &[u8],
     open: Option<&Document>,
-    name: &Name,
+    name: &NamedSpan,
     new: &str,
 ) -> Result<Option<TextDocumentEdit>, String> {
-    // Most files do not have it; escapes may hide it.
+    // Most files do not contain the name. Escapes may hide it.
     if !contains(bytes, name.text.as_bytes()) && !bytes.contains(&b'\\') {
         return Ok(None);
     }
     let Some(document) = lipz_file::parse(bytes).document else {
-        return Err(format!("`{path}` has mistakes that hide its events: mend them first"));
+        return Err(format!("`{path}` has errors that hide its events; fix them first"));
     };
     let mut spans = Vec::new();
     if let Some(events) = events(&document) {
@@ -114,7 +120,7 @@ fn file_edit(
     Ok(text_edit(Path::new(path), bytes, open, &spans, inside))
 }
 
-/// Where curves have the name of somebody in front: `mara.fear`.
+/// Returns the positions of curves whose names start with a character's name: `mara.fear`.
 fn curves_of(document: &lipz_file::Document<'_>, name: &str) -> Vec<Span> {
     let Some(Value::Other(raw)) = document.get(curve::ELEMENT).map(|element| &element.value) else { return Vec::new() };
     let curves = curve::parse(raw, &mut Vec::new()).unwrap_or_default();
@@ -126,18 +132,18 @@ fn curves_of(document: &lipz_file::Document<'_>, name: &str) -> Vec<Span> {
     theirs.map(|curve| curve.name.span_of(0..name.len())).collect()
 }
 
-/// The edit of the settings file, if its registry has the name.
-fn settings_edit(file: &Path, open: &OpenFiles<'_>, name: &Name, new: &str) -> Option<TextDocumentEdit> {
+/// Returns the edit of the settings file, if its registry contains the name.
+fn settings_edit(file: &Path, open: &OpenFiles<'_>, name: &NamedSpan, new: &str) -> Option<TextDocumentEdit> {
     let path = crate::server::path_name(file);
     let document = open.get(&path).copied();
     let text = document.map_or_else(|| std::fs::read_to_string(file).ok(), |document| Some(document.text.clone()))?;
-    // What JSON escapes, TOML escapes alike.
+    // JSON and TOML use the same escapes here.
     let mark = text.len() - lipz_file::without_byte_order_mark(text.as_bytes()).len();
     let spans = settings::places(&text[mark..], name.lists(), &name.text);
     text_edit(file, text.as_bytes(), document, &spans, &literal(new))
 }
 
-/// An edit that writes `new` at each of the spans; `None` if there are none.
+/// Returns an edit that writes `new` at each of the spans; `None` if there are no spans.
 fn text_edit(
     path: &Path,
     bytes: &[u8],
@@ -152,7 +158,7 @@ fn text_edit(
     if spans.is_empty() {
         return None;
     }
-    // Editors take a byte order mark off what they read.
+    // Editors remove the byte order mark of the files that they read.
     let (text, shift) = match open {
         Some(document) => (Cow::Borrowed(document.text.as_str()), document.mark_bytes()),
         None => (String::from_utf8_lossy(lipz_file::without_byte_order_mark(bytes)), 0),

@@ -3,7 +3,7 @@
 use lipz_diagnostics::Span;
 use toml::de::{DeTable, DeValue};
 
-/// Where the lists `lists` of `[registry]` have `name`, with its quotes.
+/// Returns the positions of `name` in the lists `lists` of `[registry]`, including its quotes.
 pub(super) fn places(text: &str, lists: &[&str], name: &str) -> Vec<Span> {
     let (root, _) = DeTable::parse_recoverable(text);
     let Some(DeValue::Table(registry)) = root.get_ref().get("registry").map(toml::Spanned::get_ref) else {

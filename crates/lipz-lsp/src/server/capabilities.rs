@@ -1,4 +1,4 @@
-//! What the editor can do, and what the server does.
+//! The capabilities of the editor and of the server.
 
 use crate::uri;
 use lsp_types::{
@@ -9,19 +9,19 @@ use lsp_types::{
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// What the editor has, and can do.
+/// The folders and capabilities of the editor.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct Client {
-    /// The folders that it has open.
+    /// The open folders.
     pub(super) folders: Vec<PathBuf>,
     pub(super) has_snippets: bool,
-    /// It can tell which files change outside of it, if it is asked to.
+    /// Whether it can report changes of files by other programs, on request.
     pub(super) watches_files: bool,
-    /// It shows pictures in what it shows beside the pointer.
+    /// Whether it shows pictures in hovers.
     pub(super) has_pictures: bool,
 }
 
-/// What the editor says of itself, and the answer. Of what it says wrongly, nothing is believed.
+/// Returns the editor's description of itself, and the answer. Invalid parameters are ignored.
 pub(super) fn agree(params: &Value) -> (Client, InitializeResult) {
     let params: InitializeParams = serde_json::from_value(params.clone()).unwrap_or_default();
     let result = InitializeResult {

@@ -1,4 +1,4 @@
-//! The server: takes messages of an editor one after the other, and answers.
+//! The server: processes the messages of an editor in order, and answers them.
 
 mod capabilities;
 mod notifications;
@@ -7,8 +7,8 @@ mod requests;
 mod runs;
 
 use crate::document::Document;
-use crate::project::{Checked, Known, Project};
-use crate::transport::{self, Received};
+use crate::project::{CheckedProject, KnownProject, Project};
+use crate::transport::{self, IncomingMessage};
 use capabilities::Client;
 use crossbeam_channel::{at, never, select, unbounded};
 use lipz_compiler::{Content, Input};
@@ -19,20 +19,20 @@ use std::io::{self, BufRead, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 
-/// Serves an editor until it says goodbye or is gone; whether it said goodbye in the order of the protocol, which decides
-/// the exit code.
+/// Serves an editor until it exits or disconnects. Returns whether it exited in the order of the protocol, which
+/// decides the exit code.
 ///
-/// `check` finds what is wrong with a whole project, whose files have these texts where they are open and not saved, by the
-/// names of their paths. It runs on a thread of its own.
+/// `check` finds the problems of a whole project. Its second argument contains the texts of open, unsaved files, by
+/// path name. It runs on a thread of its own.
 ///
 /// # Errors
-/// If the streams break, or it is not known where a message starts.
+/// If the streams fail, or the start of a message cannot be determined.
 pub fn serve(
     mut input: impl BufRead + Send + 'static,
     output: impl Write,
-    check: impl Fn(&Project, &HashMap<String, String>) -> Checked + Send + Sync + 'static,
+    check: impl Fn(&Project, &HashMap<String, String>) -> CheckedProject + Send + Sync + 'static,
 ) -> io::Result<bool> {
-    // Without a bound: an editor that does not listen while it speaks is not waited for.
+    // Unbounded, so that the reader does not wait for an editor that sends without reading.
     let (sender, received) = unbounded();
     thread::spawn(move || {
         loop {
@@ -47,7 +47,7 @@ pub fn serve(
     let mut server = Server::new(output, Runs::new(check));
     loop {
         if received.is_empty() {
-            // Whoever types quickly gets no answer about a text that is gone.
+            // During fast typing, outdated texts are not checked.
             server.publish_changed()?;
         }
         let pause = server.runs.next_start().map_or_else(never, at);
@@ -66,7 +66,7 @@ pub fn serve(
     }
 }
 
-/// How far the conversation is.
+/// The state of the connection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Phase {
     Before,
@@ -74,19 +74,19 @@ enum Phase {
     After,
 }
 
-/// What the server knows.
+/// The state of the server.
 struct Server<W> {
     output: W,
     runs: Runs,
     phase: Phase,
     client: Client,
-    /// The open files, by the editor's addresses.
+    /// The open files, by their URIs in the editor.
     documents: BTreeMap<String, Document>,
-    /// The projects of open files, by what tells them apart.
-    projects: BTreeMap<PathBuf, Known>,
-    /// The projects of the open files, by the same addresses.
+    /// The projects of open files, by their identifying paths.
+    projects: BTreeMap<PathBuf, KnownProject>,
+    /// The identifying path of each open file's project, by the file's URI.
     homes: HashMap<String, PathBuf>,
-    /// Files for which an editor shows diagnostics, by project.
+    /// The files for which an editor shows diagnostics, by project.
     published: BTreeMap<PathBuf, BTreeSet<String>>,
 }
 
@@ -104,22 +104,22 @@ impl<W: Write> Server<W> {
         }
     }
 
-    /// Takes what has arrived; how the conversation ends, if this is its end.
-    fn take(&mut self, received: Received) -> io::Result<Option<bool>> {
+    /// Processes a message. Returns the result of the connection if it ends.
+    fn take(&mut self, received: IncomingMessage) -> io::Result<Option<bool>> {
         match received {
-            Received::Refused(refused) => transport::refuse(&mut self.output, &refused)?,
-            Received::Message(Message::Request(request)) => {
+            IncomingMessage::Refused(refused) => transport::refuse(&mut self.output, &refused)?,
+            IncomingMessage::Message(Message::Request(request)) => {
                 let response = self.answer(request)?;
                 self.send(response)?;
             }
-            Received::Message(Message::Notification(notification)) if notification.method == "exit" => {
+            IncomingMessage::Message(Message::Notification(notification)) if notification.method == "exit" => {
                 return Ok(Some(self.phase == Phase::After));
             }
-            Received::Message(Message::Notification(notification)) if self.phase == Phase::Running => {
+            IncomingMessage::Message(Message::Notification(notification)) if self.phase == Phase::Running => {
                 self.notice(notification)?;
             }
-            // Answers to our requests tell nothing, and before its time nothing is to be noticed.
-            Received::Message(_) => {}
+            // Responses to the server's requests are ignored, and so are early notifications.
+            IncomingMessage::Message(_) => {}
         }
         Ok(None)
     }
@@ -133,19 +133,21 @@ impl<W: Write> Server<W> {
                 self.phase = Phase::Running;
                 Response::new_ok(request.id, answer)
             }
-            (Phase::Before, _) => refuse(ErrorCode::ServerNotInitialized, "the first request is `initialize`"),
+            (Phase::Before, _) => refuse(ErrorCode::ServerNotInitialized, "the first request must be `initialize`"),
             (Phase::Running, "shutdown") => {
                 self.phase = Phase::After;
                 Response::new_ok(request.id, ())
             }
-            (Phase::Running, "initialize") => refuse(ErrorCode::InvalidRequest, "`initialize` was the first request"),
+            (Phase::Running, "initialize") => {
+                refuse(ErrorCode::InvalidRequest, "`initialize` must be the first request")
+            }
             (Phase::Running, _) => self.respond(request)?,
-            (Phase::After, _) => refuse(ErrorCode::InvalidRequest, "after `shutdown` comes `exit`"),
+            (Phase::After, _) => refuse(ErrorCode::InvalidRequest, "only `exit` may follow `shutdown`"),
         })
     }
 
-    /// The project of an open file.
-    fn known(&self, uri: &str) -> Option<&Known> {
+    /// Returns the project of an open file.
+    fn known(&self, uri: &str) -> Option<&KnownProject> {
         self.projects.get(self.homes.get(uri)?)
     }
 
@@ -158,7 +160,7 @@ impl<W: Write> Server<W> {
     }
 }
 
-/// A path as reports name it.
+/// Returns the name of a path in reports.
 pub(crate) fn path_name(path: &Path) -> String {
     Input { key: String::new(), content: Content::File(path.to_owned()) }.name()
 }

@@ -1,8 +1,8 @@
-//! What the editor tells: files that are opened, changed, saved and closed.
+//! The editor's notifications: files that are opened, changed, saved and closed.
 
 use super::Server;
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::uri;
 use lipz_compiler::settings::FILE_NAME;
 use lsp_server::{Notification, Request};
@@ -17,7 +17,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 impl<W: Write> Server<W> {
-    /// Takes a notification. One that is not understood changes nothing: there is no answer to it.
+    /// Processes a notification. An invalid one is ignored, because notifications have no response.
     pub(super) fn notice(&mut self, notification: Notification) -> io::Result<()> {
         match notification.method.as_str() {
             "initialized" => return self.begin(),
@@ -46,7 +46,7 @@ impl<W: Write> Server<W> {
         Ok(())
     }
 
-    /// Asks to be told of files that change elsewhere, and looks at the projects of the open folders.
+    /// Requests notifications of changes by other programs, and checks the projects of the open folders.
     fn begin(&mut self) -> io::Result<()> {
         if self.client.watches_files {
             let watchers = ["**/*.lipz", "**/lipz.toml", "**/lipz-texts.txt", "**/lipz-sync.txt"];
@@ -69,7 +69,7 @@ impl<W: Write> Server<W> {
         let opened = params.text_document;
         let key = opened.uri.as_str().to_owned();
         let document = Document::new(opened.uri, opened.version, opened.text);
-        // What its settings file has wrong is told when they are read; a stream that breaks is noticed next time.
+        // Problems of its settings file are reported when it is read. A broken stream is detected by the next write.
         if let Ok(home) = self.project_of(document.path.as_deref()) {
             self.homes.insert(key.clone(), home);
         }
@@ -91,18 +91,18 @@ impl<W: Write> Server<W> {
         if document.path.is_none() {
             return self.publish(document.uri, Vec::new(), None);
         }
-        // What was not saved is gone.
+        // Unsaved changes are lost.
         home.iter().for_each(|home| self.runs.soon(home));
         Ok(())
     }
 
-    /// Looks at the projects of these files again, which were written.
+    /// Checks the projects of these files, which have changed on disk.
     fn changed_on_disk(&mut self, paths: &[PathBuf]) -> io::Result<()> {
         if paths.iter().any(|path| path.file_name().is_some_and(|name| name == FILE_NAME)) {
             return self.read_settings_again();
         }
         for path in paths {
-            let home = Known::of(Some(path), &self.client.folders).id();
+            let home = KnownProject::of(Some(path), &self.client.folders).id();
             if self.projects.contains_key(&home) {
                 self.runs.soon(&home);
             }
@@ -110,7 +110,7 @@ impl<W: Write> Server<W> {
         Ok(())
     }
 
-    /// Finds the projects of all open files anew: a settings file has changed, appeared or gone.
+    /// Finds the projects of all open files again, because a settings file has changed, appeared or disappeared.
     fn read_settings_again(&mut self) -> io::Result<()> {
         self.projects.clear();
         let open: Vec<(String, Option<PathBuf>)> =
@@ -123,9 +123,9 @@ impl<W: Write> Server<W> {
         self.forget_other_projects()
     }
 
-    /// The project of a file, read if it is not known yet.
+    /// Returns the project of a file, and reads it if necessary.
     fn project_of(&mut self, path: Option<&Path>) -> io::Result<PathBuf> {
-        let known = Known::of(path, &self.client.folders);
+        let known = KnownProject::of(path, &self.client.folders);
         let home = known.id();
         if !self.projects.contains_key(&home) {
             self.projects.insert(home.clone(), known);

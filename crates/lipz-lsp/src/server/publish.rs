@@ -1,9 +1,9 @@
-//! Telling the editor what is wrong, after each change of a text and after each check of a project.
+//! Publishing of diagnostics, after each change of a text and after each check of a project.
 
-use super::runs::Ran;
+use super::runs::CheckRun;
 use super::{Server, path_name};
 use crate::document::Document;
-use crate::project::{Known, without};
+use crate::project::{KnownProject, without};
 use crate::{check, convert};
 use lipz_compiler::settings::{FILE_NAME, Settings};
 use lipz_diagnostics::{Diagnostic, Report};
@@ -14,9 +14,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 impl<W: Write> Server<W> {
-    /// Checks and tells what is wrong with files that have changed.
+    /// Checks changed files and publishes their diagnostics.
     pub(super) fn publish_changed(&mut self) -> io::Result<()> {
-        let nobody = Known::default();
+        let nobody = KnownProject::default();
         let mut changed = Vec::new();
         for (key, document) in self.documents.iter_mut().filter(|(_, document)| document.is_stale) {
             let known = self.homes.get(key).and_then(|home| self.projects.get(home)).unwrap_or(&nobody);
@@ -29,8 +29,8 @@ impl<W: Write> Server<W> {
         changed.into_iter().try_for_each(|(uri, shown, version)| self.publish(uri, shown, Some(version)))
     }
 
-    /// Takes what the check of a project found.
-    pub(super) fn take_result(&mut self, ran: Ran) -> io::Result<()> {
+    /// Processes the result of checking a project.
+    pub(super) fn take_result(&mut self, ran: CheckRun) -> io::Result<()> {
         self.runs.done(&ran.home, ran.took);
         let Some(known) = self.projects.get_mut(&ran.home) else { return Ok(()) };
         known.discovered(ran.checked.inputs, ran.recordings);
@@ -50,7 +50,7 @@ impl<W: Write> Server<W> {
                 document.is_stale = false;
                 updates.push((document.uri.clone(), convert::of_document(document), Some(document.version)));
             } else {
-                document.is_stale = true; // its project may be known only now
+                document.is_stale = true; // its project may have become known only now
             }
             open.insert(name);
         }
@@ -59,7 +59,7 @@ impl<W: Write> Server<W> {
         self.replace_published(&ran.home, updates)
     }
 
-    /// Tells what is wrong with these files of a project, and that nothing is wrong any more with the others.
+    /// Publishes the diagnostics of these files of a project, and clears those of all its other files.
     fn replace_published(&mut self, home: &Path, updates: Vec<(Uri, Vec<Shown>, Option<i32>)>) -> io::Result<()> {
         let now: BTreeSet<String> = updates.iter().map(|(uri, ..)| uri.as_str().to_owned()).collect();
         let before = self.published.insert(home.to_owned(), now.clone()).unwrap_or_default();
@@ -69,7 +69,7 @@ impl<W: Write> Server<W> {
         self.clear(before.difference(&now))
     }
 
-    /// What is wrong with the settings file of a project.
+    /// Publishes the diagnostics of a project's settings file.
     pub(super) fn publish_settings(&mut self, home: &Path) -> io::Result<()> {
         let Some(known) = self.projects.get(home) else { return Ok(()) };
         let Some(file) = known.project.file.as_deref() else { return Ok(()) };
@@ -81,7 +81,7 @@ impl<W: Write> Server<W> {
         }
     }
 
-    /// Takes back what was told about projects that are none any more.
+    /// Clears the diagnostics of former projects.
     pub(super) fn forget_other_projects(&mut self) -> io::Result<()> {
         let gone: Vec<PathBuf> =
             self.published.keys().filter(|home| !self.projects.contains_key(*home)).cloned().collect();
@@ -94,7 +94,7 @@ impl<W: Write> Server<W> {
 
     fn clear<'u>(&mut self, uris: impl Iterator<Item = &'u String>) -> io::Result<()> {
         for uri in uris {
-            // What is open is told about as it changes.
+            // Open files are published when they change.
             if let Some(uri) = (!self.documents.contains_key(uri)).then(|| uri.parse().ok()).flatten() {
                 self.publish(uri, Vec::new(), None)?;
             }
@@ -107,8 +107,8 @@ impl<W: Write> Server<W> {
     }
 }
 
-/// What is wrong with an open file by itself.
-fn local(document: &Document, known: &Known) -> Vec<Diagnostic> {
+/// Returns the diagnostics of an open file on its own.
+fn local(document: &Document, known: &KnownProject) -> Vec<Diagnostic> {
     match &document.path {
         Some(path) if path.file_name().is_some_and(|name| name == FILE_NAME) => {
             let folder = path.parent().unwrap_or(Path::new(""));
@@ -118,7 +118,7 @@ fn local(document: &Document, known: &Known) -> Vec<Diagnostic> {
     }
 }
 
-/// One report for each file.
+/// Merges the reports of each file.
 fn by_path(reports: Vec<Report>) -> BTreeMap<String, Report> {
     let mut all: BTreeMap<String, Report> = BTreeMap::new();
     for report in reports {

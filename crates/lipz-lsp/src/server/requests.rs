@@ -1,8 +1,8 @@
-//! What the editor asks.
+//! The editor's requests.
 
 use super::{Server, path_name};
 use crate::document::Document;
-use crate::project::Known;
+use crate::project::KnownProject;
 use crate::{actions, completion, convert, hover, links, place, rename, symbols};
 use lipz_compiler::settings::FILE_NAME;
 use lipz_file::format::{LineEnding, Style, format};
@@ -18,7 +18,7 @@ use lsp_types::{
 };
 use std::io::{self, Write};
 
-/// An answer, or why there is none.
+/// A result, or an error message.
 type Answer<T> = Result<T, String>;
 
 impl<W: Write> Server<W> {
@@ -26,11 +26,11 @@ impl<W: Write> Server<W> {
     pub(super) fn respond(&mut self, request: Request) -> io::Result<Response> {
         let method = request.method.clone();
         if matches!(method.as_str(), HoverRequest::METHOD | CodeActionRequest::METHOD) {
-            self.publish_changed()?; // they are about diagnostics, too
+            self.publish_changed()?; // they also depend on diagnostics
         }
         if method == DocumentLinkRequest::METHOD {
-            // Editors ask once, when they open a file: before its project is checked.
-            self.projects.values_mut().for_each(Known::discover);
+            // Editors request links once, when they open a file, which is before the check of its project.
+            self.projects.values_mut().for_each(KnownProject::discover);
         }
         Ok(match method.as_str() {
             Completion::METHOD => self.with::<Completion>(request, Self::completion),
@@ -41,7 +41,9 @@ impl<W: Write> Server<W> {
             Formatting::METHOD => self.with::<Formatting>(request, Self::formatting),
             PrepareRenameRequest::METHOD => self.with::<PrepareRenameRequest>(request, Self::prepare_rename),
             Rename::METHOD => self.with::<Rename>(request, Self::rename),
-            _ => Response::new_err(request.id, ErrorCode::MethodNotFound as i32, format!("there is no `{method}`")),
+            _ => {
+                Response::new_err(request.id, ErrorCode::MethodNotFound as i32, format!("`{method}` is not supported"))
+            }
         })
     }
 
@@ -56,8 +58,8 @@ impl<W: Write> Server<W> {
         }
     }
 
-    /// An open Lipz file, and its project; `None` for settings, of which only diagnostics are shown.
-    fn lipz_file(&self, uri: &Uri) -> Answer<Option<(&Document, &Known)>> {
+    /// Returns an open Lipz file and its project; `None` for settings, which only have diagnostics.
+    fn lipz_file(&self, uri: &Uri) -> Answer<Option<(&Document, &KnownProject)>> {
         let key = uri.as_str();
         let open = self.documents.get(key).zip(self.known(key));
         let (document, known) = open.ok_or_else(|| format!("`{key}` is not open"))?;
@@ -96,7 +98,7 @@ impl<W: Write> Server<W> {
         Ok(Some(actions::actions(document, known, range, params.context.only.as_deref())))
     }
 
-    /// A file that is not JSON has no layout: that is refused, so that the editor says why nothing changes.
+    /// Formats a file. Invalid JSON is rejected, so that the editor shows why nothing changes.
     fn formatting(&self, params: &DocumentFormattingParams) -> Answer<Option<Vec<TextEdit>>> {
         let Some((document, known)) = self.lipz_file(&params.text_document.uri)? else { return Ok(None) };
         let parsed = lipz_file::parse(document.text.as_bytes());
@@ -120,15 +122,15 @@ impl<W: Write> Server<W> {
     fn rename(&self, params: &RenameParams) -> Answer<Option<WorkspaceEdit>> {
         let asked = &params.text_document_position;
         let Some((document, known)) = self.lipz_file(&asked.text_document.uri)? else { return Ok(None) };
-        let name = name_at(document, asked.position)
-            .ok_or("there is no character, prop or action here: names are words of events")?;
+        let name =
+            name_at(document, asked.position).ok_or("the cursor is not on a character, prop or action of an event")?;
         let files =
             self.documents.values().filter_map(|document| Some((path_name(document.path.as_deref()?), document)));
         rename::rename(known, &files.collect(), &name, &params.new_name).map(Some)
     }
 }
 
-fn name_at(document: &Document, position: lsp_types::Position) -> Option<rename::Name> {
+fn name_at(document: &Document, position: lsp_types::Position) -> Option<rename::NamedSpan> {
     let at = place::byte(&document.rope, position).checked_sub(document.mark_bytes())?;
     rename::name_at(&document.text, at)
 }

@@ -1,7 +1,7 @@
-//! Checks of whole projects, one at a time, on a thread beside the conversation.
+//! Checks of whole projects, one at a time, on a separate thread.
 
 use super::{Server, path_name};
-use crate::project::{Checked, Known, Project, each_file};
+use crate::project::{CheckedProject, KnownProject, Project, each_file};
 use crate::words::Words;
 use crossbeam_channel::{Receiver, Sender, unbounded};
 use lipz_sync::Recordings;
@@ -12,62 +12,64 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long nobody types before a project is checked.
+/// The pause in typing before a project is checked.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// A project whose check takes longer is checked when a file is saved, not while somebody types.
+/// A project whose check takes longer is checked when a file is saved, not while you type.
 const LONGEST_WHILE_TYPING: Duration = Duration::from_millis(1_000);
 
-/// The check of a whole project, by whoever uses the server.
-type Check = dyn Fn(&Project, &HashMap<String, String>) -> Checked + Send + Sync;
+/// The caller's check of a whole project.
+type Check = dyn Fn(&Project, &HashMap<String, String>) -> CheckedProject + Send + Sync;
 
-/// What the check of a project gave.
-pub(super) struct Ran {
+/// The result of checking a project.
+pub(super) struct CheckRun {
     pub(super) home: PathBuf,
-    pub(super) checked: Checked,
+    pub(super) checked: CheckedProject,
     pub(super) words: Words,
     pub(super) recordings: Recordings,
-    /// The versions of the open files that it saw, by the names of their paths.
+    /// The versions of the open files that it used, by path name.
     pub(super) versions: HashMap<String, i32>,
     pub(super) took: Duration,
 }
 
-/// Checks that are wanted, and the one that runs.
+/// The pending checks, and the running one.
 pub(super) struct Runs {
     check: Arc<Check>,
-    sender: Sender<Ran>,
-    pub(super) results: Receiver<Ran>,
+    sender: Sender<CheckRun>,
+    pub(super) results: Receiver<CheckRun>,
     is_running: bool,
-    /// When the check of each project is to start.
+    /// The start time of each pending check.
     wanted: BTreeMap<PathBuf, Instant>,
     took: HashMap<PathBuf, Duration>,
 }
 
 impl Runs {
-    pub(super) fn new(check: impl Fn(&Project, &HashMap<String, String>) -> Checked + Send + Sync + 'static) -> Runs {
+    pub(super) fn new(
+        check: impl Fn(&Project, &HashMap<String, String>) -> CheckedProject + Send + Sync + 'static,
+    ) -> Runs {
         let (sender, results) = unbounded();
         let (wanted, took) = (BTreeMap::new(), HashMap::new());
         Runs { check: Arc::new(check), sender, results, is_running: false, wanted, took }
     }
 
-    /// Wants a check at once.
+    /// Schedules a check now.
     pub(super) fn soon(&mut self, home: &Path) {
         self.wanted.insert(home.to_owned(), Instant::now());
     }
 
-    /// Wants a check after a pause, if it is quick.
+    /// Schedules a check after a pause, if it is fast.
     pub(super) fn after_typing(&mut self, home: &Path) {
         if self.took.get(home).is_some_and(|took| *took <= LONGEST_WHILE_TYPING) {
             self.wanted.insert(home.to_owned(), Instant::now() + PAUSE);
         }
     }
 
-    /// When the next check is to start; `None` while one runs.
+    /// Returns the start of the next check; `None` while one runs.
     pub(super) fn next_start(&self) -> Option<Instant> {
         self.wanted.values().min().copied().filter(|_| !self.is_running)
     }
 
-    /// Takes note of the end of a check.
+    /// Records the end of a check.
     pub(super) fn done(&mut self, home: &Path, took: Duration) {
         self.is_running = false;
         self.took.insert(home.to_owned(), took);
@@ -80,8 +82,8 @@ impl<W: Write> Server<W> {
         let due = self.runs.wanted.iter().min_by_key(|(_, start)| **start).map(|(home, _)| home.clone());
         let Some(home) = due.filter(|_| !self.runs.is_running) else { return Ok(()) };
         self.runs.wanted.remove(&home);
-        if self.projects.get_mut(&home).is_some_and(Known::follow_settings) {
-            // An editor that does not tell of files has changed them.
+        if self.projects.get_mut(&home).is_some_and(KnownProject::follow_settings) {
+            // They were changed by an editor that does not report changed files.
             self.documents.values_mut().for_each(|document| document.is_stale = true);
             self.publish_settings(&home)?;
         }
@@ -93,17 +95,17 @@ impl<W: Write> Server<W> {
         let (check, sender) = (Arc::clone(&self.runs.check), self.runs.sender.clone());
         self.runs.is_running = true;
         thread::spawn(move || {
-            // The server may be gone before.
+            // The server may already be gone.
             let _ = sender.send(run(home, &project, &*check, open));
         });
         Ok(())
     }
 }
 
-fn run(home: PathBuf, project: &Project, check: &Check, open: Vec<(PathBuf, i32, String)>) -> Ran {
+fn run(home: PathBuf, project: &Project, check: &Check, open: Vec<(PathBuf, i32, String)>) -> CheckRun {
     let start = Instant::now();
     let versions = open.iter().map(|(path, version, _)| (path_name(path), *version)).collect();
-    // What is saved is a file as for everybody else: records know it by its path.
+    // Saved files are read from disk, because records refer to them by path.
     let is_unsaved =
         |(path, _, text): &(PathBuf, i32, String)| std::fs::read(path).ok().as_deref() != Some(text.as_bytes());
     let unsaved = open.into_iter().filter(is_unsaved).map(|(path, _, text)| (path_name(&path), text)).collect();
@@ -113,7 +115,7 @@ fn run(home: PathBuf, project: &Project, check: &Check, open: Vec<(PathBuf, i32,
         words.add(found);
     }
     let (recordings, _) = Recordings::discover_with_reports(&project.settings);
-    Ran { home, checked, words, recordings, versions, took: start.elapsed() }
+    CheckRun { home, checked, words, recordings, versions, took: start.elapsed() }
 }
 
 fn words_of(_name: &str, bytes: &[u8]) -> Words {

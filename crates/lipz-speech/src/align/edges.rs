@@ -1,35 +1,36 @@
-//! Where exactly each phone starts, once it is decided which phones there are.
+//! The exact starts of phones, once the sequence of phones is decided.
 //!
-//! The best path is one of many that are nearly as likely, whose phones start a little earlier or later. Better than its
-//! boundaries is their median over all paths: the time before which a phone has started as likely as not. It comes from the
-//! forward-backward algorithm (L. Rabiner, "A tutorial on hidden Markov models", 1989), near the best path.
+//! The best path is one of many that are nearly as likely, whose phones start a little earlier or later. The median
+//! over all paths is more accurate than the boundaries of the best one: it is the time before which a phone has started
+//! with a probability of one half. It comes from the forward-backward algorithm (L. Rabiner, "A tutorial on hidden
+//! Markov models", 1989), near the best path.
 
 use super::emission::scores_near;
-use super::history::Step;
+use super::history::PathStep;
 use crate::Phone;
 use crate::features::cepstra::{Frame, Vectors};
 use crate::model::{Model, STATES};
 use std::ops::Range;
 
-/// How many frames from the best path a boundary may be.
+/// The largest distance of a boundary from the best path, in frames.
 const REACH: usize = 12;
-/// What the scores of frames count. Neighbouring frames share samples, and so say the same several times: as they are, scores
-/// would make the best path seem certain. A tenth to a half do equally well.
+/// The weight of the scores of frames. Neighbouring frames share samples, so their scores repeat the same evidence.
+/// Unscaled, they would make the best path seem certain. Weights from 0.1 to 0.5 work equally well.
 const SCALE: f32 = 0.25;
-/// How much more likely a phone starts where the spectrum changes: this power of the change. From a half to one does equally
-/// well.
+/// A phone is more likely to start where the spectrum changes: by this power of the change. Powers from 0.5 to 1 work
+/// equally well.
 const CHANGE_POWER: f32 = 0.7;
-/// The least change that counts: nothing changes in digital silence.
+/// The least change that counts, because nothing changes in digital silence.
 const LEAST_CHANGE: f32 = 0.03;
-/// The most frames that are looked at together.
+/// The most frames that are processed together.
 const MOST_FRAMES: usize = 1_000;
 
-/// The starts of `steps`, which are of these `phones`, in frames.
-pub(super) fn starts(model: &Model, mut vectors: Vectors<'_>, phones: &[Phone], steps: &[Step]) -> Vec<f64> {
+/// Returns the starts of `steps`, in frames. Their phones are `phones`.
+pub(super) fn starts(model: &Model, mut vectors: Vectors<'_>, phones: &[Phone], steps: &[PathStep]) -> Vec<f64> {
     let mut starts: Vec<f64> = steps.iter().map(|step| step.start as f64).collect();
     let (mut first, mut now) = (0, 0);
     while first + 1 < steps.len() {
-        // Between the first and the last step are all boundaries of a part; within these two, it is certain where the path is.
+        // All boundaries of a part are between its first and last step. Within these two, the path is certain.
         let from = if first == 0 && steps[0].end <= 2 * REACH { 0 } else { middle(&steps[first]).end };
         let fits = |last: &usize| middle(&steps[*last]).start <= from + MOST_FRAMES;
         let last = (first + 2..steps.len()).take_while(fits).last().unwrap_or(first + 1);
@@ -40,7 +41,7 @@ pub(super) fn starts(model: &Model, mut vectors: Vectors<'_>, phones: &[Phone], 
         };
         let frames: Vec<Frame> = vectors.by_ref().skip(from - now).take(to - from).collect();
         now = to;
-        let part = Part { model, phones: &phones[first..=last], steps: &steps[first..=last], from };
+        let part = AudioPart { model, phones: &phones[first..=last], steps: &steps[first..=last], from };
         if let Some(medians) = part.medians(&frames) {
             starts[first + 1..=last].copy_from_slice(&medians);
         }
@@ -49,57 +50,58 @@ pub(super) fn starts(model: &Model, mut vectors: Vectors<'_>, phones: &[Phone], 
     starts
 }
 
-/// The frames of a step that are too far from its ends for another phone; if there are none, its middle.
-fn middle(step: &Step) -> Range<usize> {
+/// Returns the frames of a step that are too far from its ends for another phone, or its middle if there are none.
+fn middle(step: &PathStep) -> Range<usize> {
     let middle = (step.start + step.end) / 2;
     middle.min(step.start + REACH)..middle.max(step.end.saturating_sub(REACH))
 }
 
-/// A part of a sound, with the phones in it. It starts in the first of them and ends in the last.
-struct Part<'a> {
+/// A part of the audio, with its phones. It starts in the first of them and ends in the last.
+struct AudioPart<'a> {
     model: &'a Model,
     phones: &'a [Phone],
-    steps: &'a [Step],
-    /// Its first frame.
+    steps: &'a [PathStep],
+    /// The first frame of the part.
     from: usize,
 }
 
-/// What is known of a frame. States are counted from the first of the step `low`.
-struct Row {
+/// The probabilities of a frame. States are counted from the first of the step `low`.
+struct EdgeFrame {
     low: usize,
-    /// By state: how likely the frame is in it.
+    /// By state: the likelihood of the frame.
     likelihoods: Vec<f64>,
-    /// By state: how probable it is, given this frame and those before.
+    /// By state: its probability, given this frame and those before.
     forward: Vec<f64>,
-    /// How much more likely a phone starts in this frame than in others.
+    /// The relative probability that a phone starts in this frame.
     change: f64,
 }
 
-impl Row {
-    /// The number of a state of the part in this row.
+impl EdgeFrame {
+    /// Returns the index in this row of a state of the part.
     fn index(&self, state: usize) -> Option<usize> {
         state.checked_sub(self.low * STATES)
     }
 
-    /// How much more likely a state is entered in this frame: the first states of phones where the spectrum changes.
+    /// Returns the relative probability of entering a state in this frame. Only the first state of a phone depends on
+    /// the change of the spectrum.
     fn entering(&self, state: usize) -> f64 {
         if state.is_multiple_of(STATES) { self.change } else { 1.0 }
     }
 }
 
-impl Part<'_> {
-    /// Where each phone but the first starts, in frames of the sound; nothing if no path comes through.
+impl AudioPart<'_> {
+    /// Returns the start of each phone except the first, in frames of the audio; `None` if no path is possible.
     fn medians(&self, frames: &[Frame]) -> Option<Vec<f64>> {
         let (stay, leave) = (self.chances(&self.model.stay), self.chances(&self.model.leave));
-        let mut rows: Vec<Row> = Vec::with_capacity(frames.len());
+        let mut rows: Vec<EdgeFrame> = Vec::with_capacity(frames.len());
         let mut steps = 0..0;
         for (t, frame) in (self.from..).zip(frames) {
-            let is_over = |step: &Step| step.end + REACH <= t;
+            let is_over = |step: &PathStep| step.end + REACH <= t;
             steps.start +=
                 self.steps[steps.start..self.steps.len() - 1].iter().take_while(|step| is_over(step)).count();
             steps.end = steps.end.max(steps.start);
             steps.end += self.steps[steps.end..].iter().take_while(|step| step.start <= t + REACH).count();
-            let mut row = Row {
+            let mut row = EdgeFrame {
                 low: steps.start,
                 likelihoods: self.likelihoods(frame, steps.clone()),
                 forward: Vec::new(),
@@ -111,22 +113,22 @@ impl Part<'_> {
         self.backward(&rows, &stay, &leave)
     }
 
-    /// By state of the part, probabilities of which the model knows the logarithms.
+    /// Returns probabilities by state of the part, from the model's logarithms.
     fn chances(&self, logarithms: &[f32]) -> Vec<f64> {
         let of_phone = |phone: &Phone| &logarithms[phone.index() * STATES..][..STATES];
         self.phones.iter().flat_map(of_phone).map(|&logarithm| libm::exp(f64::from(logarithm))).collect()
     }
 
-    /// How likely a frame is in the states of these steps, compared to the most likely.
+    /// Returns the likelihoods of a frame in the states of these steps, relative to the highest.
     fn likelihoods(&self, frame: &Frame, steps: Range<usize>) -> Vec<f64> {
         let scores = scores_near(self.model, frame, &self.phones[steps]);
         let best = scores.iter().copied().fold(f32::MIN, f32::max);
         scores.iter().map(|score| libm::exp(f64::from((score - best) * SCALE))).collect()
     }
 
-    fn forward(&self, row: &Row, before: Option<&Row>, stay: &[f64], leave: &[f64]) -> Option<Vec<f64>> {
+    fn forward(&self, row: &EdgeFrame, before: Option<&EdgeFrame>, stay: &[f64], leave: &[f64]) -> Option<Vec<f64>> {
         let chance = |(state, likelihood): (usize, &f64)| match before {
-            // It starts in the first phone; the sound, in its first state.
+            // The part starts in its first phone. The audio starts in the first state.
             None => f64::from(u8::from(state == 0 || (state < STATES && self.from > 0))) * likelihood,
             Some(before) => {
                 let at = |state: usize| before.index(state).and_then(|index| before.forward.get(index)).copied();
@@ -137,11 +139,11 @@ impl Part<'_> {
         normal((row.low * STATES..).zip(&row.likelihoods).map(chance).collect())
     }
 
-    /// Goes through the frames from the last to the first; wherever it becomes less likely than not that a phone has started,
-    /// that is its median.
-    fn backward(&self, rows: &[Row], stay: &[f64], leave: &[f64]) -> Option<Vec<f64>> {
+    /// Iterates over the frames from last to first. The median of a phone is the frame in which the probability that it
+    /// has started falls below one half.
+    fn backward(&self, rows: &[EdgeFrame], stay: &[f64], leave: &[f64]) -> Option<Vec<f64>> {
         let mut medians = vec![None; self.steps.len()];
-        // By step: the probability that it has started, in the frame after this.
+        // By step: the probability that it has started in the next frame.
         let mut later = vec![1.0; self.steps.len()];
         let mut backward: Vec<f64> = Vec::new();
         for (t, row) in rows.iter().enumerate().rev() {
@@ -179,7 +181,7 @@ impl Part<'_> {
     }
 }
 
-/// Makes the sum of numbers 1; nothing if it is 0.
+/// Scales numbers so that their sum is 1; `None` if it is 0.
 fn normal(mut numbers: Vec<f64>) -> Option<Vec<f64>> {
     let sum: f64 = numbers.iter().sum();
     for number in &mut numbers {
@@ -193,7 +195,7 @@ mod tests {
     use super::*;
     use crate::features::mel::{BANDS, Spectrum};
 
-    /// Sounds that change from one to another every so many frames.
+    /// Returns the spectra of sounds that change after so many frames.
     fn spectrum(lengths: &[usize]) -> Vec<Spectrum> {
         let sound = |number: usize| -> Spectrum {
             std::array::from_fn(|band| if band % 3 == number % 3 { 14_000 } else { 9_000 })
@@ -201,11 +203,11 @@ mod tests {
         lengths.iter().enumerate().flat_map(|(number, &length)| vec![sound(number); length]).collect()
     }
 
-    fn steps(lengths: &[usize]) -> Vec<Step> {
+    fn steps(lengths: &[usize]) -> Vec<PathStep> {
         let mut start = 0;
         let step = |(node, &length): (usize, &usize)| {
             start += length;
-            Step { node, start: start - length, end: start }
+            PathStep { node, start: start - length, end: start }
         };
         lengths.iter().enumerate().map(step).collect()
     }
@@ -236,7 +238,7 @@ mod tests {
         let silence = [2_000; BANDS];
         let vowel: Spectrum = std::array::from_fn(|band| [15_000, 13_000, 11_000][band / 9]);
         let spectrum = [vec![silence; 30], vec![vowel; 30], vec![silence; 30]].concat();
-        // A path that is six frames late, then five early.
+        // A path that is six frames late, then five frames early.
         let starts = starts(
             Model::english(),
             Vectors::new(&spectrum),

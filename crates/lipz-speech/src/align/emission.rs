@@ -1,38 +1,38 @@
-//! How likely each frame of a sound is in each state, and how well phones fit in the end.
+//! The likelihood of each frame in each state, and the fit of the resulting phones.
 
-use super::history::Step;
+use super::history::PathStep;
 use crate::features::cepstra::Frame;
 use crate::model::{STATES, Scores};
 use crate::{Model, Phone};
 
-/// Quiet frames are more likely silence, loud ones less: so many nats per frame for a loudness of 1, which is that of the
-/// loud frames of the sound.
+/// Silence is more likely in quiet frames and less likely in loud ones: by so many nats per frame for a loudness of 1,
+/// the loudness of loud frames.
 const QUIET_NATS: f32 = 20.0;
-/// The loudness at which silence is neither more nor less likely.
+/// The loudness that does not change the likelihood of silence.
 const QUIET: f32 = 0.1;
-/// The most that loudness counts for or against silence, in nats per frame.
+/// The most that loudness adds to or subtracts from silence, in nats per frame.
 const MOST_NATS: f32 = 10.0;
 
-/// How much less likely than its best phone a frame is as speech that is not in the script, in nats. At 3, the right words of
-/// other languages, which fit the phones of English less, gave way to it; at 5.5, no words but wrong ones do.
+/// The difference between the best phone of a frame and speech that is not in the script, in nats. At 3, correct words
+/// of other languages, which fit the English phones less well, lost to it. At 5.5, only wrong words do.
 const OTHER_SPEECH_NATS: f32 = 5.5;
 
-/// How much more likely silence is, in nats per frame, in stretches far below the voice.
+/// The bonus of silence in stretches far below the voice, in nats per frame.
 const QUIET_STRETCH_NATS: f32 = 5.0;
 
-/// The scores of the frames of a sound.
+/// The scores of the frames of a recording.
 pub(super) struct Emissions<'m, V> {
     model: &'m Model,
     vectors: V,
-    /// By frame: whether nobody can be speaking.
+    /// By frame: whether it is too quiet for speech.
     quiet: std::vec::IntoIter<bool>,
-    /// Of the frames so far, the score of the best phone.
+    /// By processed frame: the score of the best phone.
     pub(super) best: Vec<f32>,
-    /// Is told every now and then how many frames are done.
+    /// Receives the number of processed frames at intervals.
     tell: Option<&'m dyn Fn(usize)>,
 }
 
-/// Frames after which somebody is told: ten seconds of sound.
+/// The frames between two progress reports: ten seconds of audio.
 const TOLD_FRAMES: usize = 1_000;
 
 impl<'m, V: Iterator<Item = Frame>> Emissions<'m, V> {
@@ -40,7 +40,7 @@ impl<'m, V: Iterator<Item = Frame>> Emissions<'m, V> {
         Emissions { model, vectors, quiet: quiet.into_iter(), best: Vec::new(), tell: None }
     }
 
-    /// Tells every now and then how many frames are done.
+    /// Reports the number of processed frames to `tell` at intervals.
     pub(super) fn telling(self, tell: Option<&'m dyn Fn(usize)>) -> Emissions<'m, V> {
         Emissions { tell, ..self }
     }
@@ -65,9 +65,9 @@ impl<V: Iterator<Item = Frame>> Iterator for Emissions<'_, V> {
     }
 }
 
-/// The scores of a frame, with what is known beyond the model.
+/// Returns the scores of a frame, adjusted by information that the model does not have.
 fn adjusted(mut scores: Scores, frame: &Frame) -> Scores {
-    // Speech that is not in the script is as likely as the best phone, less a little.
+    // Speech that is not in the script is almost as likely as the best phone.
     let speech = scores[..Phone::Sil.index() * STATES].iter().copied().fold(f32::MIN, f32::max);
     let spoken = Phone::Spoken.index() * STATES;
     for score in &mut scores[spoken..spoken + STATES] {
@@ -81,10 +81,10 @@ fn adjusted(mut scores: Scores, frame: &Frame) -> Scores {
     scores
 }
 
-/// The scores of a frame in the states of `phones`, one after the other.
+/// Returns the scores of a frame in the states of `phones`, phone by phone.
 pub(super) fn scores_near(model: &Model, frame: &Frame, phones: &[Phone]) -> Vec<f32> {
     let scores = if phones.contains(&Phone::Spoken) {
-        // It is as likely as the best of all phones.
+        // Its score depends on the best of all phones.
         model.score(&frame.vector)
     } else {
         let mut scores = [f32::MIN; Phone::COUNT * STATES];
@@ -100,21 +100,21 @@ pub(super) fn scores_near(model: &Model, frame: &Frame, phones: &[Phone]) -> Vec
     phones.iter().flat_map(|phone| scores[phone.index() * STATES..][..STATES].iter().copied()).collect()
 }
 
-/// How much more likely the loudness of a frame makes silence, in nats.
+/// Returns the bonus of silence from the loudness of a frame, in nats.
 fn prior_of_silence(frame: &Frame) -> f32 {
     (QUIET_NATS * (QUIET - frame.loudness)).clamp(-MOST_NATS, MOST_NATS)
 }
 
-/// How well each step fits: its score compared to the best phone's, in nats per frame.
+/// Returns the fit of each step: its score minus that of the best phone, in nats per frame.
 pub(super) fn fits(
     model: &Model,
     vectors: impl Iterator<Item = Frame>,
     best: &[f32],
-    phone_of: impl Fn(&Step) -> Phone,
-    steps: &[Step],
+    phone_of: impl Fn(&PathStep) -> Phone,
+    steps: &[PathStep],
 ) -> Vec<f32> {
     let mut frames = vectors.zip(best);
-    let fit = |step: &Step| {
+    let fit = |step: &PathStep| {
         let phone = phone_of(step).index();
         let frames = frames.by_ref().take(step.end - step.start);
         let fit = |(frame, best): (Frame, &f32)| {

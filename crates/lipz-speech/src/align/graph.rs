@@ -1,8 +1,9 @@
-//! The graph of all ways to say a script: what the search looks through.
+//! The graph of all ways to say a script, which is searched for the best path.
 //!
-//! Before each word, and after the last, there is a *junction*, which takes no time. From a junction, a path goes through one of
-//! the pronunciations of its word to the next junction, or through a filler (silence, noise, other speech) back to the same, or
-//! past the word, which is then not said. So every phone has one predecessor, and only junctions choose.
+//! There is a *junction*, which takes no time, before each word and after the last. From a junction, a path leads
+//! through one of the pronunciations of its word to the next junction, or through a filler (silence, noise, other
+//! speech) back to the same junction, or past the word, which is then missing. So every phone has one predecessor, and
+//! only junctions choose.
 
 use crate::{Phone, Script};
 use std::ops::Range;
@@ -11,17 +12,17 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub(super) phone: Phone,
-    /// Whether paths come to it from its junction, or else from the node before it.
+    /// Whether paths enter it from its junction, rather than from the node before it.
     pub(super) is_first: bool,
-    /// Its junction: a filler's, or the one before its word.
+    /// The junction of a filler, or the one before the node's word.
     pub(super) junction: usize,
-    /// Which pronunciation of the word it belongs to.
+    /// The index of the pronunciation that contains the node.
     pub(super) pronunciation: usize,
-    /// What entering it costs, in nats: not positive.
+    /// The cost of entering the node, in nats: not positive.
     pub(super) cost: f32,
 }
 
-/// What a script does not say costs, in nats: not positive.
+/// The costs of differences from the script, in nats: not positive.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Costs {
     /// A pause between words.
@@ -30,7 +31,7 @@ pub(super) struct Costs {
     pub(super) noise: f32,
     /// Speech that is not in the script.
     pub(super) other_speech: f32,
-    /// A word that is not said.
+    /// A missing word.
     pub(super) missing_word: f32,
 }
 
@@ -40,13 +41,13 @@ pub(super) struct Graph {
     pub(super) nodes: Vec<Node>,
     /// By junction: the nodes that lead into it.
     pub(super) arrivals: Vec<Vec<usize>>,
-    /// By junction: its first node; then the number of nodes.
+    /// By junction: its first node. The last entry is the number of nodes.
     starts: Vec<usize>,
-    /// By junction: what passing by the word before it costs.
+    /// By junction: the cost of skipping the word before it.
     pub(super) skips: Vec<f32>,
 }
 
-/// How many pronunciations of a word are tried at most, which bounds the time for any script.
+/// The most pronunciations of a word that are tried. This bounds the time for any script.
 const MOST_PRONUNCIATIONS: usize = 32;
 
 impl Graph {
@@ -60,7 +61,7 @@ impl Graph {
         };
         for junction in 0..junctions {
             graph.starts.push(graph.nodes.len());
-            // A recording may start with silence and end with it: that costs nothing.
+            // Silence at the start and the end of a recording costs nothing.
             let pause = if junction == 0 || junction + 1 == junctions { 0.0 } else { costs.pause };
             graph.add_filler(Phone::Sil, junction, pause);
             graph.add_filler(Phone::Noise, junction, costs.noise);
@@ -81,7 +82,7 @@ impl Graph {
         self.arrivals.len()
     }
 
-    /// The nodes of a junction: its fillers and its word.
+    /// Returns the nodes of a junction: its fillers and its word.
     pub(super) fn nodes_of(&self, junction: usize) -> Range<usize> {
         let start = |junction: usize| self.starts.get(junction).copied().unwrap_or(self.nodes.len());
         start(junction)..start(junction + 1)
@@ -104,7 +105,7 @@ impl Graph {
     }
 }
 
-/// Fillers of each junction.
+/// The number of fillers of each junction.
 const FILLERS: usize = 3;
 
 #[cfg(test)]

@@ -1,19 +1,19 @@
-//! The way back: what a search remembers of each frame, and how it forgets.
+//! The history of a search: the data kept of each frame, and when it is dropped.
 //!
-//! The paths that are still possible have, some time ago, a common past. What is common is decided: it becomes steps, and its
-//! rows are dropped. So the memory for a recording does not grow with its length.
+//! The paths that are still possible share their past up to some frame. This common part is decided: it becomes steps,
+//! and its rows are dropped. Therefore memory does not grow with the length of the recording.
 
 use std::collections::VecDeque;
 
 /// A node of the best path, and its frames.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Step {
+pub(super) struct PathStep {
     pub(super) node: usize,
     pub(super) start: usize,
     pub(super) end: usize,
 }
 
-/// A state of a node: three positions per node.
+/// A state of a node. Each node has three positions.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Position(pub(super) usize);
 
@@ -23,28 +23,28 @@ impl Position {
     }
 }
 
-/// What a search remembers of one frame.
-pub(super) trait Row {
-    /// Where the path that is at `position` in this frame was in the frame before, of which `before` is the row, and whether
-    /// it entered the node in this frame. Without a row before, only the latter means something.
+/// The data that a search keeps of one frame.
+pub(super) trait FrameHistory {
+    /// Returns the position in the frame before (`before` is its row) of the path that is at `position` in this frame,
+    /// and whether the path entered the node in this frame. Without a row before, only the latter is meaningful.
     fn back(&self, position: Position, before: Option<&Self>) -> (Position, bool);
 
-    /// How many bytes it takes.
+    /// Returns the size in bytes.
     fn bytes(&self) -> usize;
 }
 
-/// The rows that are not decided yet.
+/// The undecided rows.
 pub(super) struct History<R> {
     rows: VecDeque<R>,
-    /// The frame of the first row. It is decided where the path is in it, unless it is frame 0.
+    /// The frame of the first row. Unless it is frame 0, the position of the path in it is decided.
     first: usize,
     bytes: usize,
-    steps: Vec<Step>,
-    /// The frames that are in `steps`.
+    steps: Vec<PathStep>,
+    /// The number of frames in `steps`.
     decided: usize,
 }
 
-impl<R: Row> History<R> {
+impl<R: FrameHistory> History<R> {
     pub(super) fn new() -> History<R> {
         History { rows: VecDeque::new(), first: 0, bytes: 0, steps: Vec::new(), decided: 0 }
     }
@@ -66,12 +66,12 @@ impl<R: Row> History<R> {
         self.rows.back_mut()
     }
 
-    /// The number of the frame that is pushed next.
+    /// Returns the index of the next frame to be pushed.
     pub(super) fn frames(&self) -> usize {
         self.first + self.rows.len()
     }
 
-    /// Decides what is common to all paths that are in one of `positions` in the last frame.
+    /// Decides the common part of all paths that are in one of `positions` in the last frame.
     pub(super) fn decide_common(&mut self, mut positions: Vec<Position>) {
         let mut frame = self.frames();
         while frame > self.first + 1 {
@@ -88,8 +88,8 @@ impl<R: Row> History<R> {
         }
     }
 
-    /// Decides the older half of the path that is in `position` in the last frame; returns the frame up to which it is
-    /// decided, and the position there. Paths with another past are no longer possible.
+    /// Decides the older half of the path that is in `position` in the last frame. Returns the last decided frame and
+    /// the position there. Paths with a different past become impossible.
     pub(super) fn decide_half(&mut self, position: Position) -> (usize, Position) {
         let middle = self.first + self.rows.len() / 2;
         let position = self.trace(position, middle);
@@ -97,7 +97,7 @@ impl<R: Row> History<R> {
         (middle, position)
     }
 
-    /// Where the path that is in `position` in the last frame was in `frame`.
+    /// Returns the position in `frame` of the path that is in `position` in the last frame.
     pub(super) fn trace(&self, mut position: Position, frame: usize) -> Position {
         for later in (frame + 1..self.frames()).rev() {
             position = self.back(later, position).0;
@@ -105,8 +105,8 @@ impl<R: Row> History<R> {
         position
     }
 
-    /// Decides everything: the path that is in `position` in the last frame.
-    pub(super) fn finish(mut self, position: Option<Position>) -> Vec<Step> {
+    /// Decides all frames of the path that is in `position` in the last frame.
+    pub(super) fn finish(mut self, position: Option<Position>) -> Vec<PathStep> {
         if let (Some(position), Some(last)) = (position, self.frames().checked_sub(1)) {
             self.decide(last, position);
         }
@@ -119,7 +119,7 @@ impl<R: Row> History<R> {
         row(frame).map_or((position, true), |row| row.back(position, before))
     }
 
-    /// Decides the path that is in `position` in `frame`, and drops the rows before that.
+    /// Decides the path that is in `position` in `frame`, and drops the rows before it.
     fn decide(&mut self, frame: usize, mut position: Position) {
         let mut path = Vec::new();
         for frame in (self.decided..=frame).rev() {
@@ -130,7 +130,7 @@ impl<R: Row> History<R> {
         for (node, enters) in path.into_iter().rev() {
             match self.steps.last_mut() {
                 Some(step) if step.node == node && !enters => step.end += 1,
-                _ => self.steps.push(Step { node, start: self.decided, end: self.decided + 1 }),
+                _ => self.steps.push(PathStep { node, start: self.decided, end: self.decided + 1 }),
             }
             self.decided += 1;
         }

@@ -1,11 +1,11 @@
-//! Alignment: when each word and phone of a script is said.
+//! Alignment: finds the time of each word and phone of a script.
 
 mod doubt;
 mod edges;
 mod emission;
 mod graph;
 mod history;
-mod loose;
+mod loose_aligner;
 mod phones;
 mod quiet;
 mod search;
@@ -17,19 +17,20 @@ use crate::features::cepstra::Vectors;
 use crate::{Model, Phone, Script, Sound};
 use emission::Emissions;
 use graph::{Costs, Graph};
-use history::Step;
-use loose::Loose;
+use history::PathStep;
+use loose_aligner::LooseAligner;
 use std::fmt;
 use std::ops::Range;
 
-/// In spontaneous speech, words that are drawn out or slurred gave way to other speech at 30 nats: of the frames with the right
-/// script, 81.7 % were right, now 83.4 %. More than 60 loses words that the script lacks.
+/// At 30 nats, drawn-out or slurred words of spontaneous speech lost to other speech: 81.7 % of the frames with the
+/// correct script were right, compared with 83.4 % now. Above 60, words missing from the script are lost.
 const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, other_speech: -60.0, missing_word: -60.0 };
 
-/// Finds when the words and phones of a script are said.
+/// Finds the times of the words and phones of a script.
 ///
-/// Forced alignment with hidden Markov models: of all ways to say the script (every pronunciation, with and without pauses), the
-/// one is taken that makes the sound most likely. See L. Rabiner, "A tutorial on hidden Markov models", 1989.
+/// Uses forced alignment with hidden Markov models: of all ways to say the script (every pronunciation, with and
+/// without pauses), it chooses the one that makes the audio most likely. See L. Rabiner, "A tutorial on hidden Markov
+/// models", 1989.
 #[derive(Clone)]
 pub struct Aligner<'m> {
     model: &'m Model,
@@ -43,12 +44,12 @@ impl fmt::Debug for Aligner<'_> {
     }
 }
 
-/// What an [`Aligner`] may take for granted.
+/// The assumptions of an [`Aligner`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct AlignOptions {
-    /// Pauses between words that are shorter, in microseconds, belong to the phone before them: the closure of a stop is as
-    /// silent, and a mouth does not come to rest. 150 milliseconds.
+    /// Pauses between words that are shorter than this, in microseconds, belong to the phone before them, because the
+    /// closure of a stop is as silent, and a mouth does not come to rest. The default is 150 milliseconds.
     pub shortest_pause_us: u64,
 }
 
@@ -58,99 +59,99 @@ impl Default for AlignOptions {
     }
 }
 
-/// When the words and phones of a script are said.
+/// The times of the words and phones of a script.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Alignment {
-    /// The length of the sound in microseconds.
+    /// The length of the audio in microseconds.
     pub duration_us: u64,
-    /// All phones and pauses, from 0 to the end of the sound without gaps.
+    /// All phones and pauses, from 0 to the end of the audio without gaps.
     pub phones: Vec<AlignedPhone>,
     /// The words of the script, in its order.
     pub words: Vec<AlignedWord>,
-    /// For each `|` of the script, the time in microseconds at which it falls: when the word after it starts, or else when the
-    /// last word ends.
+    /// For each `|` of the script, its time in microseconds: the start of the word after it, or the end of the last
+    /// word.
     pub breaks_us: Vec<u64>,
-    /// Where sound and script do not belong together, in the order of their times.
+    /// The places where audio and script differ, ordered by time.
     pub mismatches: Vec<Mismatch>,
 }
 
-/// A place where the sound is not what the script says.
+/// A place where the audio differs from the script.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Mismatch {
-    /// In which way.
+    /// The kind of difference.
     pub kind: MismatchKind,
-    /// The words of the script, which may be none.
+    /// The affected words of the script; may be empty.
     pub words: Range<usize>,
-    /// Where in the sound it starts, in microseconds.
+    /// The start in microseconds, from the start of the audio.
     pub start_us: u64,
-    /// Where it ends.
+    /// The end in microseconds, exclusive.
     pub end_us: u64,
 }
 
-/// How sound and script differ.
+/// The kinds of difference between audio and script.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub enum MismatchKind {
-    /// Something else is said than these words.
+    /// Different words are spoken.
     OtherWords,
-    /// The words are not said.
+    /// The words are missing from the audio.
     NotSaid,
-    /// What is said here is not in the script.
+    /// Speech that is missing from the script.
     NotInScript,
 }
 
 /// A phone with its time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AlignedPhone {
-    /// Which phone; [`Phone::Sil`] is a pause, [`Phone::Noise`] what is no speech. Speech that the script does not say has phones
+    /// The phone; [`Phone::Sil`] is a pause, [`Phone::Noise`] is noise. Speech that is not in the script has phones
     /// without a word.
     pub phone: Phone,
-    /// Its start in microseconds from that of the sound.
+    /// The start in microseconds, from the start of the audio.
     pub start_us: u64,
-    /// Its end, where the next starts.
+    /// The end in microseconds, where the next phone starts.
     pub end_us: u64,
-    /// The number of the word in the script that it belongs to.
+    /// The index in the script of the word that contains the phone.
     pub word: Option<usize>,
-    /// How well the sound fits the phone, in nats per frame: 0 is as well as the best of all phones, and it is never more.
+    /// The fit of the phone to the audio, in nats per frame: at most 0, which is as good as the best of all phones.
     pub fit: f32,
 }
 
 /// A word with its time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AlignedWord {
-    /// Its start in microseconds from that of the sound.
+    /// The start in microseconds, from the start of the audio.
     pub start_us: u64,
-    /// Its end. A word that is not heard ends where it starts.
+    /// The end in microseconds. A word that is not spoken ends where it starts.
     pub end_us: u64,
-    /// Which of its pronunciations is heard; none if the word is not.
+    /// The index of the spoken pronunciation, or `None` if the word is missing from the audio.
     pub pronunciation: Option<usize>,
-    /// How sure it is that the word is said here, from 0 to 1. Below a half, somebody should listen.
+    /// The probability that the word is spoken here, from 0 to 1. Below 0.5, check it by ear.
     pub confidence: f32,
 }
 
 /// The best path through a script.
 struct Path {
     graph: Graph,
-    steps: Vec<Step>,
+    steps: Vec<PathStep>,
     /// By step: its start in frames.
     starts: Vec<f64>,
-    /// By step: how well it fits.
+    /// By step: its fit.
     fits: Vec<f32>,
 }
 
 impl<'m> Aligner<'m> {
-    /// An aligner with this model.
+    /// Returns an aligner with this model.
     pub fn new(model: &'m Model, options: AlignOptions) -> Aligner<'m> {
         Aligner { model, options, progress: None }
     }
 
-    /// Tells `progress` every ten seconds of a sound which part of it is done, from 0 to 1.
+    /// Calls `progress` after every ten seconds of audio with the completed fraction, from 0 to 1.
     #[must_use]
     pub fn with_progress(self, progress: &'m (dyn Fn(f32) + Sync)) -> Aligner<'m> {
         Aligner { progress: Some(progress), ..self }
     }
 
-    /// Tells how many of so many frames are done.
+    /// Reports that `done` of `frames` frames are done.
     fn tell(&self, done: usize, frames: usize) {
         if let Some(progress) = self.progress {
             progress(done as f32 / frames.max(1) as f32);
@@ -159,17 +160,18 @@ impl<'m> Aligner<'m> {
 
     /// Aligns `sound` to `script`.
     ///
-    /// Always finds something, however little the two have in common: [`AlignedWord::confidence`] tells. Time is proportional to
-    /// the length of the sound, memory to that of the script.
+    /// Always returns an alignment, even if the two have little in common: see [`AlignedWord::confidence`]. Time is
+    /// proportional to the length of the audio, memory to that of the script.
     pub fn align(&self, sound: &Sound, script: &Script) -> Alignment {
         self.alignment(sound, script, &self.path(sound, script))
     }
 
-    /// The phones of `sound` with their frames, from the first to the last without gaps; none if the script is not what is said.
+    /// Returns the phones of `sound` with their frames, from first to last without gaps, or `None` if the script does
+    /// not match.
     pub(crate) fn frames(&self, sound: &Sound, script: &Script) -> Option<Vec<(Phone, Range<usize>)>> {
         let path = self.path(sound, script);
         let is_said = self.alignment(sound, script, &path).mismatches.is_empty();
-        let frames = |step: &Step| (path.graph.nodes[step.node].phone, step.start..step.end);
+        let frames = |step: &PathStep| (path.graph.nodes[step.node].phone, step.start..step.end);
         is_said.then(|| path.steps.iter().map(frames).collect())
     }
 
@@ -180,23 +182,22 @@ impl<'m> Aligner<'m> {
         let mut emissions =
             Emissions::new(self.model, vectors.clone(), quiet::quiet(sound.spectrum())).telling(Some(&tell));
         let steps = search::best_path(&graph, self.model, &mut emissions);
-        let phone = |step: &Step| graph.nodes[step.node].phone;
+        let phone = |step: &PathStep| graph.nodes[step.node].phone;
         let phones: Vec<Phone> = steps.iter().map(phone).collect();
         let starts = edges::starts(self.model, vectors.clone(), &phones, &steps);
         let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
         Path { graph, steps, starts, fits }
     }
 
-    /// The phones of `sound`, whatever is said: an alignment without words.
+    /// Returns the phones of `sound` without a script: an alignment without words.
     ///
-    /// Without a script, one phone in four is mistaken for another, most of them for one that looks alike. Works best for
-    /// English.
+    /// One phone in four is recognised as a different one, mostly as one that looks alike. Works best for English.
     pub fn listen(&self, sound: &Sound) -> Alignment {
         let duration_us = sound.duration_us();
         let frames = 0..sound.spectrum().len();
         let all = AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 };
         let tell = |done| self.tell(done, sound.spectrum().len());
-        let phones = Loose::new(self.model, sound).telling(Some(&tell)).phones(frames, &all);
+        let phones = LooseAligner::new(self.model, sound).telling(Some(&tell)).phones(frames, &all);
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let (words, breaks_us, mismatches) = Default::default();
         Alignment { duration_us, phones, words, breaks_us, mismatches }
@@ -232,7 +233,7 @@ impl<'m> Aligner<'m> {
 pub(crate) mod tests {
     use crate::{Origin, Pronunciation, Script, Word};
 
-    /// A script of words with these pronunciations.
+    /// Returns a script of words with these pronunciations.
     pub(crate) fn script(words: &[&[&str]]) -> Script {
         let pronunciation = |phones: &&str| Pronunciation {
             phones: phones.split(' ').map(|phone| phone.parse().unwrap()).collect(),

@@ -1,61 +1,61 @@
-//! The phones of a sound without a script: a loop of all phones, in which each may follow each.
+//! Recognition of phones without a script, with a loop in which each phone may follow any other.
 //!
-//! What is likely is summed over all paths (the forward-backward algorithm: L. Rabiner, "A tutorial on hidden Markov models",
-//! 1989). Of the phones that look alike, only one has to be likely: where it is an m or a b, the lips are closed, even if an n
-//! is more likely than either. So the look of the mouth is decided first, frame by frame, then the phone that has it.
+//! Probabilities are summed over all paths (the forward-backward algorithm: L. Rabiner, "A tutorial on hidden Markov
+//! models", 1989). For the mouth, only the look of a phone matters: in an m or a b, the lips are closed, even if an n
+//! is more likely than either. So the look is decided first, frame by frame, and then the phone with that look.
 
-use super::history::Step;
+use super::history::PathStep;
 use crate::Phone;
 use crate::model::{Model, STATES, Scores};
 use crate::render::LOOKS;
 
 /// The phones of the loop: those of speech, then silence.
 const PHONES: usize = Phone::Sil.index() + 1;
-/// Their states.
+/// The number of their states.
 const ALL: usize = PHONES * STATES;
-/// What logarithms count: neighbouring frames share samples, and so say the same several times.
+/// The weight of scores. Neighbouring frames share samples, so their scores repeat the same evidence.
 const SCALE: f32 = 0.42;
-/// How much what phones usually follow each other counts, compared to what is heard.
+/// The weight of phone pair statistics, relative to the audio.
 const PAIR_WEIGHT: f32 = 1.5;
-/// What each phone costs, in nats: without it, a sound falls apart into phones of 30 milliseconds.
+/// The cost of each phone, in nats. Without it, the result consists of phones of 30 milliseconds.
 const PHONE_NATS: f32 = -2.5;
-/// How much silence is favoured, in nats per frame: where no script says what is spoken, any noise is a phone of some sort.
+/// The bonus of silence, in nats per frame. Without a script, any noise would become some phone.
 const SILENCE_NATS: f32 = 1.0;
-/// How much more it is favoured where the sound does not change: what hums and hisses does not speak.
+/// The additional bonus where the audio does not change, because humming and hissing are not speech.
 const STEADY_NATS: f32 = 40.0;
-/// Frames that are decided together, and how many after them are looked at for that.
+/// Frames that are decided together, and the frames after them that are considered.
 const BLOCK_FRAMES: usize = 512;
 const AHEAD_FRAMES: usize = 64;
 
-/// A number by state.
+/// One number per state.
 type States = [f32; ALL];
 
 /// A frame.
-struct Row {
-    /// How likely the sound is in each state, compared to the likeliest.
+struct PhoneFrame {
+    /// By state: the likelihood of the audio, relative to the highest.
     likelihoods: States,
-    /// How probable each state is, given this frame and those before.
+    /// By state: its probability, given this frame and those before.
     forward: States,
 }
 
-/// The loop as a Markov chain: how probable the ways between its states are.
+/// The loop as a Markov chain, with the probabilities of its transitions.
 struct Loop {
     stay: States,
     leave: States,
-    /// By the phone that ends: that each other one follows.
+    /// By ending phone: the probability of each phone that may follow.
     next: Vec<[f32; PHONES]>,
 }
 
-/// The most likely phones of a sound whose frames have these `scores`, and of which it is known which are `steady`; the node of
-/// a step is the number of its phone.
-pub(super) fn likely_phones(model: &Model, scores: impl Iterator<Item = Scores>, steady: &[bool]) -> Vec<Step> {
+/// Returns the most likely phones of audio whose frames have these `scores`. `steady` states which frames do not
+/// change. The node of a step is the index of its phone.
+pub(super) fn likely_phones(model: &Model, scores: impl Iterator<Item = Scores>, steady: &[bool]) -> Vec<PathStep> {
     let chain = Loop::new(model);
-    let mut rows: Vec<Row> = Vec::with_capacity(BLOCK_FRAMES + AHEAD_FRAMES);
+    let mut rows: Vec<PhoneFrame> = Vec::with_capacity(BLOCK_FRAMES + AHEAD_FRAMES);
     let mut steps = Vec::new();
     for (scores, &is_steady) in scores.zip(steady) {
         let likelihoods = likelihoods(&scores, is_steady);
         let forward = chain.forward(&likelihoods, rows.last().map(|row| &row.forward));
-        rows.push(Row { likelihoods, forward });
+        rows.push(PhoneFrame { likelihoods, forward });
         if rows.len() == BLOCK_FRAMES + AHEAD_FRAMES {
             chain.decide(&rows, BLOCK_FRAMES, &mut steps);
             rows.drain(..BLOCK_FRAMES);
@@ -86,7 +86,7 @@ impl Loop {
         Loop { stay: of_states(&model.stay), leave, next }
     }
 
-    /// How probable the states of a frame are, given the frame `before` it.
+    /// Returns the probabilities of the states of a frame, given the frame `before` it.
     fn forward(&self, likelihoods: &States, before: Option<&States>) -> States {
         let mut entered = [1.0; PHONES];
         if let Some(before) = before {
@@ -107,8 +107,8 @@ impl Loop {
         }))
     }
 
-    /// How likely what comes after a frame is from each of its states, given the same for the frame `after` it.
-    fn backward(&self, after: &Row, backward: &States) -> States {
+    /// Returns, by state, the likelihood of all frames after a frame, from that of the frame `after` it.
+    fn backward(&self, after: &PhoneFrame, backward: &States) -> States {
         let ahead: States = std::array::from_fn(|state| after.likelihoods[state] * backward[state]);
         let followed = |phone: usize| {
             let firsts = ahead.chunks_exact(STATES).map(|states| states[0]);
@@ -124,7 +124,7 @@ impl Loop {
     }
 
     /// Adds the phones of the first `count` frames to `steps`.
-    fn decide(&self, rows: &[Row], count: usize, steps: &mut Vec<Step>) {
+    fn decide(&self, rows: &[PhoneFrame], count: usize, steps: &mut Vec<PathStep>) {
         let mut phones = vec![0; count];
         let mut backward = [1.0; ALL];
         for (frame, row) in rows.iter().enumerate().rev() {
@@ -135,17 +135,17 @@ impl Loop {
                 *phone = likeliest(&row.forward, &backward);
             }
         }
-        let from = steps.last().map_or(0, |step: &Step| step.end);
+        let from = steps.last().map_or(0, |step: &PathStep| step.end);
         for (frame, node) in (from..).zip(phones) {
             match steps.last_mut() {
                 Some(step) if step.node == node => step.end += 1,
-                _ => steps.push(Step { node, start: frame, end: frame + 1 }),
+                _ => steps.push(PathStep { node, start: frame, end: frame + 1 }),
             }
         }
     }
 }
 
-/// The likeliest phone of those with the likeliest look.
+/// Returns the most likely phone with the most likely look.
 fn likeliest(forward: &States, backward: &States) -> usize {
     let mut chances = [0.0; PHONES];
     for (state, (forward, backward)) in forward.iter().zip(backward).enumerate() {
@@ -157,7 +157,7 @@ fn likeliest(forward: &States, backward: &States) -> usize {
     look.and_then(|look| look.iter().max_by(likeliest)).map_or(Phone::Sil.index(), |phone| phone.index())
 }
 
-/// Makes the sum of numbers 1.
+/// Scales numbers so that their sum is 1.
 fn normal(numbers: States) -> States {
     let sum: f32 = numbers.iter().sum();
     numbers.map(|number| number / sum.max(f32::MIN_POSITIVE))

@@ -1,22 +1,22 @@
-//! Where nobody speaks, whatever the noise sounds like: long stretches that are far below the voice.
+//! Detection of pauses in any kind of noise: long stretches that are far below the voice.
 
 use crate::features::mel::Spectrum;
 use crate::sound::level::{decibels, voice_powers};
 
-/// How far below the loud frames of the sound these stretches are, in decibels. In recordings of speech with noise 20 decibels
-/// below it, all pauses of a second are; of 21 minutes of speech, one second is.
+/// The distance between these stretches and the loud frames of the recording, in decibels. In speech with noise 20
+/// decibels below it, this includes every pause of a second; in 21 minutes of speech, it includes one second of speech.
 const DEPTH_DB: f32 = 18.0;
-/// So many frames as quiet as that are a pause: 0.4 seconds, longer than the closure of any stop.
+/// A pause has at least so many quiet frames: 0.4 seconds, longer than the closure of any stop.
 const LEAST_FRAMES: usize = 40;
-/// A word fades before a pause and rises after it: so many frames at both ends may be speech.
+/// So many frames at both ends of a pause may be speech, because words fade before a pause and rise after it.
 const EDGE_FRAMES: usize = 8;
-/// Where no script says when words end, so many more. With none more, 73.0 % of the frames of three human sentences are right
-/// without a script; with 12 and with 16, 76.2 %, and noise moves the mouth in no other pause.
+/// The additional frames if there is no script to state where words end. With 0, 73.0 % of the frames of three human
+/// sentences are right without a script; with 12 and with 16, 76.2 %, and noise moves the mouth in no other pause.
 const LOOSE_EDGE_FRAMES: usize = 12;
-/// Of the frames of a sound, so many percent are not louder than the loud ones.
+/// The loud frames are louder than so many percent of all frames.
 const LOUD_PERCENT: usize = 95;
 
-/// By frame: whether it is in such a stretch.
+/// Returns, by frame, whether it is in such a stretch.
 pub(super) fn quiet(spectrum: &[Spectrum]) -> Vec<bool> {
     let mut quiet = far_below_the_voice(&voice_powers(spectrum), DEPTH_DB);
     for run in quiet.chunk_by_mut(|a, b| a == b).filter(|run| run[0] && run.len() < LEAST_FRAMES) {
@@ -26,14 +26,15 @@ pub(super) fn quiet(spectrum: &[Spectrum]) -> Vec<bool> {
     quiet
 }
 
-/// By frame: whether it is so far inside of such a stretch that it cannot be a word, even if no script says where words are.
+/// Returns, by frame, whether it is so deep inside such a stretch that it cannot be part of a word, even without a
+/// script.
 pub(super) fn deep(quiet: &[bool]) -> Vec<bool> {
     let mut deep = quiet.to_vec();
     shorten(&mut deep, LOOSE_EDGE_FRAMES);
     deep
 }
 
-/// Takes so many frames away from each stretch at both ends.
+/// Shortens each stretch by `edge` frames at both ends.
 fn shorten(stretches: &mut [bool], edge: usize) {
     for run in stretches.chunk_by_mut(|a, b| a == b).filter(|run| run[0]) {
         let edge = edge.min(run.len());
@@ -43,13 +44,13 @@ fn shorten(stretches: &mut [bool], edge: usize) {
     }
 }
 
-/// By frame: whether it is so many decibels below the loud frames of the sound.
+/// Returns, by frame, whether it is so many decibels below the loud frames of the recording.
 fn far_below_the_voice(powers: &[f32], depth_db: f32) -> Vec<bool> {
     let loud = loud(powers);
     powers.iter().map(|power| decibels(power / loud) < -depth_db).collect()
 }
 
-/// How loud the loud frames are; never 0.
+/// Returns the power of the loud frames, which is never 0.
 pub(super) fn loud(powers: &[f32]) -> f32 {
     let mut sorted = powers.to_vec();
     let loud = match sorted.len() {
@@ -63,7 +64,7 @@ pub(super) fn loud(powers: &[f32]) -> f32 {
 mod tests {
     use super::*;
 
-    /// Frames of noise, of so many frames and decibels below the loudest.
+    /// Returns frames of noise, from pairs of the number of frames and the level in decibels relative to the loudest.
     fn noise(parts: &[(usize, f32)]) -> Vec<Spectrum> {
         let frame = |db: f32| -> Spectrum {
             #[expect(clippy::cast_possible_truncation, reason = "within the range of spectra")]

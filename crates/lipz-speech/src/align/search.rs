@@ -1,34 +1,35 @@
-//! The best path of a sound through a graph: Viterbi's algorithm (A. Viterbi, 1967), within a beam.
+//! The best path through a graph: Viterbi's algorithm (A. Viterbi, 1967), within a beam.
 
 use super::graph::Graph;
-use super::history::{History, Position, Row, Step};
+use super::history::{FrameHistory, History, PathStep, Position};
 use crate::model::{Model, STATES, Scores};
 
-/// No path.
+/// The value of an impossible path.
 const NEVER: f32 = -1e30;
-/// How much worse than the best a path may be before it is given up, in nats. So wide that only what is seconds away in the
-/// script is given up.
+/// Paths that are worse than the best by more than this are dropped, in nats. The beam is so wide that only paths
+/// seconds away in the script are dropped.
 const BEAM: f32 = 2_000.0;
-/// After how many frames what is common to all paths is decided.
+/// The number of frames after which the common part of all paths is decided.
 const DECIDE_FRAMES: usize = 256;
-/// How many bytes of undecided past are kept: half a minute and more. Only what repeats itself for so long is undecided.
+/// The most bytes of undecided history: half a minute or more. Only speech that repeats itself for so long stays
+/// undecided.
 const MOST_BYTES: usize = 2 << 20;
-/// The choice of a junction that the word before it is left out.
+/// The choice of a junction to skip the word before it.
 const SKIP: u8 = u8::MAX;
 
-/// What is remembered of a frame.
+/// The data kept of a frame.
 pub(super) struct Decisions<'g> {
     graph: &'g Graph,
-    /// The first node that has a state, and for it and those after it, a bit per state: whether it was entered.
+    /// The first node that has a state. For it and the nodes after it, one bit per state: whether it was entered.
     first_node: usize,
     entered: Vec<u8>,
-    /// The first junction that has a path, and for it and those after it, which arrival is best.
+    /// The first junction that has a path. For it and the junctions after it, the best arrival.
     first_junction: usize,
     choices: Vec<u8>,
 }
 
 impl Decisions<'_> {
-    /// The node in whose last state the path is that passes a junction after this frame.
+    /// Returns the node whose last state contains the path that passes a junction after this frame.
     fn arrival(&self, mut junction: usize) -> usize {
         loop {
             let choice = junction.checked_sub(self.first_junction).and_then(|index| self.choices.get(index));
@@ -43,7 +44,7 @@ impl Decisions<'_> {
     }
 }
 
-impl Row for Decisions<'_> {
+impl FrameHistory for Decisions<'_> {
     fn back(&self, position: Position, before: Option<&Self>) -> (Position, bool) {
         let (node, state) = (position.0 / STATES, position.0 % STATES);
         let bits = node.checked_sub(self.first_node).and_then(|index| self.entered.get(index)).copied().unwrap_or(0);
@@ -65,9 +66,9 @@ impl Row for Decisions<'_> {
     }
 }
 
-/// The best path through `graph`, of a sound whose frames have these `scores`. It ends in the last junction if any path
-/// does, and covers every frame.
-pub(super) fn best_path(graph: &Graph, model: &Model, scores: impl Iterator<Item = Scores>) -> Vec<Step> {
+/// Returns the best path through `graph`, for audio whose frames have these `scores`. It ends in the last junction if
+/// any path does, and covers every frame.
+pub(super) fn best_path(graph: &Graph, model: &Model, scores: impl Iterator<Item = Scores>) -> Vec<PathStep> {
     let mut search = Search::new(graph, model);
     let mut history = History::new();
     for (frame, scores) in scores.enumerate() {
@@ -96,14 +97,14 @@ pub(super) fn best_path(graph: &Graph, model: &Model, scores: impl Iterator<Item
 struct Search<'g> {
     graph: &'g Graph,
     model: &'g Model,
-    /// By node and state: the value of the best path that is there, compared to the best of all.
+    /// By node and state: the value of the best path in it, relative to the best of all.
     states: Vec<[f32; STATES]>,
     /// By junction: the value of the best path that has just arrived.
     at: Vec<f32>,
-    /// The junctions whose nodes have paths.
+    /// The junctions whose nodes have paths: from `low` to `high`, inclusive.
     low: usize,
     high: usize,
-    /// By junction between them: the best value among its nodes.
+    /// By junction from `low` to `high`: the best value of its nodes.
     tops: Vec<f32>,
 }
 
@@ -124,14 +125,14 @@ impl<'g> Search<'g> {
         search
     }
 
-    /// Moves all paths on by a frame.
+    /// Advances all paths by one frame.
     fn advance(&mut self, scores: &Scores) -> Decisions<'g> {
         let graph = self.graph;
         let first_node = graph.nodes_of(self.low).start;
         let mut entered = vec![0; graph.nodes_of(self.high).end - first_node];
         self.tops.clear();
         self.tops.resize(self.high + 1 - self.low, NEVER);
-        // Backwards, so that a node still finds the one before it as it was.
+        // Backwards, so that the node before each node still has its old value.
         for junction in (self.low..=self.high).rev() {
             let mut top = NEVER;
             for node in graph.nodes_of(junction).rev() {
@@ -155,7 +156,7 @@ impl<'g> Search<'g> {
         Decisions { graph, first_node, entered, first_junction, choices }
     }
 
-    /// The states of a node in the next frame, and which of them were entered.
+    /// Returns the states of a node in the next frame, and which of them were entered.
     fn step(&self, node: usize, scores: &Scores) -> ([f32; STATES], u8) {
         let Model { stay, leave, .. } = self.model;
         let graph = &self.graph.nodes[node];
@@ -180,12 +181,12 @@ impl<'g> Search<'g> {
         (states, bits)
     }
 
-    /// The value of the best path that leaves a node after this frame.
+    /// Returns the value of the best path that leaves a node after this frame.
     fn left(&self, node: usize) -> f32 {
         self.states[node][STATES - 1] + self.model.leave[self.graph.nodes[node].phone.index() * STATES + STATES - 1]
     }
 
-    /// Takes the best path to each junction, from the words before it and its fillers.
+    /// Chooses the best path to each junction, from the words before it and its fillers.
     fn arrive(&mut self) -> Vec<u8> {
         let last = (self.high + 1).min(self.graph.junctions() - 1);
         let mut choices = Vec::with_capacity(last + 1 - self.low);
@@ -209,7 +210,7 @@ impl<'g> Search<'g> {
         choices
     }
 
-    /// Lets paths pass by words that are not said, beyond the last junction; returns how many.
+    /// Lets paths skip missing words beyond the last junction. Returns the number of skipped words.
     fn pass_words(&mut self) -> usize {
         let before = self.high;
         while self.high + 1 < self.graph.junctions() {
@@ -223,7 +224,7 @@ impl<'g> Search<'g> {
         self.high - before
     }
 
-    /// Gives up the paths at both ends that are beyond the beam.
+    /// Drops the junctions at both ends whose paths are outside the beam.
     fn prune(&mut self) {
         let hopeless = |search: &Search<'_>, junction: usize| {
             let top = search.tops.get(junction - search.tops_from()).copied().unwrap_or(NEVER);
@@ -244,12 +245,12 @@ impl<'g> Search<'g> {
         (self.low, self.high) = (low, high);
     }
 
-    /// The junction of the first of `tops`: `prune` has not yet moved it.
+    /// Returns the junction of the first of `tops`, before `prune` moves it.
     fn tops_from(&self) -> usize {
         self.low
     }
 
-    /// All states that have a path within the beam.
+    /// Returns all states that have a path within the beam.
     fn positions(&self) -> Vec<Position> {
         let nodes = self.graph.nodes_of(self.low).start..self.graph.nodes_of(self.high).end;
         let states = nodes.flat_map(|node| (0..STATES).map(move |state| (node, state)));
@@ -257,15 +258,15 @@ impl<'g> Search<'g> {
         alive.map(|(node, state)| Position(node * STATES + state)).collect()
     }
 
-    /// The state of the best path.
+    /// Returns the state of the best path.
     fn best(&self) -> Position {
         let value = |position: &Position| self.states[position.node()][position.0 % STATES];
         let best = self.positions().into_iter().max_by(|a, b| value(a).total_cmp(&value(b)));
         best.unwrap_or(Position(self.graph.nodes_of(self.low).start * STATES))
     }
 
-    /// Gives up all paths but those to the positions that `keep` names.
-    /// Returns the choices of the junctions, which may now be others, and the first junction.
+    /// Drops all paths except those to the positions that `keep` accepts. Returns the first junction and the choices of
+    /// the junctions, which may have changed.
     fn keep(&mut self, keep: impl Fn(Position) -> bool) -> (usize, Vec<u8>) {
         for position in self.positions() {
             if !keep(position) {

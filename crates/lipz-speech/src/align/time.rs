@@ -1,15 +1,15 @@
-//! From frames to times, pauses and words.
+//! Conversion of frames to times, pauses and words.
 
 use super::{AlignedPhone, AlignedWord};
 use crate::Phone;
 use crate::features::mel::{HOP, RATE_HZ, WINDOW};
 
-/// Microseconds from one frame to the next, and in the samples of a frame.
+/// The microseconds from one frame to the next, and in the samples of a frame.
 const HOP_US: u64 = HOP as u64 * 1_000_000 / RATE_HZ as u64;
 const WINDOW_US: u64 = WINDOW as u64 * 1_000_000 / RATE_HZ as u64;
 
-/// The times of steps that start in these frames, the last of which ends before frame `end`: each frame is the middle of its
-/// samples, give or take half a hop.
+/// Returns the times of steps that start in these frames. The last step ends before frame `end`. The time of a frame is
+/// the middle of its samples, give or take half a hop.
 pub(super) fn of_starts(starts: &[f64], end: usize, duration_us: u64) -> Vec<(u64, u64)> {
     let boundary = |frame: f64| match frame > 0.0 {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a day, and positive")]
@@ -20,7 +20,7 @@ pub(super) fn of_starts(starts: &[f64], end: usize, duration_us: u64) -> Vec<(u6
     starts.iter().zip(ends).map(|(&start, end)| (boundary(start), boundary(end))).collect()
 }
 
-/// Makes phones end with the sound. A sound that is shorter than a sample of the features is silent.
+/// Extends the phones to the end of the audio. Audio shorter than one frame is silent.
 pub(super) fn cover(mut phones: Vec<AlignedPhone>, duration_us: u64) -> Vec<AlignedPhone> {
     match phones.last_mut() {
         Some(last) => last.end_us = duration_us,
@@ -29,8 +29,8 @@ pub(super) fn cover(mut phones: Vec<AlignedPhone>, duration_us: u64) -> Vec<Alig
     phones
 }
 
-/// Joins what is silent, and gives pauses that are shorter than `shortest_us` to the phone before them, unless they begin or
-/// end the sound.
+/// Joins silent phones, and adds pauses shorter than `shortest_us` to the phone before them, except at the start and
+/// the end of the audio.
 pub(super) fn join_pauses(mut phones: Vec<AlignedPhone>, shortest_us: u64) -> Vec<AlignedPhone> {
     phones.dedup_by(|phone, last| {
         let is_same = !phone.phone.is_speech() && phone.phone == last.phone;
@@ -39,10 +39,10 @@ pub(super) fn join_pauses(mut phones: Vec<AlignedPhone>, shortest_us: u64) -> Ve
         }
         is_same
     });
-    // In place: an hour has 40,000 phones.
+    // In place, because an hour has 40,000 phones.
     let (mut kept, mut from) = (0_usize, 0_usize);
     while let Some(&first) = phones.get(from) {
-        // Silence and noise side by side are one pause.
+        // Adjacent silence and noise are one pause.
         let is_same = |phone: &&AlignedPhone| phone.phone.is_speech() == first.phone.is_speech();
         let end = from + phones[from..].iter().take_while(is_same).count();
         let end_us = phones[end - 1].end_us;
@@ -60,7 +60,7 @@ pub(super) fn join_pauses(mut phones: Vec<AlignedPhone>, shortest_us: u64) -> Ve
     phones
 }
 
-/// The times of the words, of which `heard` are the pronunciations.
+/// Returns the times of the words; `heard` has their spoken pronunciations.
 pub(super) fn words(phones: &[AlignedPhone], heard: &[Option<usize>], confidences: &[f32]) -> Vec<AlignedWord> {
     let mut words = Vec::with_capacity(heard.len());
     let mut phones = phones.iter().peekable();
@@ -86,7 +86,7 @@ pub(super) fn words(phones: &[AlignedPhone], heard: &[Option<usize>], confidence
 mod tests {
     use super::*;
 
-    /// Phones with their lengths in milliseconds.
+    /// Returns phones with these lengths in milliseconds.
     fn phones(parts: &[(Phone, u64)]) -> Vec<AlignedPhone> {
         let mut now_us = 0;
         let phone = |&(phone, length_ms): &(Phone, u64)| {
@@ -106,7 +106,7 @@ mod tests {
         use Phone::{Aa, Iy, Noise, Sil};
         assert_eq!(joined(&[(Aa, 100), (Sil, 140), (Iy, 90)]), [(Aa, 240), (Iy, 90)]);
         assert_eq!(joined(&[(Sil, 20), (Aa, 100), (Sil, 20)]), [(Sil, 20), (Aa, 100), (Sil, 20)]);
-        // Neither of the two is long enough, but they are one pause.
+        // Neither pause is long enough alone, but together they are.
         let long = [(Aa, 100), (Sil, 90), (Noise, 70), (Iy, 90)];
         assert_eq!(joined(&long), long);
         let end = [(Aa, 100), (Sil, 60), (Noise, 40)];

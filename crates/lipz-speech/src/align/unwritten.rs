@@ -1,20 +1,21 @@
-//! Speech that is not in the script: hesitations, words too many. The mouth does not rest there: it shows the phones that are
-//! heard.
+//! Unscripted speech, such as hesitations and extra words. The mouth does not rest during it, but shows the phones in
+//! the audio.
 
-use super::history::Step;
-use super::loose::Loose;
+use super::history::PathStep;
+use super::loose_aligner::LooseAligner;
 use super::{AlignedPhone, quiet};
 use crate::sound::level::voice_powers;
 use crate::{Model, Phone, Sound};
 
-/// So many decibels below the loud frames of a sound, what no word of the script fits is no speech: it fades, or hums in a room.
+/// Speech that fits no word and is so many decibels below the loud frames is treated as noise: a voice that fades, or a
+/// hum.
 const FAINT_DB: f32 = 15.0;
 
-/// Puts the phones that are heard in place of each of `aligned` that is speech without words. These came from `steps`.
+/// Replaces each unscripted speech in `aligned` with the phones in the audio. `aligned` was made from `steps`.
 pub(super) fn put_phones(
     model: &Model,
     sound: &Sound,
-    steps: &[Step],
+    steps: &[PathStep],
     aligned: Vec<AlignedPhone>,
 ) -> Vec<AlignedPhone> {
     if aligned.iter().all(|phone| phone.phone != Phone::Spoken) {
@@ -22,12 +23,12 @@ pub(super) fn put_phones(
     }
     let powers = voice_powers(sound.spectrum());
     let least = quiet::loud(&powers) * libm::powf(10.0, -FAINT_DB / 10.0);
-    let is_loud = |step: &Step| {
+    let is_loud = |step: &PathStep| {
         let powers = powers.get(step.start..step.end).unwrap_or_default();
         powers.iter().sum::<f32>() >= least * powers.len() as f32
     };
-    let mut loose = Loose::new(model, sound);
-    let put = |(phone, step): (AlignedPhone, &Step)| match phone.phone {
+    let mut loose = LooseAligner::new(model, sound);
+    let put = |(phone, step): (AlignedPhone, &PathStep)| match phone.phone {
         Phone::Spoken if is_loud(step) => loose.phones(step.start..step.end, &phone),
         _ => vec![phone],
     };

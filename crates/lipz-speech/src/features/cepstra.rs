@@ -1,26 +1,26 @@
-//! Mel cepstra with their changes: the vectors that the acoustic model scores.
+//! Mel cepstra and their changes: the vectors that the acoustic model scores.
 //!
-//! As in CMU Sphinx: cosine transform of the logarithms, lifter, the mean over the whole sound subtracted; each of the three
-//! streams has 13 numbers.
+//! As in CMU Sphinx: cosine transform of the logarithms, lifter, and subtraction of the mean over the whole recording.
+//! Each of the three streams has 13 values.
 
 use super::floor::Floor;
 use super::mel::{BANDS, Spectrum};
 use super::noise::NoiseTracker;
 use std::f64::consts::PI;
 
-/// Coefficients of a cepstrum.
+/// The number of coefficients of a cepstrum.
 pub(crate) const COEFFICIENTS: usize = 13;
-/// Numbers of a vector: cepstrum, change, change of the change.
+/// The number of values of a vector: cepstrum, change, change of the change.
 pub(crate) const NUMBERS: usize = 3 * COEFFICIENTS;
 
 type Cepstrum = [f32; COEFFICIENTS];
 
 const LIFTER: f64 = 22.0;
-/// Frames before and after, which the changes need.
+/// The frames before and after that the changes need.
 const REACH: usize = 3;
 const RING: usize = 2 * REACH + 1;
 
-/// The vectors of a sound, one after the other: nothing of them is kept.
+/// Iterates over the vectors of a recording, without storing them.
 #[derive(Clone)]
 pub(crate) struct Vectors<'a> {
     cepstra: Cepstra<'a>,
@@ -28,21 +28,22 @@ pub(crate) struct Vectors<'a> {
     means: Cepstrum,
     quiet: f32,
     loud: f32,
-    /// Cepstra of the frames around the next, by their number modulo `RING`.
+    /// Cepstra of the frames around the next, by their index modulo `RING`.
     ring: [Cepstrum; RING],
     made: usize,
     next: usize,
 }
 
-/// What is known of a frame.
+/// The features of a frame.
 pub(crate) struct Frame {
     pub(crate) vector: [f32; NUMBERS],
-    /// Its loudness: 0 is that of the quiet frames of the sound, 1 that of the loud ones.
+    /// The loudness: 0 is that of the quiet frames of the recording, 1 that of the loud ones.
     pub(crate) loudness: f32,
 }
 
 impl Frame {
-    /// How much the spectrum changes here, whatever its loudness does: the length of its change in 40 milliseconds.
+    /// Returns the change of the spectrum, independent of loudness: the length of the change vector over 40
+    /// milliseconds.
     pub(crate) fn change(&self) -> f32 {
         let change = &self.vector[COEFFICIENTS + 1..2 * COEFFICIENTS];
         libm::sqrtf(change.iter().map(|number| number * number).sum())
@@ -50,7 +51,7 @@ impl Frame {
 }
 
 impl<'a> Vectors<'a> {
-    /// The vectors of the frames of `spectrum`.
+    /// Returns the vectors of the frames of `spectrum`.
     pub(crate) fn new(spectrum: &'a [Spectrum]) -> Vectors<'a> {
         let floor = Floor::new(spectrum);
         let mut sums = [0.0_f64; COEFFICIENTS];
@@ -78,7 +79,7 @@ impl<'a> Vectors<'a> {
         }
     }
 
-    /// The cepstrum of a frame near the next; before the first and after the last, theirs.
+    /// Returns the cepstrum of a frame near the next. The first and the last frame are repeated beyond the ends.
     fn cepstrum(&self, ahead: usize, behind: usize) -> &Cepstrum {
         let frame = (self.next + ahead).saturating_sub(behind).min(self.count - 1);
         &self.ring[frame % RING]
@@ -110,7 +111,7 @@ impl Iterator for Vectors<'_> {
     }
 }
 
-/// The cepstra of a sound, before their mean is subtracted.
+/// The cepstra of a recording, before their mean is subtracted.
 #[derive(Clone)]
 struct Cepstra<'a> {
     spectrum: std::slice::Iter<'a, Spectrum>,
@@ -139,7 +140,7 @@ impl Iterator for Cepstra<'_> {
     }
 }
 
-/// The orthonormal cosine transform and the lifter, in one table.
+/// Returns the orthonormal cosine transform and the lifter, combined in one table.
 fn transform() -> Vec<[f32; BANDS]> {
     #[expect(clippy::cast_possible_truncation, reason = "coefficients are single")]
     let row = |i: usize| -> [f32; BANDS] {

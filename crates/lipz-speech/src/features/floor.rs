@@ -1,15 +1,15 @@
-//! A floor of noise under every sound.
+//! A noise floor for every recording.
 //!
-//! Digital silence, and what a codec leaves of quiet passages, look like nothing that the acoustic model was made from, and
-//! ruin an alignment. Sphinx adds random noise to the samples (dither); the expected power of such noise, added to
-//! the power of each band, does the same without chance. It is relative to how loud the speech is, so that a recording aligns
-//! the same at every volume.
+//! Digital silence, and quiet passages after lossy compression, are unlike anything in the training data of the
+//! acoustic model, and ruin an alignment. Sphinx adds random noise to the samples (dither). Adding the expected power
+//! of such noise to the power of each band has the same effect without randomness. The floor is relative to the
+//! loudness of the speech, so that a recording aligns the same at every volume.
 
 use super::mel::{BANDS, Spectrum, logarithm_of, white_noise};
 
-/// How far below the loud frames the floor is, in nats of power: 40 decibels.
+/// The distance between the loud frames and the floor, in nats of power: 40 decibels.
 const DEPTH_NATS: f32 = 9.21;
-/// The share of frames that are not louder than the loud ones, in percent.
+/// The percentage of frames that are not louder than the loud ones.
 const LOUD_PERCENT: usize = 95;
 
 /// The power that is added to each band.
@@ -17,7 +17,7 @@ const LOUD_PERCENT: usize = 95;
 pub(crate) struct Floor([f32; BANDS]);
 
 impl Floor {
-    /// The floor for a sound.
+    /// Returns the floor for a recording.
     pub(crate) fn new(spectrum: &[Spectrum]) -> Floor {
         let mut levels: Vec<i32> = spectrum.iter().map(level).collect();
         let loud = match levels.len() {
@@ -31,13 +31,13 @@ impl Floor {
         Floor(white.map(|power| power * factor))
     }
 
-    /// The power of each band, with the floor under it.
+    /// Returns the power of each band, including the floor.
     pub(crate) fn raise(&self, spectrum: &Spectrum) -> [f32; BANDS] {
         std::array::from_fn(|band| libm::expf(logarithm_of(spectrum[band])) + self.0[band])
     }
 }
 
-/// The sum of the logarithms of all bands.
+/// Returns the sum of the logarithms of all bands.
 pub(crate) fn level(spectrum: &Spectrum) -> i32 {
     spectrum.iter().map(|&band| i32::from(band)).sum()
 }

@@ -1,29 +1,29 @@
-//! The mel spectrum of a sound: how much energy it has in each of 25 bands, every 10 milliseconds.
+//! The mel spectrum of a recording: its energy in each of 25 bands, every 10 milliseconds.
 //!
-//! As the front end of CMU Sphinx computes it, because the acoustic model was made with it: pre-emphasis, Hamming window, power
-//! spectrum, triangular bands of unit area whose edges are rounded to bins (S. Davis and P. Mermelstein, "Comparison of
-//! parametric representations for monosyllabic word recognition", 1980). All arithmetic is of operations that IEEE 754 defines
-//! to the last bit, in a fixed order; logarithms and cosines are those of `libm`, and the transform is scalar. So the
-//! result is the same on every machine.
+//! It is computed like that of CMU Sphinx, with which the acoustic model was trained: pre-emphasis, Hamming window,
+//! power spectrum, triangular bands of unit area whose edges are rounded to bins (S. Davis and P. Mermelstein,
+//! "Comparison of parametric representations for monosyllabic word recognition", 1980). All arithmetic uses operations
+//! that IEEE 754 defines to the last bit, in a fixed order; logarithms and cosines come from `libm`, and the transform
+//! is scalar. Therefore the result is the same on every machine.
 
 use microfft::real::rfft_512;
 use std::f64::consts::PI;
 
-/// Samples per second of what comes in.
+/// The input samples per second.
 pub(crate) const RATE_HZ: u32 = 16_000;
-/// Samples from one frame to the next: 10 milliseconds.
+/// The samples from one frame to the next: 10 milliseconds.
 pub(crate) const HOP: usize = 160;
-/// Samples in a frame: 25.6 milliseconds.
+/// The samples in a frame: 25.6 milliseconds.
 pub(crate) const WINDOW: usize = 410;
-/// Bands of the spectrum.
+/// The number of bands of the spectrum.
 pub(crate) const BANDS: usize = 25;
 
-/// The logarithm of the power in each band, in steps of 1/1024 nat: a ratio of a thousandth, far below what a model hears.
-/// In whole numbers, so that decoders and machines that differ in the last bit of a sample do not differ here.
+/// The logarithm of the power in each band, in steps of 1/1024 nat: a ratio of a thousandth, far below the precision of
+/// a model. Integers hide differences between decoders and machines in the last bit of a sample.
 pub(crate) type Spectrum = [i16; BANDS];
 
 const STEPS: f32 = 1024.0;
-/// The power that counts as none: in nats, -9.2.
+/// The least power, which stands for silence: -9.2 nats.
 const LEAST_POWER: f32 = 1e-4;
 
 const TRANSFORM: usize = 512;
@@ -31,17 +31,17 @@ const PRE_EMPHASIS: f32 = 0.97;
 const LOWEST_HZ: f64 = 130.0;
 const HIGHEST_HZ: f64 = 6_800.0;
 
-/// Turns samples into mel spectra, block by block.
+/// Converts samples to mel spectra, block by block.
 pub(crate) struct MelFrontEnd {
     window: Vec<f32>,
     bands: Vec<Band>,
-    /// Samples from the start of the next frame on, with pre-emphasis.
+    /// The samples from the start of the next frame on, with pre-emphasis.
     pending: Vec<f32>,
     /// The last sample, before pre-emphasis.
     last: f32,
 }
 
-/// A triangle over bins of the transform.
+/// A triangle over the bins of the transform.
 struct Band {
     first: usize,
     weights: Vec<f32>,
@@ -55,7 +55,7 @@ impl MelFrontEnd {
         MelFrontEnd { window, bands: bands(), pending: Vec::new(), last: 0.0 }
     }
 
-    /// Takes samples (from -32768 to 32767) and gives the spectrum of each frame that is complete.
+    /// Processes samples (from -32768 to 32767), and passes the spectrum of each complete frame to `take`.
     pub(crate) fn push(&mut self, samples: &[f32], mut take: impl FnMut(Spectrum)) {
         for &sample in samples {
             self.pending.push(sample - PRE_EMPHASIS * self.last);
@@ -92,12 +92,12 @@ impl MelFrontEnd {
     }
 }
 
-/// The logarithm of the power in a band, in nats.
+/// Returns the logarithm of the power in a band, in nats.
 pub(crate) fn logarithm_of(band: i16) -> f32 {
     f32::from(band) / STEPS
 }
 
-/// The power of white noise of variance 1 in each band.
+/// Returns the power of white noise of variance 1 in each band.
 pub(crate) fn white_noise() -> [f32; BANDS] {
     let front_end = MelFrontEnd::new();
     let energy: f32 = front_end.window.iter().map(|weight| weight * weight).sum();
@@ -114,11 +114,11 @@ pub(crate) fn white_noise() -> [f32; BANDS] {
     })
 }
 
-/// The bands: triangles that overlap by half, equally wide in mel.
+/// Returns the bands: half-overlapping triangles of equal width in mel.
 fn bands() -> Vec<Band> {
     let bin_hz = f64::from(RATE_HZ) / TRANSFORM as f64;
     let (low, high) = (mel(LOWEST_HZ), mel(HIGHEST_HZ));
-    // Edges rounded to bins, as the model expects.
+    // The model requires edges rounded to bins.
     let edge = |i: usize| {
         let hz = hertz(low + (high - low) * i as f64 / (BANDS + 1) as f64);
         libm::floor(hz / bin_hz + 0.5) * bin_hz
@@ -142,7 +142,7 @@ fn bands() -> Vec<Band> {
         .collect()
 }
 
-/// The mel scale of Davis and Mermelstein, as in CMU Sphinx.
+/// Returns the mel value of Davis and Mermelstein, as in CMU Sphinx.
 fn mel(hz: f64) -> f64 {
     2595.0 * libm::log10(1.0 + hz / 700.0)
 }

@@ -1,4 +1,4 @@
-//! What the acoustic model sees of a sound.
+//! The features that the acoustic model scores.
 
 pub(crate) mod cepstra;
 pub(crate) mod floor;

@@ -1,27 +1,27 @@
-//! Noise that stays, tracked and taken away.
+//! Tracking and removal of constant noise.
 //!
-//! As in PocketSphinx, whose model was made with it, after C. Kim and R. Stern, "Power-Normalized Cepstral Coefficients (PNCC)
-//! for Robust Speech Recognition", 2016: the noise is the lower envelope of the power; what is below a second envelope, or
-//! hidden behind a peak just before it, counts as noise, too. The gain is smoothed over the bands.
+//! As in PocketSphinx, with which the model was trained, after C. Kim and R. Stern, "Power-Normalized Cepstral
+//! Coefficients (PNCC) for Robust Speech Recognition", 2016: the noise is the lower envelope of the power. Power below
+//! a second envelope, or masked by a peak just before it, also counts as noise. The gain is smoothed over the bands.
 
 use super::mel::BANDS;
 
-/// How much of the power of a frame is of the frames before it.
+/// The share of the previous frames in the power of a frame.
 const POWER_MEMORY: f32 = 0.7;
-/// How much of an envelope stays per frame where the power is above it, and where it is below.
+/// The share of an envelope that remains per frame where the power is above it, and where it is below.
 const RISE_MEMORY: f32 = 0.995;
 const FALL_MEMORY: f32 = 0.5;
-/// How fast a peak fades per frame, and how much of it stands for what it hides.
+/// The share of a peak that remains per frame, and the share that replaces what it masks.
 const PEAK_MEMORY: f32 = 0.85;
 const PEAK_SHARE: f32 = 0.2;
-/// The most by which a band is weakened or strengthened.
+/// The greatest factor by which a band is attenuated or amplified.
 const MOST_GAIN: f32 = 20.0;
-/// Bands on each side over which the gain is smoothed.
+/// The number of bands on each side over which the gain is smoothed.
 const SMOOTHED: usize = 4;
 /// The least power, in the units of 16-bit samples.
 const LEAST: f32 = 1.0;
 
-/// What is known of the noise so far.
+/// The state of the noise estimate.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NoiseTracker(Option<Envelopes>);
 
@@ -34,7 +34,7 @@ struct Envelopes {
 }
 
 impl NoiseTracker {
-    /// The power of the next frame without the noise; never 0.
+    /// Returns the power of the next frame without the noise, which is never 0.
     pub(crate) fn clean(&mut self, frame: [f32; BANDS]) -> [f32; BANDS] {
         let envelopes =
             self.0.get_or_insert(Envelopes { power: frame, noise: frame, floor: frame, peak: [0.0; BANDS] });
@@ -48,7 +48,7 @@ impl NoiseTracker {
 }
 
 impl Envelopes {
-    /// Takes in the power of a band; returns how much of it is signal.
+    /// Updates the envelopes with the power of a band, and returns the share of the signal in it.
     fn gain(&mut self, band: usize, now: f32) -> f32 {
         let power = &mut self.power[band];
         *power = POWER_MEMORY * *power + (1.0 - POWER_MEMORY) * now;

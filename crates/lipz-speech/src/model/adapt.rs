@@ -1,7 +1,7 @@
-//! A model that is nearer to what was counted: the more frames a Gaussian has, the less its old place counts.
+//! Adaptation of a model to counted frames: the more frames a Gaussian has, the less its old position counts.
 //!
-//! Maximum a posteriori estimation, after J.-L. Gauvain and C.-H. Lee, "Maximum a Posteriori Estimation for Multivariate Gaussian
-//! Mixture Observations of Markov Chains", 1994: the old model counts as so many frames.
+//! Uses maximum a posteriori estimation, after J.-L. Gauvain and C.-H. Lee, "Maximum a Posteriori Estimation for
+//! Multivariate Gaussian Mixture Observations of Markov Chains", 1994: the old model counts as a number of frames.
 
 use super::counts::Counts;
 use super::file::height;
@@ -9,22 +9,22 @@ use super::{DENSITIES, Model, STATES, STREAMS};
 use crate::Phone;
 use crate::features::cepstra::COEFFICIENTS;
 
-/// How many frames the old place of a Gaussian counts for. With five minutes of a voice, all from 10 to 100 do as well; with half
-/// a minute, too.
+/// The weight of a Gaussian's old position, in frames. With five minutes of a voice, values from 10 to 100 work equally
+/// well, and also with half a minute.
 const PLACE_FRAMES: f64 = 30.0;
-/// How many frames it counts for that the Gaussians of a phone are, all together, where they are.
+/// The weight of the common old position of all Gaussians of a phone, in frames.
 const SHIFT_FRAMES: f64 = 50.0;
-/// How many frames the old weights of a state count for.
+/// The weight of a state's old weights, in frames.
 const WEIGHT_FRAMES: f64 = 100.0;
-/// How many frames the old length of a state counts for.
+/// The weight of a state's old length, in frames.
 const LENGTH_FRAMES: f64 = 20.0;
-/// The least variance, compared to the old one.
+/// The least variance, relative to the old one.
 const LEAST_VARIANCE: f64 = 0.3;
-/// The most likely that a state is stayed in, or left.
+/// The highest probability of staying in a state, and of leaving it.
 const MOST_LIKELY: f64 = 0.999;
 
 impl Model {
-    /// This model, as far as `counts` has nothing else to say.
+    /// Returns this model, adapted to `counts`.
     pub(crate) fn adapted(&self, counts: &Counts) -> Model {
         let mut model = self.clone();
         for book in 0..Phone::COUNT * STREAMS {
@@ -42,7 +42,7 @@ impl Model {
         model
     }
 
-    /// Moves the Gaussians of a codebook in one dimension: first all together, then each.
+    /// Moves the Gaussians of a codebook in one dimension: first together, then individually.
     fn move_gaussians(&mut self, counts: &Counts, book: usize, dimension: usize) {
         let at = (book * COEFFICIENTS + dimension) * DENSITIES;
         let frames = &counts.frames[book * DENSITIES..][..DENSITIES];
@@ -73,7 +73,7 @@ impl Model {
         }
     }
 
-    /// Weighs the Gaussians of a state.
+    /// Sets the weights of the Gaussians of a state.
     fn weigh(&mut self, counts: &Counts, at: usize) {
         let shares = &counts.shares[at..][..DENSITIES];
         let weights = &mut self.weights[at..][..DENSITIES];
@@ -86,7 +86,7 @@ impl Model {
         }
     }
 
-    /// How long a state is stayed in.
+    /// Sets the length of a state.
     fn set_length(&mut self, counts: &Counts, state: usize) {
         let left = libm::exp(f64::from(self.leave[state]));
         let left = (counts.entered[state] + LENGTH_FRAMES * left) / (counts.stays[state] + LENGTH_FRAMES);
@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::features::cepstra::NUMBERS;
 
-    /// A model after `visits` of the first state of `AA`, each of five frames of this vector.
+    /// Returns a model after `visits` of the first state of `AA`, each with five frames of this vector.
     fn after(visits: usize, vector: &[f32; NUMBERS]) -> Model {
         let (model, mut counts) = (Model::english(), Counts::new());
         for _ in 0..visits {

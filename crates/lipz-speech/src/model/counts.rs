@@ -1,21 +1,21 @@
-//! What frames of known states tell about a model: how often each Gaussian explains a frame, and of which numbers.
+//! Statistics of frames whose states are known: how many frames each Gaussian explains, and their values.
 
 use super::score::exponentials;
 use super::{DENSITIES, Model, STATES, STREAMS};
 use crate::Phone;
 use crate::features::cepstra::{COEFFICIENTS, NUMBERS};
 
-/// Sums over frames. In double precision and in the order of the frames, so that they are the same on every machine.
+/// Sums over frames. They use double precision and the order of the frames, so they are the same on every machine.
 #[derive(Clone, Debug)]
 pub(crate) struct Counts {
-    /// By phone, stream, Gaussian: how many frames it explains.
+    /// By phone, stream, Gaussian: the number of frames it explains.
     pub(super) frames: Vec<f64>,
-    /// By phone, stream, dimension, Gaussian: the sum of the numbers in those frames, and of their squares.
+    /// By phone, stream, dimension, Gaussian: the sum of the values in those frames, and of their squares.
     pub(super) sums: Vec<f64>,
     pub(super) squares: Vec<f64>,
-    /// By state, stream, Gaussian: how many frames it explains.
+    /// By state, stream, Gaussian: the number of frames it explains.
     pub(super) shares: Vec<f64>,
-    /// By state: how many frames it has, and how often it was entered.
+    /// By state: the number of its frames, and of its visits.
     pub(super) stays: Vec<f64>,
     pub(super) entered: Vec<f64>,
 }
@@ -35,7 +35,7 @@ impl Counts {
         }
     }
 
-    /// Adds the frames of one visit of a state.
+    /// Adds the frames of one visit to a state.
     pub(crate) fn visit<'v>(
         &mut self,
         model: &Model,
@@ -53,7 +53,7 @@ impl Counts {
         }
     }
 
-    /// Adds the numbers of a stream in a frame: each Gaussian gets the share that it has in explaining them.
+    /// Adds the values of a stream in a frame. Each Gaussian gets its share in the likelihood.
     fn add_frame(&mut self, model: &Model, book: usize, weights: usize, numbers: &[f32]) {
         let (densities, _) = exponentials(model.densities(book, numbers));
         let weights = weights * DENSITIES..(weights + 1) * DENSITIES;
@@ -76,7 +76,7 @@ impl Counts {
         }
     }
 
-    /// Adds what others have counted.
+    /// Adds the counts of `other`.
     pub(crate) fn extend(&mut self, other: &Counts) {
         for (to, from) in [
             (&mut self.frames, &other.frames),

@@ -7,16 +7,16 @@ use half::f16;
 use std::f64::consts::PI;
 
 pub(super) const MAGIC: &[u8] = b"LIPZ-AM1";
-/// Bytes of a name.
+/// The length of a name in bytes.
 pub(super) const NAME: usize = 8;
-/// Codebooks, and numbers in one.
+/// The number of codebooks, and of values in each.
 const BOOKS: usize = Phone::COUNT * STREAMS;
 const BOOK: usize = DENSITIES * COEFFICIENTS;
 
-/// A probability of staying that is nearer to 0 or 1 is none.
+/// Probabilities of staying that are closer to 0 or 1 are invalid.
 const MOST_EXTREME: f32 = 1e-4;
 
-/// A file is no acoustic model of this form.
+/// The error for data that is not an acoustic model in this format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct NoModel;
 
@@ -64,7 +64,7 @@ impl Model {
         })
     }
 
-    /// A model to which all sounds are the same.
+    /// Returns a model in which all sounds are equally likely.
     pub(super) fn nothing() -> Model {
         let states = Phone::COUNT * STATES;
         Model {
@@ -79,7 +79,7 @@ impl Model {
     }
 }
 
-/// The step of weights in the file, in nats.
+/// Returns the step of weights in the file, in nats.
 pub(super) fn weight_step() -> f64 {
     1024.0 * libm::log(1.0001)
 }
@@ -93,7 +93,7 @@ fn halves(bytes: &[u8]) -> Vec<f32> {
     bytes.chunks_exact(2).map(half).collect()
 }
 
-/// The logarithm of a Gaussian's density at its mean.
+/// Returns the logarithm of a Gaussian's density at its mean.
 pub(super) fn height(inverse_sigmas: &[f32]) -> f32 {
     let sum: f64 = inverse_sigmas.iter().map(|&inverse| libm::log(f64::from(inverse))).sum();
     #[expect(clippy::cast_possible_truncation, reason = "densities are single")]
@@ -101,7 +101,7 @@ pub(super) fn height(inverse_sigmas: &[f32]) -> f32 {
     height
 }
 
-/// Within each codebook, from Gaussians with all dimensions to dimensions with all Gaussians: what vector code reads.
+/// Reorders each codebook by dimension instead of by Gaussian, because vector code reads all Gaussians of a dimension.
 fn by_dimension(numbers: &[f32]) -> Vec<f32> {
     let book = |book: &[f32]| -> Vec<f32> {
         let dimension = |dimension| book.iter().skip(dimension).step_by(COEFFICIENTS).copied();
@@ -110,7 +110,7 @@ fn by_dimension(numbers: &[f32]) -> Vec<f32> {
     numbers.chunks_exact(BOOK).flat_map(book).collect()
 }
 
-/// The way back from [`by_dimension`].
+/// Reverses [`by_dimension`].
 pub(super) fn by_gaussian(numbers: &[f32]) -> Vec<f32> {
     let book = |book: &[f32]| -> Vec<f32> {
         let gaussian = |gaussian| book.iter().skip(gaussian).step_by(DENSITIES).copied();

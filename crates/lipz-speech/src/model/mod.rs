@@ -1,14 +1,14 @@
-//! The acoustic model: how likely each sound makes each vector.
+//! The acoustic model: the likelihood of each vector in each phone.
 //!
-//! A *phonetically tied* model, as CMU Sphinx calls it: each phone has 128 Gaussians for each of three streams (cepstrum,
-//! change, change of the change), and each of its three states weighs them differently. Phones have no context: with
-//! triphones, alignments were no better.
+//! CMU Sphinx calls this model *phonetically tied*: each phone has 128 Gaussians for each of three streams (cepstrum,
+//! change, change of the change), which each of its three states weights differently. Phones have no context, because
+//! triphones did not improve alignments.
 //!
-//! The file, made by `cargo xtask speech-model`, in little-endian byte order: `LIPZ-AM1`; four 16-bit numbers (phones, streams,
-//! Gaussians, dimensions); the phones' names in 8 bytes each; then for each phone, stream, Gaussian and dimension the mean, and
-//! likewise 1/σ, as 16-bit floats; for each state, stream and Gaussian the weight in a byte, as the negative
-//! logarithm in steps of 1024 · ln 1.0001; for each state the probability of staying, as a 16-bit float;
-//! for each phone of speech and silence, and each that may follow it, the negative logarithm of the probability, in a byte, in
+//! The file, made by `cargo xtask speech-model`, is little-endian: `LIPZ-AM1`; four 16-bit numbers (phones, streams,
+//! Gaussians, dimensions); the phones' names in 8 bytes each; for each phone, stream, Gaussian and dimension the mean,
+//! and then likewise 1/σ, as 16-bit floats; for each state, stream and Gaussian the weight in a byte, as the negative
+//! logarithm in steps of 1024 · ln 1.0001; for each state the probability of staying, as a 16-bit float; for each phone
+//! of speech and silence, and each that may follow it, the negative logarithm of the probability in a byte, in
 //! sixteenths.
 
 mod adapt;
@@ -22,7 +22,7 @@ pub(crate) use counts::Counts;
 pub(crate) use score::{Scores, exp};
 use std::sync::OnceLock;
 
-/// States of a phone, which are passed through in order.
+/// The number of states of a phone. They are passed in order.
 pub(crate) const STATES: usize = 3;
 const STREAMS: usize = 3;
 const DENSITIES: usize = 128;
@@ -47,23 +47,23 @@ pub struct Model {
     pairs: Vec<f32>,
 }
 
-/// Phones that may follow each other: those of speech, and silence.
+/// The number of phones that may follow each other: those of speech, and silence.
 const PAIRED: usize = Phone::Sil.index() + 1;
 
 impl Model {
-    /// The logarithm of the probability that the phone of number `next` follows that of number `phone`, if silence counts as
-    /// a phone.
+    /// Returns the logarithm of the probability that the phone with index `next` follows the one with index `phone`.
+    /// Silence counts as a phone.
     pub(crate) fn pair(&self, phone: usize, next: usize) -> f32 {
         self.pairs[phone * PAIRED + next]
     }
 
-    /// The model that is built in: US English, from CMU Sphinx. Its notice is in `model/NOTICE`.
+    /// Returns the built-in model: US English, from CMU Sphinx. Its notice is in `model/NOTICE`.
     ///
-    /// Other languages are aligned with it, too, written in its phones. It is unpacked once, in a few milliseconds and 1.8
+    /// Other languages use it as well, through its phones. It is unpacked once, which takes a few milliseconds and 1.8
     /// megabytes.
     pub fn english() -> &'static Model {
         static MODEL: OnceLock<Model> = OnceLock::new();
-        // The file is part of the program, and a test reads it.
+        // Cannot fail: the file is embedded, and a test reads it.
         MODEL.get_or_init(|| Model::from_bytes(ENGLISH).unwrap_or_else(|_| Model::nothing()))
     }
 }

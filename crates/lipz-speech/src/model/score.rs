@@ -1,23 +1,24 @@
-//! How likely a vector is in each state: the inner loop of alignment.
+//! The likelihood of a vector in each state: the inner loop of alignment.
 //!
-//! Written so that the compiler makes vector code of it without changing the order of any sum: eight sums side by side.
+//! Each sum consists of eight partial sums, so that the compiler can emit vector code without changing the order of any
+//! sum.
 
 use super::{DENSITIES, Model, STATES, STREAMS};
 use crate::Phone;
 use crate::features::cepstra::{COEFFICIENTS, NUMBERS};
 
-/// The logarithm of the likelihood of a vector, by phone and state.
+/// The logarithms of the likelihoods of a vector, by phone and state.
 pub(crate) type Scores = [f32; Phone::COUNT * STATES];
 
 const LANES: usize = 8;
-/// What the streams count: cepstrum, change, change of the change. The changes overlap with those of the neighbouring frames,
-/// so as they are, they say the same several times.
+/// The weights of the streams: cepstrum, change, change of the change. The changes overlap with those of the
+/// neighbouring frames, so they repeat the same evidence.
 const STREAM_WEIGHTS: [f32; STREAMS] = [1.0, 0.7, 0.5];
-/// The least sum of densities: its logarithm is finite.
+/// The least sum of densities, so that its logarithm is finite.
 const LEAST: f32 = 1e-30;
 
 impl Model {
-    /// The scores of a vector in all states.
+    /// Returns the scores of a vector in all states.
     pub(crate) fn score(&self, vector: &[f32; NUMBERS]) -> Scores {
         let mut scores = [0.0; Phone::COUNT * STATES];
         for (phone, states) in scores.chunks_exact_mut(STATES).enumerate() {
@@ -26,7 +27,7 @@ impl Model {
         scores
     }
 
-    /// The scores of a vector in the states of the phone of this number.
+    /// Returns the scores of a vector in the states of the phone with this index.
     pub(crate) fn score_phone(&self, vector: &[f32; NUMBERS], phone: usize) -> [f32; STATES] {
         let mut scores = [0.0; STATES];
         for ((stream, numbers), weight) in vector.chunks_exact(COEFFICIENTS).enumerate().zip(STREAM_WEIGHTS) {
@@ -40,7 +41,7 @@ impl Model {
         scores
     }
 
-    /// The logarithms of the densities of the Gaussians of a codebook.
+    /// Returns the logarithms of the densities of the Gaussians of a codebook.
     pub(super) fn densities(&self, book: usize, numbers: &[f32]) -> [f32; DENSITIES] {
         let mut densities = [0.0; DENSITIES];
         densities.copy_from_slice(&self.heights[book * DENSITIES..][..DENSITIES]);
@@ -57,7 +58,7 @@ impl Model {
     }
 }
 
-/// Densities of their logarithms, compared to the highest, and the logarithm of that.
+/// Returns densities from their logarithms, relative to the highest, and the logarithm of the highest.
 pub(super) fn exponentials(mut logarithms: [f32; DENSITIES]) -> ([f32; DENSITIES], f32) {
     let best = best(&logarithms);
     for density in &mut logarithms {
@@ -86,12 +87,12 @@ fn dot(weights: &[f32], densities: &[f32; DENSITIES]) -> f32 {
     sums.iter().sum()
 }
 
-/// e to the power of `x`, which is not positive, to six digits; e⁻⁸⁰ below -80.
+/// Returns e to the power of `x`, which is not positive, to six digits; e⁻⁸⁰ below -80.
 ///
-/// The whole powers of 2 go into the exponent of the number, the rest through five terms of the series. libm's function has
-/// branches, which vector code cannot have.
+/// The integral power of 2 becomes the exponent of the float, and five terms of the series compute the rest. libm's
+/// function has branches, which prevent vector code.
 pub(crate) fn exp(x: f32) -> f32 {
-    /// Adding 1.5 · 2²³ rounds to a whole number, which is then in the last bits.
+    /// Adding 1.5 · 2²³ rounds to an integer, which is then in the lowest bits.
     const SHIFT: f32 = 12_582_912.0;
     let x = if x < -80.0 { -80.0 } else { x };
     let powers = x * std::f32::consts::LOG2_E;

@@ -7,7 +7,7 @@ use crate::features::cepstra::COEFFICIENTS;
 use half::f16;
 
 impl Model {
-    /// The file of the model, which `from_bytes` reads: numbers are rounded to what it keeps of them.
+    /// Returns the file of the model for `from_bytes`, with numbers rounded to the precision of the format.
     pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = MAGIC.to_vec();
         for number in [Phone::COUNT, STREAMS, DENSITIES, COEFFICIENTS] {

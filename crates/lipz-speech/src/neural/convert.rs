@@ -1,33 +1,33 @@
-//! From the file of `hama`, as its package has it, to a file of ours.
+//! Conversion of the file of the package `hama` to the format of lipz.
 //!
-//! `HAMAPK`, two bytes of version, the number of tensors; of each its name (length in 16 bits), a byte for its type (0: 32-bit
-//! floats, 1: 16-bit floats), a byte for how many dimensions, these in 32 bits each, then place and length in bytes, 64 bits each. The numbers
-//! start at the next multiple of 16.
+//! Its format: `HAMAPK`; two bytes of version; the number of tensors; for each tensor its name (length in 16 bits), a
+//! byte for its type (0: 32-bit floats, 1: 16-bit floats), a byte for the number of dimensions, these in 32 bits each,
+//! and its offset and length in bytes, 64 bits each. The values start at the next multiple of 16.
 
 use super::file::{RecogniserError, write};
-use super::network::Shape;
+use super::network::NetworkShape;
 use super::spectrum::{BINS, MELS};
 use super::{Recogniser, tokens};
 use half::f16;
 use std::collections::HashMap;
 
 const MAGIC: &[u8] = b"HAMAPK\x01\x02";
-/// The numbers start at a multiple of so many bytes.
+/// The alignment of the values in bytes.
 const ALIGNMENT: usize = 16;
-/// Attention has so many heads, which the file does not say.
+/// The number of attention heads, which is not in the file.
 const HEADS: usize = 4;
-/// Tensors without a name of their own, in the order of the network.
+/// The prefixes of tensors without individual names, in the order of the network.
 const CONVOLUTIONS: &str = "onnx::Conv_";
 const PRODUCTS: &str = "onnx::MatMul_";
-/// Products of a block.
+/// The number of products of a block.
 const PRODUCTS_OF_BLOCK: usize = 6;
 
 impl Recogniser {
-    /// Converts `asr_waveform.hama` of the Python package `hama`, whose tokens have these names: the bytes of a file for
-    /// [`Recogniser::from_bytes`].
+    /// Converts `asr_waveform.hama` of the Python package `hama`, whose tokens have these names, to the bytes of a file
+    /// for [`Recogniser::from_bytes`].
     ///
     /// # Errors
-    /// If the bytes are no such file, or are damaged.
+    /// If the bytes are not such a file, or are damaged.
     pub fn convert(hama: &[u8], names: &[String]) -> Result<Vec<u8>, RecogniserError> {
         let tensors = Tensors::parse(hama)?;
         tokens::tokens(names).ok_or(RecogniserError::OtherNetwork)?;
@@ -93,19 +93,19 @@ impl<'b> Tensors<'b> {
         Ok(tensors)
     }
 
-    fn shape(&self, tokens: usize) -> Option<Shape> {
+    fn shape(&self, tokens: usize) -> Option<NetworkShape> {
         let dimensions = |name: &str| Some(self.by_name.get(name)?.dimensions.as_slice());
         let blocks = self.convolutions.len().checked_div(2)?.checked_sub(1)?;
         let [width, MELS, 3] = *dimensions(self.convolutions.first()?)? else { return None };
         let [_, 1, kernel] = *dimensions(self.convolutions.get(2)?)? else { return None };
         let [_, inner] = *dimensions(self.products.first()?)? else { return None };
-        let shape = Shape::from_sizes([MELS, width, inner, kernel, blocks, HEADS, tokens])?;
+        let shape = NetworkShape::from_sizes([MELS, width, inner, kernel, blocks, HEADS, tokens])?;
         (self.products.len() == blocks * PRODUCTS_OF_BLOCK).then_some(shape)
     }
 
-    /// All numbers in the order of our file.
-    fn numbers(&self, shape: &Shape) -> Option<Vec<f16>> {
-        let Shape { width, inner, kernel, tokens, .. } = *shape;
+    /// Returns all values in the order of the lipz format.
+    fn numbers(&self, shape: &NetworkShape) -> Option<Vec<f16>> {
+        let NetworkShape { width, inner, kernel, tokens, .. } = *shape;
         let mut numbers = Vec::with_capacity(shape.numbers());
         let mut add = |name: &str, dimensions: &[usize], order: &[usize]| {
             numbers.extend(self.by_name.get(name)?.transposed(dimensions, order)?);
@@ -153,7 +153,7 @@ impl<'b> Tensors<'b> {
 }
 
 impl Tensor<'_> {
-    /// The numbers, if these are the dimensions, with the dimensions in this order.
+    /// Returns the values with their dimensions in this order, or `None` if the tensor does not have these dimensions.
     fn transposed(&self, dimensions: &[usize], order: &[usize]) -> Option<Vec<f16>> {
         if self.dimensions != dimensions {
             return None;
@@ -162,7 +162,7 @@ impl Tensor<'_> {
             true => Some(f16::from_le_bytes(self.bytes.get(2 * at..2 * at + 2)?.try_into().ok()?)),
             false => Some(f16::from_f32(f32::from_le_bytes(self.bytes.get(4 * at..4 * at + 4)?.try_into().ok()?))),
         };
-        // How far apart neighbours in each dimension are.
+        // The distance between neighbours in each dimension.
         let step = |dimension: usize| dimensions.iter().skip(dimension + 1).product::<usize>();
         let mut places = vec![0];
         for &dimension in order {

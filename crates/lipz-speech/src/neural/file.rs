@@ -1,10 +1,10 @@
 //! The file of a recogniser.
 //!
-//! In little-endian byte order: `LIPZ-NR1`; the hash of all that follows (XXH3, 64 bits); seven 16-bit numbers ([`Shape`]); for
-//! each token, the length of its name in a byte, and the name; then all numbers of the network as 16-bit floats, in the order in
-//! which [`Network`] takes them.
+//! It is little-endian: `LIPZ-NR1`; the hash of the rest (XXH3, 64 bits); seven 16-bit numbers ([`NetworkShape`]); for each
+//! token, the length of its name in a byte, and the name; then all values of the network as 16-bit floats, in the order
+//! in which [`Network`] reads them.
 
-use super::network::{Network, Shape};
+use super::network::{Network, NetworkShape};
 use super::{Recogniser, tokens};
 use half::f16;
 use std::error::Error;
@@ -14,26 +14,26 @@ use twox_hash::XxHash3_64;
 const MAGIC: &[u8; 8] = b"LIPZ-NR1";
 const HASHED: usize = 16;
 
-/// Why bytes are no recogniser.
+/// The reason why bytes are not a recogniser.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum RecogniserError {
-    /// They are something else.
+    /// The bytes are a different kind of file.
     OtherFile,
-    /// They are one, but not all of it, or not as it was written.
+    /// The bytes are a recogniser, but truncated or altered.
     Damaged,
-    /// They are of a network that is built in another way.
+    /// The bytes are a network with a different structure.
     OtherNetwork,
 }
 
 impl Recogniser {
-    /// No file of a recogniser is longer, in bytes.
+    /// The greatest size of a recogniser's file in bytes.
     pub const LONGEST_FILE: u64 = 64 << 20;
 
-    /// Reads a file that [`Recogniser::convert`] has made. Memory is proportional to its length.
+    /// Reads a file made by [`Recogniser::convert`]. Memory is proportional to its length.
     ///
     /// # Errors
-    /// If the bytes are no recogniser, or are damaged.
+    /// If the bytes are not a recogniser, or are damaged.
     pub fn from_bytes(bytes: &[u8]) -> Result<Recogniser, RecogniserError> {
         if !bytes.starts_with(MAGIC) {
             return Err(RecogniserError::OtherFile);
@@ -48,11 +48,11 @@ impl Recogniser {
             rest = left;
             Ok(taken)
         };
-        let mut sizes = [0; Shape::SIZES];
+        let mut sizes = [0; NetworkShape::SIZES];
         for size in &mut sizes {
             *size = take(2)?.iter().rev().fold(0, |number, &byte| number << 8 | usize::from(byte));
         }
-        let shape = Shape::from_sizes(sizes).ok_or(RecogniserError::OtherNetwork)?;
+        let shape = NetworkShape::from_sizes(sizes).ok_or(RecogniserError::OtherNetwork)?;
         let mut names = Vec::with_capacity(shape.tokens);
         for _ in 0..shape.tokens {
             let length = take(1)?.first().copied().unwrap_or_default();
@@ -72,8 +72,8 @@ impl Recogniser {
     }
 }
 
-/// The bytes of a file: of a network of this shape with these names of tokens and these numbers.
-pub(super) fn write(shape: &Shape, names: &[String], numbers: &[f16]) -> Vec<u8> {
+/// Returns the file of a network of this shape, with these names of tokens and these values.
+pub(super) fn write(shape: &NetworkShape, names: &[String], numbers: &[f16]) -> Vec<u8> {
     let mut content = Vec::with_capacity(2 * numbers.len() + 4096);
     shape.sizes().iter().for_each(|size| content.extend_from_slice(&size.to_le_bytes()[..2]));
     for name in names {
@@ -91,9 +91,9 @@ pub(super) fn write(shape: &Shape, names: &[String], numbers: &[f16]) -> Vec<u8>
 impl fmt::Display for RecogniserError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            RecogniserError::OtherFile => "it is no recogniser",
+            RecogniserError::OtherFile => "it is not a recogniser",
             RecogniserError::Damaged => "it is damaged",
-            RecogniserError::OtherNetwork => "it is of a network that is not known",
+            RecogniserError::OtherNetwork => "it contains an unknown kind of network",
         })
     }
 }
@@ -104,10 +104,10 @@ impl Error for RecogniserError {}
 mod tests {
     use super::*;
 
-    const SHAPE: Shape = Shape { width: 4, inner: 2, kernel: 3, blocks: 1, heads: 2, tokens: 3 };
+    const SHAPE: NetworkShape = NetworkShape { width: 4, inner: 2, kernel: 3, blocks: 1, heads: 2, tokens: 3 };
 
-    /// A file of this shape, in which all numbers are this one.
-    fn file(shape: &Shape, number: f32) -> Vec<u8> {
+    /// Returns a file of this shape in which all values are `number`.
+    fn file(shape: &NetworkShape, number: f32) -> Vec<u8> {
         let names = ["a", "<wb>", "<blank>"].map(str::to_owned);
         write(shape, &names, &vec![f16::from_f32(number); SHAPE.numbers()])
     }
@@ -116,19 +116,23 @@ mod tests {
     fn sizes_that_no_network_has_are_refused_although_the_hash_is_right() {
         assert!(Recogniser::from_bytes(&file(&SHAPE, 0.5)).is_ok());
         let others = [
-            Shape { width: 65_535, ..SHAPE },
-            Shape { inner: 0, ..SHAPE },
-            Shape { kernel: 4, ..SHAPE },
-            Shape { blocks: 60_000, ..SHAPE },
-            Shape { heads: 3, ..SHAPE },
-            Shape { heads: 0, ..SHAPE },
-            Shape { tokens: 65_535, ..SHAPE },
+            NetworkShape { width: 65_535, ..SHAPE },
+            NetworkShape { inner: 0, ..SHAPE },
+            NetworkShape { kernel: 4, ..SHAPE },
+            NetworkShape { blocks: 60_000, ..SHAPE },
+            NetworkShape { heads: 3, ..SHAPE },
+            NetworkShape { heads: 0, ..SHAPE },
+            NetworkShape { tokens: 65_535, ..SHAPE },
         ];
         for shape in others {
             let refused = Recogniser::from_bytes(&file(&shape, 0.5)).err();
             assert_eq!(refused, Some(RecogniserError::OtherNetwork), "{shape:?}");
         }
-        for shape in [Shape { blocks: 2, ..SHAPE }, Shape { inner: 4_096, ..SHAPE }, Shape { tokens: 4, ..SHAPE }] {
+        for shape in [
+            NetworkShape { blocks: 2, ..SHAPE },
+            NetworkShape { inner: 4_096, ..SHAPE },
+            NetworkShape { tokens: 4, ..SHAPE },
+        ] {
             assert_eq!(Recogniser::from_bytes(&file(&shape, 0.5)).err(), Some(RecogniserError::Damaged), "{shape:?}");
         }
     }

@@ -1,4 +1,4 @@
-//! From a sound to the tokens that the network hears in it, piece by piece.
+//! Recognition: finds the tokens in a recording, piece by piece.
 
 use super::Recogniser;
 use super::network::STRIDE;
@@ -11,39 +11,39 @@ use crate::{Origin, Pronunciation, Script, Sound, SoundError, Word};
 use std::io::{Read, Seek};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Frames of the spectrum that the network hears at a time, 12 seconds, and those before and after, which it also knows: 2 seconds.
-/// Each frame listens to all others, so time grows with the square of it.
+/// The frames of the spectrum that the network recognises at a time, 12 seconds, and its context before and after, 2
+/// seconds. Each frame attends to all others, so time grows with the square of it.
 const PIECE: usize = 1_200;
 const AROUND: usize = 200;
 
-/// How the network's logarithms are sharpened, and how much less likely nothing is than it says: as those who made it do.
+/// The exponent that sharpens the network's probabilities, and the penalty of blanks: those of its authors.
 const SHARPNESS: f32 = 1.0 / 0.95;
 const BLANK_NATS: f32 = -0.1;
 
-/// What a [`Recogniser`] hears in a sound.
+/// The words that a [`Recogniser`] found in a recording.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Heard {
-    /// For each word, the symbols of the IPA.
+pub struct RecognisedWords {
+    /// For each word, its symbols of the IPA.
     words: Vec<String>,
 }
 
-impl Heard {
-    /// Whether nothing was heard.
+impl RecognisedWords {
+    /// Whether no words were found.
     pub fn is_empty(&self) -> bool {
         self.words.is_empty()
     }
 
-    /// The words, in the IPA.
+    /// Returns the words, in the IPA.
     pub(super) fn words(&self) -> impl Iterator<Item = &str> {
         self.words.iter().map(String::as_str)
     }
 
     #[cfg(test)]
-    pub(super) fn of_words(words: &[&str]) -> Heard {
-        Heard { words: words.iter().map(|&word| word.to_owned()).collect() }
+    pub(super) fn of_words(words: &[&str]) -> RecognisedWords {
+        RecognisedWords { words: words.iter().map(|&word| word.to_owned()).collect() }
     }
 
-    /// What was heard, as a script: its words are written in the IPA.
+    /// Returns the words as a script, spelled in the IPA.
     pub fn script(&self) -> Script {
         let word = |word: &String| {
             let phones = ipa_phones(word).ok().filter(|phones| !phones.is_empty())?;
@@ -55,13 +55,13 @@ impl Heard {
 }
 
 impl Recogniser {
-    /// Hears what is said in a WAV, FLAC, Ogg Vorbis or MP3 file. Time is proportional to its length; memory does not grow with it,
-    /// but for the words.
+    /// Recognises the speech in a WAV, FLAC, Ogg Vorbis or MP3 file. Time is proportional to its length. Memory does
+    /// not grow with it, except for the words.
     ///
     /// # Errors
     ///
-    /// As [`Sound::read`].
-    pub fn hear<S>(&self, source: S, extension: Option<&str>) -> Result<Heard, SoundError>
+    /// As for [`Sound::read`].
+    pub fn hear<S>(&self, source: S, extension: Option<&str>) -> Result<RecognisedWords, SoundError>
     where
         S: Read + Seek + Send + Sync,
     {
@@ -90,20 +90,20 @@ impl Recogniser {
         Ok(listener.finish())
     }
 
-    /// Hears what is said in samples of one channel, from -1 to 1, 16,000 a second.
+    /// Recognises the speech in mono samples from -1 to 1, at 16,000 per second.
     #[cfg(test)]
-    pub(super) fn hear_samples(&self, samples: &[f32]) -> Heard {
+    pub(super) fn hear_samples(&self, samples: &[f32]) -> RecognisedWords {
         let mut listener = Listener::new(self);
         listener.push(samples);
         listener.finish()
     }
 }
 
-/// What was heard so far, and what is still to be heard.
+/// The words found so far, and the frames still to be recognised.
 struct Listener<'r> {
     recogniser: &'r Recogniser,
     spectra: Spectra,
-    /// Frames of the spectrum, of which the first `before` were heard.
+    /// Frames of the spectrum. The first `before` have been recognised.
     frames: Vec<f32>,
     before: usize,
     last: Option<usize>,
@@ -118,7 +118,7 @@ impl<'r> Listener<'r> {
     }
 
     fn push(&mut self, samples: &[f32]) {
-        // So many at a time that what waits stays short.
+        // In small blocks, to limit the buffered frames.
         for samples in samples.chunks(RATE_HZ as usize) {
             self.spectra.push(samples, &self.recogniser.network.bands, &mut self.frames);
             while self.frames.len() / MELS >= self.before + PIECE + AROUND {
@@ -130,14 +130,14 @@ impl<'r> Listener<'r> {
         }
     }
 
-    fn finish(mut self) -> Heard {
+    fn finish(mut self) -> RecognisedWords {
         self.spectra.finish(&self.recogniser.network.bands, &mut self.frames);
         let count = self.frames.len() / MELS;
         self.hear(count, count - self.before.min(count));
-        Heard { words: self.words }
+        RecognisedWords { words: self.words }
     }
 
-    /// Hears `piece` frames after those that were heard, knowing `known` frames.
+    /// Recognises `piece` frames after those already recognised, with a context of `known` frames.
     fn hear(&mut self, known: usize, piece: usize) {
         let Recogniser { network, tokens, .. } = self.recogniser;
         let likely = network.run(self.frames.get(..known * MELS).unwrap_or_default());

@@ -1,15 +1,16 @@
-//! The arithmetic of the network: products of matrices, and functions of numbers.
+//! The arithmetic of the network: matrix products, and functions of numbers.
 //!
-//! Sums are added in a fixed order, and functions are those of `libm` or our own, so results are the same on every machine.
-//! Written so that the compiler makes vector code of it.
+//! Sums are added in a fixed order, and functions come from `libm` or this crate, so results are the same on every
+//! machine. The code is structured so that the compiler can emit vector code.
 
 use crate::model::exp;
 
-/// Columns that are worked on side by side, and rows.
+/// The number of columns that are computed together, and of rows.
 const COLUMNS: usize = 8;
 const ROWS: usize = 4;
 
-/// A matrix that others are multiplied by: its columns in groups of eight, each row by row; the last group is filled with zeros.
+/// The right-hand side of a matrix product: its columns in groups of eight, row by row. The last group is padded with
+/// zeros.
 #[derive(Clone, Debug)]
 pub(super) struct Matrix {
     rows: usize,
@@ -18,12 +19,12 @@ pub(super) struct Matrix {
 }
 
 impl Matrix {
-    /// A matrix of these numbers: row by row.
+    /// Returns a matrix with these values, row by row.
     pub(super) fn new(rows: usize, columns: usize, numbers: &[f32]) -> Matrix {
         Matrix::of(rows, columns, |row, column| numbers.get(row * columns + column).copied().unwrap_or(0.0))
     }
 
-    /// A matrix of what `number` gives for row and column.
+    /// Returns a matrix whose values are `number(row, column)`.
     pub(super) fn of(rows: usize, columns: usize, number: impl Fn(usize, usize) -> f32) -> Matrix {
         let mut groups = Vec::with_capacity(columns.div_ceil(COLUMNS) * rows);
         for first in (0..columns).step_by(COLUMNS) {
@@ -35,7 +36,8 @@ impl Matrix {
         Matrix { rows, columns, groups }
     }
 
-    /// The product of `left`, whose rows have as many numbers as this has rows, and this; row by row.
+    /// Returns the product of `left` and this matrix, row by row. The rows of `left` have as many values as this matrix
+    /// has rows.
     pub(super) fn product(&self, left: &[f32]) -> Vec<f32> {
         let count = left.len() / self.rows.max(1);
         let mut product = vec![0.0; count * self.columns];
@@ -58,7 +60,7 @@ impl Matrix {
     }
 }
 
-/// Four rows, each times eight columns.
+/// Returns the products of four rows and eight columns.
 fn products(lines: [&[f32]; ROWS], group: &[[f32; COLUMNS]]) -> [[f32; COLUMNS]; ROWS] {
     let mut sums = [[0.0; COLUMNS]; ROWS];
     let [one, two, three, four] = lines;
@@ -79,12 +81,12 @@ pub(super) fn add_bias(rows: &mut [f32], bias: &[f32]) {
     }
 }
 
-/// Adds `share` times the numbers of `other`.
+/// Adds `share` times the values of `other`.
 pub(super) fn add(rows: &mut [f32], other: &[f32], share: f32) {
     rows.iter_mut().zip(other).for_each(|(number, other)| *number += share * other);
 }
 
-/// Each row with mean 0 and variance 1, times `scale`, plus `shift`.
+/// Normalises each row to mean 0 and variance 1, then multiplies by `scale` and adds `shift`.
 pub(super) fn normalised(rows: &[f32], scale: &[f32], shift: &[f32]) -> Vec<f32> {
     let mut out = rows.to_vec();
     for row in out.chunks_exact_mut(scale.len().max(1)) {
@@ -99,7 +101,7 @@ pub(super) fn normalised(rows: &[f32], scale: &[f32], shift: &[f32]) -> Vec<f32>
     out
 }
 
-/// Shares that add up to 1, of logarithms.
+/// Converts logarithms to shares whose sum is 1.
 pub(super) fn softmax(row: &mut [f32]) {
     let best = row.iter().copied().fold(f32::MIN, f32::max);
     let mut sum = 0.0;
@@ -110,18 +112,18 @@ pub(super) fn softmax(row: &mut [f32]) {
     row.iter_mut().for_each(|number| *number /= sum);
 }
 
-/// 1 / (1 + e⁻ˣ).
+/// Returns 1 / (1 + e⁻ˣ).
 pub(super) fn sigmoid(x: f32) -> f32 {
     let small = exp(-x.abs());
     (if x < 0.0 { small } else { 1.0 }) / (1.0 + small)
 }
 
-/// x times its sigmoid.
+/// Returns `x` times its sigmoid.
 pub(super) fn silu(x: f32) -> f32 {
     x * sigmoid(x)
 }
 
-/// x times the chance that a normal number is below it.
+/// Returns `x` times the probability that a normally distributed number is below it.
 pub(super) fn gelu(x: f32) -> f32 {
     0.5 * x * (1.0 + libm::erff(x * std::f32::consts::FRAC_1_SQRT_2))
 }

@@ -1,7 +1,8 @@
-//! Phones by a neural network: what is said, when nobody has written it down.
+//! Recognition of phones by a neural network, for recordings without a transcript.
 //!
-//! The network hears phones better than the acoustic model does, but not when they are said: so its phones become the script of
-//! the aligner. Where there is a script, they tell whether it is what is said. It is no part of lipz: a user adds its file.
+//! The network recognises phones better than the acoustic model, but not their times. Therefore its phones become the
+//! script of the aligner. If there is a script, they show whether it matches the recording. The network is not part of
+//! lipz: users add its file.
 
 mod convert;
 mod file;
@@ -13,12 +14,12 @@ mod spectrum;
 mod tokens;
 
 pub use file::RecogniserError;
-pub use hear::Heard;
+pub use hear::RecognisedWords;
 
 use network::Network;
 use tokens::Token;
 
-/// A neural network that hears phones.
+/// A neural network that recognises phones.
 #[derive(Clone, Debug)]
 pub struct Recogniser {
     network: Network,
@@ -27,7 +28,7 @@ pub struct Recogniser {
 }
 
 impl Recogniser {
-    /// A hash of its file: other recognisers hear other phones.
+    /// Returns a hash of the file, which identifies the recogniser.
     pub fn hash(&self) -> u64 {
         self.hash
     }

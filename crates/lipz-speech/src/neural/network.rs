@@ -1,33 +1,34 @@
-//! The network: a stem, blocks of a Conformer, and a layer that names tokens.
+//! The network: a stem, blocks of a Conformer, and a layer that scores tokens.
 //!
-//! A. Gulati and others, "Conformer: Convolution-augmented Transformer for Speech Recognition", 2020. Each block is half a
-//! feed-forward layer, attention over all frames, a convolution over neighbours, and another half a feed-forward layer.
+//! A. Gulati and others, "Conformer: Convolution-augmented Transformer for Speech Recognition", 2020. Each block is
+//! half a feed-forward layer, attention over all frames, a convolution over neighbours, and another half feed-forward
+//! layer.
 
 use super::math::{Matrix, add, add_bias, gelu, normalised, sigmoid, silu, softmax};
 use super::spectrum::{BINS, MELS};
 
-/// Frames of the spectrum that the stem looks at, and how many it moves on.
+/// The frames of the spectrum in a window of the stem, and from one window to the next.
 const STEM: usize = 3;
 pub(super) const STRIDE: usize = 2;
 
 /// The sizes of a network.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Shape {
-    /// Numbers per frame, and inside of a feed-forward layer.
+pub(super) struct NetworkShape {
+    /// The number of values per frame, and inside a feed-forward layer.
     pub(super) width: usize,
     pub(super) inner: usize,
-    /// Frames that a convolution looks at.
+    /// The number of frames in a convolution.
     pub(super) kernel: usize,
     pub(super) blocks: usize,
     pub(super) heads: usize,
     pub(super) tokens: usize,
 }
 
-impl Shape {
+impl NetworkShape {
     pub(super) const SIZES: usize = 7;
 
-    /// None if no network is like that.
-    pub(super) fn from_sizes([mels, width, inner, kernel, blocks, heads, tokens]: [usize; 7]) -> Option<Shape> {
+    /// Returns the shape with these sizes, or `None` if they are unsupported.
+    pub(super) fn from_sizes([mels, width, inner, kernel, blocks, heads, tokens]: [usize; 7]) -> Option<NetworkShape> {
         let fits = mels == MELS
             && (1..=512).contains(&width)
             && (1..=4096).contains(&inner)
@@ -37,16 +38,16 @@ impl Shape {
             && heads > 0
             && width % heads == 0
             && (2..=4096).contains(&tokens);
-        fits.then_some(Shape { width, inner, kernel, blocks, heads, tokens })
+        fits.then_some(NetworkShape { width, inner, kernel, blocks, heads, tokens })
     }
 
-    pub(super) fn sizes(&self) -> [usize; Shape::SIZES] {
+    pub(super) fn sizes(&self) -> [usize; NetworkShape::SIZES] {
         [MELS, self.width, self.inner, self.kernel, self.blocks, self.heads, self.tokens]
     }
 
-    /// How many numbers the network has, with the bands of its spectrum.
+    /// Returns the number of values of the network, including the bands of its spectrum.
     pub(super) fn numbers(&self) -> usize {
-        let Shape { width, inner, kernel, blocks, tokens, .. } = *self;
+        let NetworkShape { width, inner, kernel, blocks, tokens, .. } = *self;
         let linear = |from: usize, to: usize| from * to + to;
         let feed = 2 * width + linear(width, inner) + linear(inner, width);
         let attention = 2 * width + linear(width, 3 * width) + linear(width, width);
@@ -56,18 +57,18 @@ impl Shape {
     }
 }
 
-/// Numbers in the order of the file: so many at a time.
+/// Returns the given number of next values, in the order of the file.
 pub(super) type Take<'t> = dyn FnMut(usize) -> Vec<f32> + 't;
 
 #[derive(Clone, Debug)]
-struct Linear {
+struct LinearLayer {
     matrix: Matrix,
     bias: Vec<f32>,
 }
 
-impl Linear {
-    fn new(from: usize, to: usize, take: &mut Take<'_>) -> Linear {
-        Linear { matrix: Matrix::new(from, to, &take(from * to)), bias: take(to) }
+impl LinearLayer {
+    fn new(from: usize, to: usize, take: &mut Take<'_>) -> LinearLayer {
+        LinearLayer { matrix: Matrix::new(from, to, &take(from * to)), bias: take(to) }
     }
 
     fn apply(&self, rows: &[f32]) -> Vec<f32> {
@@ -96,17 +97,17 @@ impl Norm {
 #[derive(Clone, Debug)]
 struct Feed {
     norm: Norm,
-    up: Linear,
-    down: Linear,
+    up: LinearLayer,
+    down: LinearLayer,
 }
 
 impl Feed {
-    fn new(shape: &Shape, take: &mut Take<'_>) -> Feed {
-        let Shape { width, inner, .. } = *shape;
+    fn new(shape: &NetworkShape, take: &mut Take<'_>) -> Feed {
+        let NetworkShape { width, inner, .. } = *shape;
         Feed {
             norm: Norm::new(width, take),
-            up: Linear::new(width, inner, take),
-            down: Linear::new(inner, width, take),
+            up: LinearLayer::new(width, inner, take),
+            down: LinearLayer::new(inner, width, take),
         }
     }
 
@@ -121,37 +122,37 @@ impl Feed {
 struct Block {
     first: Feed,
     attention_norm: Norm,
-    attention_in: Linear,
-    attention_out: Linear,
+    attention_in: LinearLayer,
+    attention_out: LinearLayer,
     convolution_norm: Norm,
-    convolution_in: Linear,
-    /// By frame, number.
+    convolution_in: LinearLayer,
+    /// By frame, value.
     neighbours: Vec<f32>,
     neighbours_bias: Vec<f32>,
-    convolution_out: Linear,
+    convolution_out: LinearLayer,
     second: Feed,
     norm: Norm,
 }
 
 impl Block {
-    fn new(shape: &Shape, take: &mut Take<'_>) -> Block {
+    fn new(shape: &NetworkShape, take: &mut Take<'_>) -> Block {
         let width = shape.width;
         Block {
             first: Feed::new(shape, take),
             attention_norm: Norm::new(width, take),
-            attention_in: Linear::new(width, 3 * width, take),
-            attention_out: Linear::new(width, width, take),
+            attention_in: LinearLayer::new(width, 3 * width, take),
+            attention_out: LinearLayer::new(width, width, take),
             convolution_norm: Norm::new(width, take),
-            convolution_in: Linear::new(width, 2 * width, take),
+            convolution_in: LinearLayer::new(width, 2 * width, take),
             neighbours: take(shape.kernel * width),
             neighbours_bias: take(width),
-            convolution_out: Linear::new(width, width, take),
+            convolution_out: LinearLayer::new(width, width, take),
             second: Feed::new(shape, take),
             norm: Norm::new(width, take),
         }
     }
 
-    fn apply(&self, shape: &Shape, rows: &mut Vec<f32>) {
+    fn apply(&self, shape: &NetworkShape, rows: &mut Vec<f32>) {
         let first = self.first.apply(rows);
         add(rows, &first, 0.5);
         let attended = self.attend(shape, rows);
@@ -163,12 +164,12 @@ impl Block {
         *rows = self.norm.apply(rows);
     }
 
-    /// What each frame takes from all others.
-    fn attend(&self, shape: &Shape, rows: &[f32]) -> Vec<f32> {
+    /// Returns each frame's attention to all others.
+    fn attend(&self, shape: &NetworkShape, rows: &[f32]) -> Vec<f32> {
         let (width, size) = (shape.width, shape.width / shape.heads);
         let count = rows.len() / width;
         let all = self.attention_in.apply(&self.attention_norm.apply(rows));
-        // Queries, keys and values of each frame, one after the other.
+        // The queries, keys and values of each frame, one after the other.
         let number = |frame: usize, part: usize, at: usize| all[frame * 3 * width + part * width + at];
         let scale = 1.0 / (size as f32).sqrt();
         let mut heard = vec![0.0; count * width];
@@ -186,8 +187,8 @@ impl Block {
         self.attention_out.apply(&heard)
     }
 
-    /// What each frame takes from its neighbours.
-    fn convolve(&self, shape: &Shape, rows: &[f32]) -> Vec<f32> {
+    /// Returns the convolution of each frame with its neighbours.
+    fn convolve(&self, shape: &NetworkShape, rows: &[f32]) -> Vec<f32> {
         let width = shape.width;
         let both = self.convolution_in.apply(&self.convolution_norm.apply(rows));
         let gate = |row: &[f32]| -> Vec<f32> {
@@ -213,27 +214,27 @@ impl Block {
     }
 }
 
-/// A network with its numbers.
+/// A network with its values.
 #[derive(Clone, Debug)]
 pub(super) struct Network {
-    pub(super) shape: Shape,
+    pub(super) shape: NetworkShape,
     /// The bands of the spectrum, by bin and band.
     pub(super) bands: Matrix,
-    stem: Linear,
+    stem: LinearLayer,
     blocks: Vec<Block>,
-    names: Linear,
+    names: LinearLayer,
 }
 
 impl Network {
-    pub(super) fn new(shape: Shape, take: &mut Take<'_>) -> Network {
+    pub(super) fn new(shape: NetworkShape, take: &mut Take<'_>) -> Network {
         let bands = Matrix::new(BINS, MELS, &take(BINS * MELS));
-        let stem = Linear::new(STEM * MELS, shape.width, take);
+        let stem = LinearLayer::new(STEM * MELS, shape.width, take);
         let blocks = (0..shape.blocks).map(|_| Block::new(&shape, take)).collect();
-        Network { shape, bands, stem, blocks, names: Linear::new(shape.width, shape.tokens, take) }
+        Network { shape, bands, stem, blocks, names: LinearLayer::new(shape.width, shape.tokens, take) }
     }
 
-    /// How likely each token is in each frame, as logarithms without a common term: of a spectrum of so many bands per frame,
-    /// every second of which gives a frame.
+    /// Returns the likelihood of each token in each frame, as logarithms up to a constant. `spectrum` has `MELS` bands
+    /// per frame, and every second frame produces an output frame.
     pub(super) fn run(&self, spectrum: &[f32]) -> Vec<f32> {
         let count = spectrum.len() / MELS;
         let mut windows = Vec::with_capacity(count.div_ceil(STRIDE) * STEM * MELS);

@@ -1,21 +1,24 @@
-//! A second opinion on whether a script is what is said: the phones that the network hears, compared with those of the script.
+//! A second check whether a script matches the recording: compares the phones found by the network with those of the
+//! script.
 
-use super::hear::Heard;
+use super::hear::RecognisedWords;
 use crate::pronounce::ipa_phones;
 use crate::{Alignment, Mismatch, MismatchKind, Phone, Script};
 use std::ops::Range;
 
-/// The share of phones that are others, from which on a script is another one. Of 123 recordings in nine languages, 1 is
-/// above it with its script, and all but 3 of 680 with the scripts of others.
+/// The share of wrong phones above which a script does not match. With their own scripts, 1 of 123 recordings in nine
+/// languages is above it; with those of other recordings, all but 3 of 680 are.
 const OTHER_SCRIPT: f64 = 0.72;
-/// The share up to which words are what is said, whatever the aligner says.
+/// The share of wrong phones up to which words match, whatever the aligner reports.
 const SAME_WORDS: f64 = 0.62;
-/// Phones of a script and those heard, multiplied, that are compared at most: those of six minutes, in 16 megabytes.
+/// The most pairs of phones in the script and in the recording that are compared: those of six minutes, in 16
+/// megabytes.
 const MOST_PAIRS: usize = 16 << 20;
 
-impl Heard {
-    /// Where sound and script do not belong together, if the network has its say: nothing of what the aligner says of words that
-    /// are heard, and all of a script that is not. Recordings of more than about six minutes get the aligner's opinion.
+impl RecognisedWords {
+    /// Returns the places where audio and script differ, according to the network. It drops mismatches of the aligner
+    /// for words that the network found, and reports the whole script if that does not match. Recordings of more than
+    /// about six minutes keep the aligner's result.
     pub fn mismatches(&self, script: &Script, alignment: &Alignment) -> Vec<Mismatch> {
         let heard: Vec<Phone> = self.words().filter_map(|word| ipa_phones(word).ok()).flatten().collect();
         let (said, words) = phones_of(script, alignment);
@@ -38,7 +41,8 @@ impl Heard {
     }
 }
 
-/// The phones of a script, as they are said or, if a word is not heard, could be; and by word, which of them are its.
+/// Returns the phones of a script as pronounced in the recording, or as they could be for missing words, and the range
+/// of phones of each word.
 fn phones_of(script: &Script, alignment: &Alignment) -> (Vec<Phone>, Vec<Range<usize>>) {
     let mut phones = Vec::new();
     let mut words = Vec::with_capacity(script.words.len());
@@ -53,7 +57,7 @@ fn phones_of(script: &Script, alignment: &Alignment) -> (Vec<Phone>, Vec<Range<u
     (phones, words)
 }
 
-/// When somebody speaks first, and when last, in microseconds.
+/// Returns the start of the first and the end of the last speech, in microseconds.
 fn spoken(alignment: &Alignment) -> (u64, u64) {
     let is_sound = |phone: &&crate::AlignedPhone| phone.phone != Phone::Sil;
     let first = alignment.phones.iter().find(is_sound).map_or(0, |phone| phone.start_us);
@@ -61,8 +65,8 @@ fn spoken(alignment: &Alignment) -> (u64, u64) {
     (first, last)
 }
 
-/// By phone of `said`, how many steps of the shortest way from it to what was `heard` are changes: another phone, none, or some
-/// more before the next (V. Levenshtein's distance, 1965). What is heard before the first phone counts for that.
+/// Returns, by phone of `said`, the number of edits from `said` to `heard`: substitutions, deletions, and insertions
+/// before the next phone (Levenshtein distance, V. Levenshtein, 1965). Insertions before the first phone count for it.
 fn errors(said: &[Phone], heard: &[Phone]) -> Vec<u32> {
     const OTHER: u8 = 0;
     const NONE: u8 = 1;
@@ -129,7 +133,7 @@ mod tests {
         assert_eq!(errors("K", "M AA M AA"), [4]);
     }
 
-    /// Two words, of which the aligner believes these not to be said.
+    /// Returns a script of two words, and an alignment in which these are reported as missing.
     fn aligned(mismatches: Vec<Mismatch>) -> (Script, Alignment) {
         let script = script(&[&["M AA M AA"], &["F UW SH"]]);
         let phone = |phone, start_us, end_us| AlignedPhone { phone, start_us, end_us, word: None, fit: 0.0 };
@@ -156,7 +160,7 @@ mod tests {
             of(MismatchKind::NotInScript, 2..2),
         ];
         let (script, alignment) = aligned(doubts.clone());
-        let found = |words: &[&str]| Heard::of_words(words).mismatches(&script, &alignment);
+        let found = |words: &[&str]| RecognisedWords::of_words(words).mismatches(&script, &alignment);
         assert_eq!(found(&["mama", "fuʃ"]), doubts[2..], "what is not in the script has no phones to be heard");
         assert_eq!(found(&["mama", "kitik"]), doubts[1..]);
         assert_eq!(found(&["sistikiteksi"]), [of(MismatchKind::OtherWords, 0..2)]);

@@ -1,26 +1,26 @@
 //! The spectrum that the network reads: the logarithm of the power in 80 bands, every 10 milliseconds.
 //!
-//! Windows of 25 milliseconds (Hann), centred on the frame; before its start and after its end, the sound is mirrored.
+//! Windows of 25 milliseconds (Hann), centred on the frame. At both ends, the audio is mirrored.
 
 use super::math::Matrix;
 use std::f64::consts::PI;
 
-/// Bands, and bins of the transform that they are made of.
+/// The number of bands, and of the transform's bins from which they are computed.
 pub(super) const MELS: usize = 80;
 pub(super) const BINS: usize = WINDOW / 2 + 1;
-/// Samples of a window, and from one to the next, at 16,000 a second.
+/// The samples in a window, and from one window to the next, at 16,000 per second.
 const WINDOW: usize = 400;
 const HOP: usize = 160;
 /// The least power in a band.
 const LEAST: f32 = 1e-10;
-/// Windows that are transformed at a time.
+/// The number of windows that are transformed at a time.
 const BLOCK: usize = 64;
 
-/// Turns samples into spectra, block by block.
+/// Converts samples to spectra, block by block.
 pub(super) struct Spectra {
-    /// Real and imaginary part of each bin of a window.
+    /// The real and imaginary parts of each bin of a window.
     transform: Matrix,
-    /// Samples from the start of the next window on.
+    /// The samples from the start of the next window on.
     pending: Vec<f32>,
     started: bool,
 }
@@ -30,14 +30,14 @@ impl Spectra {
         #[expect(clippy::cast_possible_truncation, reason = "coefficients are single")]
         let part = |sample: usize, part: usize| {
             let hann = 0.5 - 0.5 * libm::cos(2.0 * PI * sample as f64 / WINDOW as f64);
-            // The angle is reduced in whole numbers, so that it is exact.
+            // The angle is reduced with integers, so that it is exact.
             let angle = 2.0 * PI * (sample * (part % BINS) % WINDOW) as f64 / WINDOW as f64;
             (hann * if part < BINS { libm::cos(angle) } else { -libm::sin(angle) }) as f32
         };
         Spectra { transform: Matrix::of(WINDOW, 2 * BINS, part), pending: Vec::new(), started: false }
     }
 
-    /// Takes samples from -1 to 1, and adds the bands of each window that is complete.
+    /// Processes samples from -1 to 1, and appends the bands of each complete window.
     pub(super) fn push(&mut self, samples: &[f32], bands: &Matrix, out: &mut Vec<f32>) {
         self.pending.extend_from_slice(samples);
         if !self.started && self.pending.len() > WINDOW / 2 {
@@ -50,10 +50,10 @@ impl Spectra {
         }
     }
 
-    /// The bands of the last windows.
+    /// Appends the bands of the last windows.
     pub(super) fn finish(&mut self, bands: &Matrix, out: &mut Vec<f32>) {
         if !self.started {
-            // Too short to be mirrored: silence around it does.
+            // Too short to be mirrored, so it is padded with silence.
             self.pending.splice(..0, [0.0; WINDOW / 2]);
             self.started = true;
         }

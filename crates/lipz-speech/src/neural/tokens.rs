@@ -1,13 +1,13 @@
-//! The tokens that the network names: symbols of the IPA, borders of words, and nothing.
+//! The tokens of the network: symbols of the IPA, word boundaries, and blanks.
 
 use crate::pronounce::ipa_phones;
 
 /// A token.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Token {
-    /// Nothing new is heard.
+    /// No new symbol.
     Blank,
-    /// A word ends.
+    /// A word boundary.
     Border,
     /// Symbols of the IPA.
     Symbols(String),
@@ -15,7 +15,7 @@ pub(super) enum Token {
     Other,
 }
 
-/// Tokens by their names; none if there is no blank.
+/// Returns tokens from their names, or `None` if there is no blank.
 pub(super) fn tokens(names: &[String]) -> Option<Vec<Token>> {
     let token = |name: &String| match name.as_str() {
         "<blank>" => Token::Blank,

@@ -1,15 +1,15 @@
-//! Korean: hangul by its letters, with what neighbours do to each other.
+//! Korean: hangul, letter by letter, with the sound changes between neighbours.
 
 use super::{Origin, Pronunciation};
 use crate::Phone::{self, *};
 use unicode_normalization::UnicodeNormalization;
 
-/// The first of the 11,172 syllables, which are in the order of their letters.
+/// The first of the 11,172 syllables, which are sorted by their letters.
 const FIRST: u32 = 0xac00;
 const VOWELS: u32 = 21;
 const FINALS: u32 = 28;
 
-/// Initial consonants, by their numbers.
+/// The indices of the initial consonants.
 const G: u32 = 0;
 const N_: u32 = 2;
 const D_: u32 = 3;
@@ -27,18 +27,18 @@ const H_: u32 = 18;
 /// The vowel *i*.
 const I: u32 = 20;
 
-/// A syllable: initial consonant, vowel, and final consonants as initial ones.
+/// A syllable: initial consonant, vowel, and final consonants with the numbers of initial ones.
 #[derive(Clone, Copy)]
 struct Syllable {
     initial: u32,
     vowel: u32,
-    /// What is said at the end.
+    /// The final consonant that is pronounced.
     last: Option<u32>,
-    /// If a vowel follows: what is said at the end, and what begins the next syllable.
+    /// The final consonant before a vowel, and the initial consonant that moves to the next syllable.
     before_vowel: (Option<u32>, u32),
 }
 
-/// How a word in hangul is said.
+/// Returns the pronunciation of a word in hangul.
 pub(super) fn pronounce(word: &str) -> Vec<Pronunciation> {
     let syllables: Vec<Syllable> = word.nfc().filter_map(syllable).collect();
     let syllables = joined(syllables);
@@ -69,7 +69,7 @@ fn syllable(c: char) -> Option<Syllable> {
     })
 }
 
-/// What is said of final consonants; and if a vowel follows, what stays and what moves on.
+/// Returns the pronounced final consonant; and before a vowel, the one that stays and the one that moves on.
 fn finals(number: u32) -> Option<(u32, Option<u32>, u32)> {
     let one = |consonant| Some((consonant, None, consonant));
     match number {
@@ -91,7 +91,7 @@ fn finals(number: u32) -> Option<(u32, Option<u32>, u32)> {
         18 => Some((B_, Some(B_), 10)),
         19 => one(S_),
         20 => Some((S_, None, 10)),
-        // ng stays, h is lost.
+        // ng stays, h is silent.
         21 => Some((NONE, Some(NONE), NONE)),
         22 => one(J_),
         23 => one(CH_),
@@ -103,7 +103,7 @@ fn finals(number: u32) -> Option<(u32, Option<u32>, u32)> {
     }
 }
 
-/// Applies what neighbours do to each other.
+/// Applies the sound changes between neighbours.
 fn joined(mut syllables: Vec<Syllable>) -> Vec<Syllable> {
     for at in 1..syllables.len() {
         let [.., before, after] = &mut syllables[..=at] else { continue };
@@ -120,7 +120,7 @@ fn joined(mut syllables: Vec<Syllable>) -> Vec<Syllable> {
                 };
             }
             (NONE, _) => {}
-            // ㅎ makes its neighbour breathy.
+            // ㅎ aspirates its neighbour.
             (H_, G) => (before.last, after.initial) = (None, K_),
             (H_, D_) => (before.last, after.initial) = (None, T_),
             (H_, J_) => (before.last, after.initial) = (None, CH_),
@@ -143,7 +143,7 @@ fn joined(mut syllables: Vec<Syllable>) -> Vec<Syllable> {
 }
 
 fn initial(number: u32, vowel: u32, voiced: bool) -> &'static [Phone] {
-    // Vowels with i or y before them.
+    // Vowels that begin with i or y.
     let soft = matches!(vowel, 2 | 3 | 6 | 7 | 12 | 16 | 17 | I);
     match number {
         0 if voiced => &[Phone::G],
@@ -186,7 +186,7 @@ fn vowel(number: u32) -> &'static [Phone] {
     }
 }
 
-/// A final consonant: all stops are held, and sound as one of three.
+/// Returns the phone of a final consonant. All stops are unreleased, and reduced to three.
 fn last(number: u32) -> Phone {
     match number {
         0 | 1 | 15 => K,

@@ -1,9 +1,9 @@
-//! Phones of all languages, as the International Phonetic Alphabet writes them, and the nearest phones of English.
+//! The International Phonetic Alphabet, and the nearest English phones of its symbols.
 
 use crate::Phone;
 use unicode_normalization::UnicodeNormalization;
 
-/// Symbols and the nearest phones, the longest first where one begins with another.
+/// Symbols and the nearest phones. If one symbol is a prefix of another, the longer one comes first.
 const SYMBOLS: &[(&str, &[Phone])] = {
     use Phone::*;
     &[
@@ -51,7 +51,7 @@ const SYMBOLS: &[(&str, &[Phone])] = {
         ("ɚ", &[Er]),
         ("ɜ", &[Er]),
         ("ɞ", &[Er]),
-        // Vowels: height and rounding first, since that is what lips show.
+        // Vowels, by height and rounding first, because lips show these.
         ("i", &[Iy]),
         ("ɪ", &[Ih]),
         ("ɨ", &[Ih]),
@@ -155,7 +155,7 @@ const SYMBOLS: &[(&str, &[Phone])] = {
     ]
 };
 
-/// Whether a character tells something about the symbol before it that lips do not show, or divides syllables.
+/// Whether a character modifies the symbol before it in a way that lips do not show, or divides syllables.
 fn is_mark(c: char) -> bool {
     matches!(
         c,
@@ -185,10 +185,12 @@ fn is_mark(c: char) -> bool {
         || c.is_whitespace()
 }
 
-/// The nearest phones of a word in IPA, with or without stress, length, ties and tones; or the first character that
-/// is no symbol.
+/// Returns the nearest phones of a word in IPA, which may include stress, length, ties and tones.
+///
+/// # Errors
+/// Returns the first character that is not a symbol.
 pub(crate) fn phones(word: &str) -> Result<Vec<Phone>, char> {
-    // Composed letters hide their marks; only `ç` is a symbol of its own.
+    // Composed letters would hide their marks. Only `ç` is a symbol itself.
     let plain: String =
         word.nfc().flat_map(|c| if c == 'ç' { vec![c] } else { c.nfd().collect() }).filter(|c| !is_mark(*c)).collect();
     let mut phones = Vec::new();

@@ -1,14 +1,14 @@
-//! Japanese: kana by their sounds, and Chinese characters as far as the table of readings goes.
+//! Japanese: kana by their sounds, and Chinese characters with the table of readings.
 
 use super::variants::{add, sequence};
 use super::{Origin, Pronunciation};
 use crate::Phone::{self, *};
-use crate::text::{Writing, writing};
+use crate::text::{WritingSystem, writing};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 use unicode_normalization::UnicodeNormalization;
 
-/// Words in Chinese characters and their readings in kana; the longest has so many characters.
+/// Words in Chinese characters and their readings in kana, and the number of characters of the longest.
 static READINGS: LazyLock<(HashMap<&str, Vec<&str>>, usize)> = LazyLock::new(|| {
     let lines = include_str!("../../data/languages/ja.txt").lines().filter(|line| !line.starts_with('#'));
     let entries = lines.flat_map(|line| line.split_whitespace()).filter_map(|entry| entry.split_once('='));
@@ -17,7 +17,7 @@ static READINGS: LazyLock<(HashMap<&str, Vec<&str>>, usize)> = LazyLock::new(|| 
     (readings, longest)
 });
 
-/// Sounds of the kana that stand for a consonant and a vowel, five vowels a row.
+/// The sounds of the kana that stand for a consonant and a vowel, five vowels a row.
 const ROWS: [(&str, &[Phone]); 16] = [
     ("あいうえお", &[]),
     ("かきくけこ", &[K]),
@@ -38,24 +38,25 @@ const ROWS: [(&str, &[Phone]); 16] = [
 ];
 const VOWELS: [Phone; 5] = [Aa, Iy, Uw, Eh, Ao];
 
-/// All ways to say a run of hiragana or katakana.
+/// Returns all pronunciations of a run of hiragana or katakana.
 pub(super) fn pronounce(kana: &str) -> Vec<Pronunciation> {
     run(kana, false)
 }
 
-/// All ways to say a run of kana that stands directly behind a word in another writing: there, `は` and `へ` are particles.
+/// Returns all pronunciations of a run of kana directly after a word in a different script, where `は` and `へ` are
+/// particles.
 pub(super) fn pronounce_behind_word(kana: &str) -> Vec<Pronunciation> {
     run(kana, true)
 }
 
-/// All ways to say kana that somebody has written down to say how a word is read: nothing in it is a particle.
+/// Returns all pronunciations of an explicit reading in kana, which contains no particles.
 pub(super) fn reading(kana: &str) -> Vec<Vec<Phone>> {
     said(&hiragana(kana)).into_iter().filter(|phones| !phones.is_empty()).collect()
 }
 
-/// Whether a text is kana, and nothing else.
+/// Whether a text consists of kana only.
 pub(super) fn is_kana(text: &str) -> bool {
-    !text.is_empty() && text.chars().all(|c| matches!(writing(c), Writing::Hiragana | Writing::Katakana))
+    !text.is_empty() && text.chars().all(|c| matches!(writing(c), WritingSystem::Hiragana | WritingSystem::Katakana))
 }
 
 fn run(kana: &str, is_behind_word: bool) -> Vec<Pronunciation> {
@@ -63,7 +64,7 @@ fn run(kana: &str, is_behind_word: bool) -> Vec<Pronunciation> {
     ways(kana, is_behind_word).into_iter().filter(|phones| !phones.is_empty()).map(with).collect()
 }
 
-/// All ways to say Chinese characters; those that the table of readings lacks as `guess` says.
+/// Returns all pronunciations of Chinese characters. `guess` returns those of characters that are not in the table.
 pub(super) fn characters(han: &str, guess: impl Fn(&str) -> Vec<Vec<Phone>>) -> Vec<Pronunciation> {
     let chars: Vec<(usize, char)> = han.char_indices().collect();
     let (readings, longest) = &*READINGS;
@@ -87,7 +88,7 @@ pub(super) fn characters(han: &str, guess: impl Fn(&str) -> Vec<Vec<Phone>>) -> 
     all.map(|phones| Pronunciation { phones, origin }).collect()
 }
 
-/// What stands before `は` as a particle, in a text without Chinese characters: particles, and words that are often subjects.
+/// Text before a particle `は` where there are no Chinese characters: particles, and words that are often subjects.
 const BEFORE_PARTICLE: [&str; 15] = [
     "に",
     "で",
@@ -106,17 +107,17 @@ const BEFORE_PARTICLE: [&str; 15] = [
     "きょう",
 ];
 
-/// Whether a `は` behind this hiragana is a particle, as far as that can be known without knowing all words.
+/// Whether a `は` after this hiragana is a particle, as far as can be determined without a dictionary.
 fn is_before_particle(before: &str) -> bool {
     BEFORE_PARTICLE.iter().any(|word| before.ends_with(word))
 }
 
-/// `は` and `へ` are also particles, said otherwise; `u` and `i` between voiceless sounds may be silent. Both ways are given: the
-/// particle first where it stands alone, at the end of a run, at its beginning behind a word in another writing, and behind the
-/// words of [`BEFORE_PARTICLE`].
+/// Returns the alternatives of kana: `は` and `へ` have a different pronunciation as particles, and `u` and `i` between
+/// voiceless sounds may be silent. The particle comes first if it stands alone, at the end of a run, at the start of a
+/// run after a word in a different script, and after the words of [`BEFORE_PARTICLE`].
 fn ways(kana: &str, is_behind_word: bool) -> Vec<Vec<Phone>> {
     let plain = hiragana(kana);
-    let is_hiragana = kana.chars().any(|c| writing(c) == Writing::Hiragana);
+    let is_hiragana = kana.chars().any(|c| writing(c) == WritingSystem::Hiragana);
     let mut parts: Vec<Vec<Vec<Phone>>> = Vec::new();
     let mut rest = String::new();
     let last = plain.chars().count().saturating_sub(1);
@@ -142,7 +143,7 @@ fn ways(kana: &str, is_behind_word: bool) -> Vec<Vec<Phone>> {
     sequence(&parts)
 }
 
-/// Hiragana with every vowel, and without those that may be silent.
+/// Returns the phones of hiragana with every vowel, and without those that may be silent.
 fn said(kana: &str) -> Vec<Vec<Phone>> {
     let full = phones(kana);
     let mut quiet = Vec::with_capacity(full.len());
@@ -160,14 +161,14 @@ fn said(kana: &str) -> Vec<Vec<Phone>> {
     all
 }
 
-/// Katakana, half width or not, as hiragana.
+/// Converts katakana, half width or not, to hiragana.
 fn hiragana(kana: &str) -> String {
     kana.nfkc()
         .map(|c| if ('ァ'..='ヶ').contains(&c) { char::from_u32(c as u32 - 0x60).unwrap_or(c) } else { c })
         .collect()
 }
 
-/// The phones of hiragana. Long vowels and doubled consonants are held, not said twice.
+/// Returns the phones of hiragana. Long vowels and doubled consonants appear once, because they are held.
 fn phones(kana: &str) -> Vec<Phone> {
     let mut phones: Vec<Phone> = Vec::new();
     let mut chars = kana.chars().peekable();
@@ -198,7 +199,7 @@ fn phones(kana: &str) -> Vec<Phone> {
     phones
 }
 
-/// A small kana replaces the vowel before it: `きゃ`, `ファ`.
+/// Replaces the vowel before a small kana: `きゃ`, `ファ`.
 fn small(c: char, phones: &mut Vec<Phone>) {
     let (glide, vowel) = match c {
         'ゃ' => (true, Aa),
@@ -212,7 +213,7 @@ fn small(c: char, phones: &mut Vec<Phone>) {
     };
     let before = phones.len().checked_sub(2).and_then(|at| phones.get(at)).copied();
     match (phones.last().copied(), before) {
-        // `ふぁ`, `てぃ`, `きゃ`; after a vowel alone (`うぃ`) `u` becomes a glide.
+        // `ふぁ`, `てぃ`, `きゃ`. After a vowel alone (`うぃ`), `u` becomes a glide.
         (Some(last), Some(consonant)) if last.is_vowel() && !consonant.is_vowel() => {
             phones.pop();
             if glide && !matches!(consonant, Sh | Ch | Jh) {
@@ -230,7 +231,7 @@ fn small(c: char, phones: &mut Vec<Phone>) {
     phones.push(vowel);
 }
 
-/// The consonant and the vowel of a kana.
+/// Returns the consonant and the vowel of a kana.
 fn mora(c: char) -> Option<(&'static [Phone], Phone)> {
     Some(match c {
         'し' => (&[Sh], Iy),
@@ -296,7 +297,7 @@ mod tests {
         assert_eq!(behind("はきれいです"), "W AA K IY R EH D EH S UW");
         assert_eq!(behind("への"), "EH N AO");
         assert_eq!(behind("がはな"), "G AA HH AA N AA");
-        // What is not decided is heard.
+        // In ambiguous cases, both pronunciations are available to the aligner.
         assert!(pronounce("はな").iter().any(|way| way.to_string() == "W AA N AA"));
         assert!(reading("はは").iter().all(|way| way == &[Hh, Aa, Hh, Aa]));
     }
@@ -312,7 +313,7 @@ mod tests {
         let (readings, longest) = &*READINGS;
         assert!(readings.len() > 100 && *longest > 1);
         for (word, kana) in readings {
-            assert!(word.chars().any(|c| writing(c) == Writing::Han), "{word}");
+            assert!(word.chars().any(|c| writing(c) == WritingSystem::Han), "{word}");
             assert!(kana.iter().all(|kana| is_kana(kana) && !reading(kana).is_empty()), "{word}");
         }
         let said = |han| {

@@ -1,8 +1,9 @@
-//! Latin letters without what English does not have.
+//! Reduction of Latin letters to those of English.
 
 use unicode_normalization::{UnicodeNormalization, char::is_combining_mark};
 
-/// A word in lower case, `a` to `z` and apostrophes as far as that goes: without accents, with `ss` for `ß`.
+/// Returns a word in lower case, as far as possible with only `a` to `z` and apostrophes: without accents, with `ss`
+/// for `ß`.
 pub(super) fn plain(word: &str) -> String {
     if word.is_ascii() {
         return word.to_ascii_lowercase();

@@ -7,8 +7,8 @@ use std::ops::Range;
 use unicode_normalization::UnicodeNormalization;
 use unicode_segmentation::UnicodeSegmentation;
 
-/// Words with the pronunciations that a project has for them, of a text file: one per line, as in the CMU Pronouncing
-/// Dictionary and in dictionaries of the Montreal Forced Aligner.
+/// A project's own pronunciations, from a text file with one word per line, as in the CMU Pronouncing Dictionary and in
+/// dictionaries of the Montreal Forced Aligner.
 ///
 /// ```text
 /// # a remark; CMUdict's own begin with ;;;
@@ -19,23 +19,23 @@ use unicode_segmentation::UnicodeSegmentation;
 /// 東京  とうきょう
 /// ```
 ///
-/// The word ends at a tab, two blanks or the first blank, so it may be several (`New York`, `Jean-Luc`; 16 at most); upper and
-/// lower case are the same. Phones are those of
-/// ARPAbet in capitals, with or without stress, or IPA, or there is a reading in kana; a line is one of these. Numbers between word and phones
-/// (the probabilities of MFA) are skipped. A word on several lines has several pronunciations.
+/// The word ends at a tab, at two spaces, or else at the first space. It may consist of up to 16 words (`New York`,
+/// `Jean-Luc`). Case is ignored. The rest of the line consists of ARPAbet phones in capitals, with or without stress,
+/// or of IPA, or of a reading in kana. Numbers between word and phones (the probabilities of MFA) are skipped. A word
+/// on several lines has several pronunciations.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Lexicon {
     words: HashMap<String, Vec<Vec<Phone>>>,
-    /// How many words the longest entry has: `New York` and `Jean-Luc` have two.
+    /// The number of words in the longest entry: `New York` and `Jean-Luc` have two.
     longest: usize,
     problems: Vec<Problem>,
 }
 
-/// Longer entries are not looked for in texts.
+/// The most words of an entry that are looked up in texts.
 const LONGEST: usize = 16;
 
 impl Lexicon {
-    /// Reads a lexicon. Lines with a problem are left out, and [`problems`](Lexicon::problems) lists them.
+    /// Reads a lexicon. Lines with a problem are skipped, and [`problems`](Lexicon::problems) lists them.
     ///
     /// ```
     /// use lipz_speech::{Lexicon, ProblemKind};
@@ -64,12 +64,12 @@ impl Lexicon {
         lexicon
     }
 
-    /// The problems of the lines that were left out, in their order; the ranges are bytes of the text that was read.
+    /// Returns the problems of the skipped lines, in order. Ranges are bytes of the text that was read.
     pub fn problems(&self) -> &[Problem] {
         &self.problems
     }
 
-    /// Adds a pronunciation of a word, after those that it has.
+    /// Adds a pronunciation of a word, after its others.
     pub fn add(&mut self, word: &str, phones: Vec<Phone>) {
         let word = folded(word);
         let count = word.unicode_words().count();
@@ -80,15 +80,15 @@ impl Lexicon {
         }
     }
 
-    /// Adds all words of another lexicon, without its problems. A word that both have keeps its pronunciations, and those of
-    /// `other` follow.
+    /// Adds all words of another lexicon, without its problems. If both have a word, the pronunciations from `other`
+    /// come last.
     pub fn extend(&mut self, other: Lexicon) {
         for (word, all) in other.words {
             all.into_iter().for_each(|phones| self.add(&word, phones));
         }
     }
 
-    /// The pronunciations of a word; empty if the lexicon does not have it.
+    /// Returns the pronunciations of a word, or an empty slice if it is not in the lexicon.
     pub fn find(&self, word: &str) -> &[Vec<Phone>] {
         match self.words.is_empty() {
             true => &[],
@@ -96,23 +96,23 @@ impl Lexicon {
         }
     }
 
-    /// How many words the longest entry has, 16 at most.
+    /// Returns the number of words in the longest entry, at most 16.
     pub(super) fn longest(&self) -> usize {
         self.longest
     }
 
-    /// How many words it has.
+    /// Returns the number of entries.
     pub fn len(&self) -> usize {
         self.words.len()
     }
 
-    /// Whether it has no words.
+    /// Whether the lexicon is empty.
     pub fn is_empty(&self) -> bool {
         self.words.is_empty()
     }
 }
 
-/// A word as it is looked up: composed, in lower case, with plain apostrophes and single blanks.
+/// Returns a word in the form used for lookup: composed, in lower case, with plain apostrophes and single spaces.
 pub(super) fn folded(word: &str) -> String {
     let folded = match word.is_ascii() {
         true => word.to_ascii_lowercase(),
@@ -127,7 +127,7 @@ pub(super) fn folded(word: &str) -> String {
 /// A word with its pronunciations.
 type Line = Option<(String, Vec<Vec<Phone>>)>;
 
-/// A line: its word and phones, nothing, or what is wrong where.
+/// Reads a line: returns its word and phones, or `None` if there are none, or a problem with its range.
 fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
     let content = line.trim_start();
     if content.is_empty() || content.starts_with('#') || content.starts_with(";;;") {
@@ -135,7 +135,7 @@ fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
     }
     let indent = line.len() - content.len();
     let content = content.split(" #").next().unwrap_or(content).trim_end();
-    // Names of several words end at a tab or at two blanks.
+    // Words that contain single spaces end at a tab or at two spaces.
     let end = content.find('\t').or_else(|| content.find("  ")).or_else(|| content.find(char::is_whitespace));
     let end = end.unwrap_or(content.len());
     let (word, rest) = content.split_at(end);
@@ -166,19 +166,19 @@ fn read_line(line: &str) -> Result<Line, (ProblemKind, Range<usize>)> {
     Ok(Some((without_variant(word).to_owned(), vec![phones])))
 }
 
-/// A phone of speech by its ARPAbet name in capitals.
+/// Returns a phone of speech from its ARPAbet name in capitals.
 pub(super) fn arpabet(name: &str) -> Option<Phone> {
     let phone: Phone = name.parse().ok()?;
     (phone.is_speech() && !name.contains(|c: char| c.is_ascii_lowercase())).then_some(phone)
 }
 
-/// Words between white space, and where they begin.
+/// Returns the words between whitespace, with their offsets.
 fn fields(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let start = text.as_ptr() as usize;
     text.split_whitespace().map(move |field| (field.as_ptr() as usize - start, field))
 }
 
-/// `KONRAD(2)` is another pronunciation of `KONRAD`.
+/// Removes the number of a variant: `KONRAD(2)` is a second pronunciation of `KONRAD`.
 fn without_variant(word: &str) -> &str {
     let variant = word.strip_suffix(')').and_then(|word| word.rsplit_once('('));
     match variant {

@@ -1,11 +1,10 @@
-//! Sounds between two words: French *les amis*.
+//! Linking sounds between two words: French *les amis*.
 
-use super::rules::Table;
+use super::rules::RuleTable;
 use crate::{Origin, Phone, Word};
 
-/// Adds to words that link the pronunciations with which they do, where the next word begins with a vowel and nothing
-/// but blanks or a hyphen is between them.
-pub(super) fn link(text: &str, words: &mut [Word], table: &Table) {
+/// Adds linked pronunciations to words before a vowel, if only spaces or a hyphen are in between.
+pub(super) fn link(text: &str, words: &mut [Word], table: &RuleTable) {
     for at in 1..words.len() {
         let [.., word, next] = &mut words[..=at] else { continue };
         let sound = table.links.get(&word.text.to_lowercase().replace('’', "'"));
@@ -26,7 +25,8 @@ pub(super) fn link(text: &str, words: &mut [Word], table: &Table) {
     }
 }
 
-/// Whether a word begins with a vowel, written and said. *oui* and *yaourt* do not: nobody links them.
+/// Whether a word begins with a vowel, in spelling and in pronunciation. This excludes *oui* and *yaourt*, which are
+/// not linked.
 fn begins_with_vowel(word: &Word) -> bool {
     let first = word.pronunciations.first().and_then(|pronunciation| pronunciation.phones.first());
     let letter = word.text.chars().next().is_some_and(|c| !matches!(c.to_ascii_lowercase(), 'y' | 'w'));

@@ -1,4 +1,4 @@
-//! Mandarin: Chinese characters by all their readings in pinyin, and pinyin itself.
+//! Mandarin: Chinese characters with all their readings in pinyin, and pinyin itself.
 
 use super::variants::add;
 use super::{Origin, Pronunciation};
@@ -6,7 +6,7 @@ use crate::Phone::{self, *};
 use crate::pronounce::variants::sequence;
 use pinyin::ToPinyinMulti;
 
-/// All ways to say Chinese characters, most of the time one; none if nobody knows how one of them is read.
+/// Returns all pronunciations of Chinese characters, usually one, or `None` if the reading of a character is unknown.
 pub(super) fn pronounce(han: &str) -> Option<Vec<Pronunciation>> {
     let mut parts = Vec::new();
     for c in han.chars() {
@@ -23,7 +23,7 @@ pub(super) fn pronounce(han: &str) -> Option<Vec<Pronunciation>> {
     (!all.is_empty()).then_some(all)
 }
 
-/// The phones of a syllable in pinyin without its tone; none if it is no syllable.
+/// Returns the phones of a syllable in pinyin without its tone, or `None` if it is not a syllable.
 fn syllable(pinyin: &str) -> Option<Vec<Phone>> {
     match pinyin {
         "m" | "hm" => return Some(vec![M]),
@@ -34,7 +34,7 @@ fn syllable(pinyin: &str) -> Option<Vec<Phone>> {
         .iter()
         .find_map(|(letters, phones)| Some((*phones, pinyin.strip_prefix(letters)?)))
         .unwrap_or((&[], pinyin));
-    // What is written otherwise without an initial, and after j, q and x.
+    // The spelling differs without an initial, and after j, q and x.
     let soft = pinyin.starts_with(['j', 'q', 'x']);
     let last = match (rest, initial) {
         (rest, _) if soft && rest.starts_with('u') => {
@@ -46,7 +46,7 @@ fn syllable(pinyin: &str) -> Option<Vec<Phone>> {
     last.map(|(_, phones)| [initial, *phones].concat())
 }
 
-/// The longest first.
+/// Initials, the longest first.
 const INITIALS: [(&str, &[Phone]); 21] = [
     ("zh", &[Jh]),
     ("ch", &[Ch]),

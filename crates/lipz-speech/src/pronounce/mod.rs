@@ -1,4 +1,4 @@
-//! From a text to its words with all their pronunciations.
+//! Conversion of a text to words with all their pronunciations.
 
 mod english;
 mod hangul;
@@ -16,12 +16,12 @@ mod word;
 pub(crate) use ipa::phones as ipa_phones;
 pub use lexicon::Lexicon;
 
-use crate::text::{Context, Item, Kind, Spelling, Token, items, numbers};
+use crate::text::{Context, Item, Spelling, Token, TokenKind, items, numbers};
 use crate::{Language, Origin, Problem, ProblemKind, Pronunciation, Script, Word};
 use std::collections::HashMap;
 
-/// Finds out how the words of a text are pronounced: by the project's lexicon, the dictionary of the language, its
-/// letter-to-sound rules, or letter by letter, whichever comes first.
+/// Finds the pronunciations of the words of a text. The first of these that contains a word is used: the project's
+/// lexicon, the dictionary of the language, its letter-to-sound rules, or the names of the letters.
 ///
 /// ```
 /// use lipz_speech::{Language, Lexicon, Pronouncer};
@@ -33,17 +33,18 @@ use std::collections::HashMap;
 /// assert_eq!(script.breaks, [3]);
 /// ```
 ///
-/// # How a writer helps
+/// # Annotations in texts
 ///
-/// A meta `{say: …}` tells how the word before it is said, in this place; `{say name: …}` tells it about all places of
-/// the text where the name stands, which may be several words. What follows the colon is
+/// A meta `{say: …}` sets the pronunciation of the word before it, in this position. `{say name: …}` applies to all
+/// occurrences of a name in the text, which may be several words. The part after the colon is one of these:
 ///
-/// * a plain respelling, read as words of the language: `Li'sar{say: lee-sar}`, `東京{say: とうきょう}`; a hyphen joins syllables;
+/// * a plain respelling, read as words of the language: `Li'sar{say: lee-sar}`, `東京{say: とうきょう}`; a hyphen joins
+///   syllables;
 /// * phones of ARPAbet in capitals: `Li'sar{say: L IY S AA R}`;
 /// * IPA between slashes or brackets: `Li'sar{say: /liːˈsɑːr/}`;
-/// * nothing, if the word is displayed but not said: `(door){say:}`.
+/// * nothing, if the word is displayed but not spoken: `(door){say:}`.
 ///
-/// Where no word is before it (at the beginning of a segment, or after a comma), it is said in addition, but not
+/// If there is no word before it (at the start of a segment, or after a comma), it is spoken in addition, but not
 /// displayed: `Well, {say: um} I think so.`
 #[derive(Clone, Debug)]
 pub struct Pronouncer {
@@ -51,50 +52,50 @@ pub struct Pronouncer {
     lexicon: Lexicon,
 }
 
-/// A text as it was read.
+/// The result of reading a text.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
 pub struct Reading {
-    /// Its words.
+    /// The words of the text.
     pub script: Script,
-    /// What is odd about it, in the order of the text; ranges are bytes of the text.
+    /// The problems of the text, in order. Ranges are bytes of the text.
     pub problems: Vec<Problem>,
 }
 
 impl Pronouncer {
-    /// For texts in a language, without a lexicon.
+    /// Returns a pronouncer for texts in a language, without a lexicon.
     pub fn new(language: Language) -> Pronouncer {
         Pronouncer { language, lexicon: Lexicon::default() }
     }
 
-    /// Adds a project's own pronunciations. A word that is in it is never looked for elsewhere.
+    /// Adds a project's own pronunciations. They override all other sources.
     #[must_use]
     pub fn with_lexicon(mut self, lexicon: Lexicon) -> Pronouncer {
         self.lexicon.extend(lexicon);
         self
     }
 
-    /// The language of the texts.
+    /// Returns the language of the texts.
     pub fn language(&self) -> Language {
         self.language
     }
 
-    /// The words of a text with their pronunciations: the value of `text_ll-cc`, with `|` and `{meta}`. Ranges are bytes
-    /// of `text`.
+    /// Returns the words of a text with their pronunciations. The text is the value of `text_ll-cc`, with `|` and
+    /// `{meta}`. Ranges are bytes of `text`.
     pub fn script(&self, text: &str) -> Script {
         self.read(text).script
     }
 
-    /// The words of a text with their pronunciations, and what is odd about it.
+    /// Returns the words of a text with their pronunciations, and the problems of the text.
     pub fn read(&self, text: &str) -> Reading {
         let mut problems = Vec::new();
         let context = self.context();
         let items = items(text, &context.borrow(), &mut problems);
         let mut reading = Reading::default();
         reading.problems.extend(problems.into_iter().map(|(kind, range)| Problem { kind, range }));
-        // Texts repeat words.
+        // A cache, because texts repeat words.
         let mut seen: HashMap<String, Vec<Pronunciation>> = HashMap::new();
-        // Where a word in another writing than kana ends.
+        // The end of a word in a script other than kana.
         let mut end_of_word = None;
         for item in items {
             let token = match item {
@@ -104,22 +105,22 @@ impl Pronouncer {
                 }
                 Item::Token(token) => token,
             };
-            let is_kana = token.kind == Kind::Word && kana::is_kana(&token.text);
+            let is_kana = token.kind == TokenKind::Word && kana::is_kana(&token.text);
             let is_behind_word = is_kana && end_of_word.is_some_and(|end| is_beside(text, end, token.range.start));
             end_of_word = (!is_kana).then_some(token.range.end);
             let pronunciations = match &token.kind {
-                Kind::Word if is_behind_word && self.lexicon.find(&token.text).is_empty() => {
+                TokenKind::Word if is_behind_word && self.lexicon.find(&token.text).is_empty() => {
                     kana::pronounce_behind_word(&token.text)
                 }
-                Kind::Word => match seen.get(&token.text) {
+                TokenKind::Word => match seen.get(&token.text) {
                     Some(known) => known.clone(),
                     None => seen.entry(token.text.clone()).or_insert(self.pronounce(&token.text)).clone(),
                 },
-                Kind::Spelled(readings) => match self.lexicon.find(&token.text) {
+                TokenKind::Spelled(readings) => match self.lexicon.find(&token.text) {
                     [] => self.spelled(readings),
                     own => with_origin(own.to_vec(), Origin::Lexicon),
                 },
-                Kind::Say(say) => match said::phones(self, &say.how) {
+                TokenKind::Say(say) => match said::phones(self, &say.how) {
                     Ok(all) => with_origin(all, Origin::Say),
                     Err(range) => {
                         let range = say.range.start + range.start..say.range.start + range.end;
@@ -128,7 +129,7 @@ impl Pronouncer {
                     }
                 },
             };
-            if token.kind == Kind::Word && word::needs_reading(self, &token.text, &pronunciations) {
+            if token.kind == TokenKind::Word && word::needs_reading(self, &token.text, &pronunciations) {
                 reading.problems.push(Problem { kind: ProblemKind::NoReading, range: token.range.clone() });
             }
             let Token { text, range, .. } = token;
@@ -141,7 +142,7 @@ impl Pronouncer {
         reading
     }
 
-    /// All pronunciations of one word, the most likely first; empty if it has no letters that could be said.
+    /// Returns all pronunciations of one word, the most likely first; empty if it has no letters that could be spoken.
     pub fn pronounce(&self, word: &str) -> Vec<Pronunciation> {
         let own = self.lexicon.find(word);
         if !own.is_empty() {
@@ -150,7 +151,7 @@ impl Pronouncer {
         word::pronounce(self.language, word)
     }
 
-    /// A number or sign, by the words for it.
+    /// Returns the pronunciations of a number or sign, from its readings in words.
     fn spelled(&self, readings: &[String]) -> Vec<Pronunciation> {
         let mut all: Vec<Pronunciation> = Vec::new();
         for reading in readings {
@@ -164,9 +165,9 @@ impl Pronouncer {
         all
     }
 
-    /// What the division into words has to know.
-    fn context(&self) -> Owned<'_> {
-        Owned {
+    /// Returns the context for dividing a text into words.
+    fn context(&self) -> OwnedContext<'_> {
+        OwnedContext {
             japanese: self.language.code() == "ja",
             longest_entry: self.lexicon.longest(),
             entry: Box::new(|words| !self.lexicon.find(words).is_empty()),
@@ -176,25 +177,25 @@ impl Pronouncer {
     }
 }
 
-/// Whether nothing is displayed between two places of a text: only `{…}` are there.
+/// Whether only `{…}`, which are not displayed, are between two positions of a text.
 fn is_beside(text: &str, end: usize, start: usize) -> bool {
     let between = text.get(end..start).unwrap_or_default();
     between.is_empty() || between.trim_start().starts_with('{') && between.ends_with('}') && !between.contains("} ")
 }
 
-type Known<'p> = Box<dyn Fn(&str) -> bool + 'p>;
-type Spelled<'p> = Box<dyn Fn(&str, usize) -> Option<Spelling> + 'p>;
+type WordTest<'p> = Box<dyn Fn(&str) -> bool + 'p>;
+type SpellingLookup<'p> = Box<dyn Fn(&str, usize) -> Option<Spelling> + 'p>;
 
-/// A [`Context`] with what it borrows.
-struct Owned<'p> {
+/// A [`Context`] with the values that it borrows.
+struct OwnedContext<'p> {
     japanese: bool,
     longest_entry: usize,
-    entry: Known<'p>,
-    known: Known<'p>,
-    spelled: Spelled<'p>,
+    entry: WordTest<'p>,
+    known: WordTest<'p>,
+    spelled: SpellingLookup<'p>,
 }
 
-impl Owned<'_> {
+impl OwnedContext<'_> {
     fn borrow(&self) -> Context<'_> {
         Context {
             japanese: self.japanese,

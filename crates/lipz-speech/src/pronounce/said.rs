@@ -1,11 +1,14 @@
-//! What a writer says about a word: phones, IPA or a respelling.
+//! Pronunciations in annotations: phones, IPA or a respelling.
 
 use super::lexicon::arpabet;
 use super::{Pronouncer, ipa, variants};
 use crate::{Origin, Phone};
 use std::ops::Range;
 
-/// All ways to say what follows the colon of `{say: …}`; or where it has something that is no phone.
+/// Returns all pronunciations given after the colon of `{say: …}`.
+///
+/// # Errors
+/// Returns the range of an invalid phone.
 pub(super) fn phones(pronouncer: &Pronouncer, how: &str) -> Result<Vec<Vec<Phone>>, Range<usize>> {
     if how.is_empty() {
         return Ok(Vec::new());
@@ -22,7 +25,7 @@ pub(super) fn phones(pronouncer: &Pronouncer, how: &str) -> Result<Vec<Vec<Phone
     if names.iter().all(Option::is_some) {
         return Ok(vec![names.into_iter().flatten().collect()]);
     }
-    // A slip among phones, not a word among words.
+    // Recognises a typo among phones, as opposed to a word among words.
     let capitals =
         |name: &str| name.len() <= 3 && name.bytes().all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit());
     if names.iter().flatten().count() >= 2 && how.split_whitespace().all(capitals) {
@@ -39,8 +42,8 @@ pub(super) fn phones(pronouncer: &Pronouncer, how: &str) -> Result<Vec<Vec<Phone
     }
 }
 
-/// The ways to say each word of a text of words, and the weakest origin of any. Hyphens divide, and capitals do not
-/// matter: `lee-SAR` is two syllables.
+/// Returns the pronunciations of each word of a text, and the weakest origin of any. Hyphens divide words, and case is
+/// ignored: `lee-SAR` is two syllables.
 pub(super) fn words(pronouncer: &Pronouncer, text: &str) -> (Vec<Vec<Vec<Phone>>>, Origin) {
     let mut origin = Origin::Say;
     let mut all = Vec::new();

@@ -1,12 +1,12 @@
-//! Pronunciations of several parts as one.
+//! Combination of the pronunciations of several parts.
 
 use crate::Phone;
 
-/// At most so many pronunciations of one word: more cost time, and hardly any is heard.
+/// The most pronunciations of one word. More take time, and are hardly ever spoken.
 pub(super) const MOST: usize = 8;
 
-/// All ways to say parts one after the other: each by its first pronunciation, then with one part at a time said in
-/// its other ways.
+/// Returns the pronunciations of a sequence of parts: first with the first pronunciation of each part, then with the
+/// other pronunciations of one part at a time.
 pub(super) fn sequence(parts: &[Vec<Vec<Phone>>]) -> Vec<Vec<Phone>> {
     let with = |other: Option<(usize, usize)>| {
         let choose = |(index, ways): (usize, &Vec<Vec<Phone>>)| {
@@ -27,7 +27,7 @@ pub(super) fn sequence(parts: &[Vec<Vec<Phone>>]) -> Vec<Vec<Phone>> {
     all
 }
 
-/// Adds a pronunciation, unless it is there already.
+/// Adds a pronunciation, unless it is already present.
 pub(super) fn add(all: &mut Vec<Vec<Phone>>, phones: Vec<Phone>) {
     if !all.contains(&phones) {
         all.push(phones);

@@ -1,22 +1,22 @@
-//! One word: its parts by their writing, each read by the language that can.
+//! Pronunciation of one word: its parts by script, each read by a suitable language.
 
 use super::{english, hangul, kana, latin, mandarin, rules, variants};
-use crate::text::{Writing, numbers, writing};
+use crate::text::{WritingSystem, numbers, writing};
 use crate::{Language, Origin, Phone, Pronunciation, Reliance};
 use any_ascii::any_ascii;
 
-/// Whether the dictionary of the language has the word as it is.
+/// Whether the dictionary of the language contains the word as it is.
 pub(super) fn knows(language: Language, word: &str) -> bool {
     language == Language::ENGLISH && english::knows(&latin::plain(word))
 }
 
-/// Whether nothing but a guess tells how the word is read.
+/// Whether the pronunciation of the word is only a guess.
 pub(super) fn needs_reading(pronouncer: &super::Pronouncer, word: &str, pronunciations: &[Pronunciation]) -> bool {
     let guessed = pronunciations.iter().all(|pronunciation| pronunciation.origin == Origin::Letters);
-    pronouncer.language().code() == "ja" && guessed && word.chars().any(|c| writing(c) == Writing::Han)
+    pronouncer.language().code() == "ja" && guessed && word.chars().any(|c| writing(c) == WritingSystem::Han)
 }
 
-/// All pronunciations of a word.
+/// Returns all pronunciations of a word.
 pub(super) fn pronounce(language: Language, word: &str) -> Vec<Pronunciation> {
     let parts = parts(word);
     if let [(writing, part)] = parts.as_slice() {
@@ -34,51 +34,53 @@ pub(super) fn pronounce(language: Language, word: &str) -> Vec<Pronunciation> {
     whole.into_iter().map(|phones| Pronunciation { phones, origin }).collect()
 }
 
-/// Stretches of a word in the same writing. Characters without one belong to what is before them.
-fn parts(word: &str) -> Vec<(Writing, &str)> {
-    let mut parts: Vec<(Writing, usize, usize)> = Vec::new();
+/// Splits a word into stretches of the same script. Characters without a script belong to the stretch before them.
+fn parts(word: &str) -> Vec<(WritingSystem, &str)> {
+    let mut parts: Vec<(WritingSystem, usize, usize)> = Vec::new();
     for (at, c) in word.char_indices() {
         let end = at + c.len_utf8();
         match (parts.last_mut(), writing(c)) {
-            (Some(last), next) if next == last.0 || next == Writing::None || c == 'ー' => last.2 = end,
-            (Some(last), next) if last.0 == Writing::None => (last.0, last.2) = (next, end),
+            (Some(last), next) if next == last.0 || next == WritingSystem::None || c == 'ー' => last.2 = end,
+            (Some(last), next) if last.0 == WritingSystem::None => (last.0, last.2) = (next, end),
             (_, next) => parts.push((next, at, end)),
         }
     }
     parts.into_iter().filter_map(|(writing, start, end)| Some((writing, word.get(start..end)?))).collect()
 }
 
-/// A part of a word that is all in one writing.
-fn part_of(language: Language, writing: Writing, part: &str) -> Vec<Pronunciation> {
+/// Returns the pronunciations of a part of a word in one script.
+fn part_of(language: Language, writing: WritingSystem, part: &str) -> Vec<Pronunciation> {
     let by_rules =
         |code: &str, part: &str, origin| rules::table(code).map_or(Vec::new(), |table| table.pronounce(part, origin));
     let own = language.code();
     match (writing, language.reliance()) {
-        (Writing::Digit, _) => digits(language, part),
-        (Writing::Latin, Reliance::Rules) if !matches!(own, "bg" | "ru" | "uk") => by_rules(own, part, Origin::Rules),
-        (Writing::Latin, Reliance::Letters) => by_rules("und", part, Origin::Letters),
+        (WritingSystem::Digit, _) => digits(language, part),
+        (WritingSystem::Latin, Reliance::Rules) if !matches!(own, "bg" | "ru" | "uk") => {
+            by_rules(own, part, Origin::Rules)
+        }
+        (WritingSystem::Latin, Reliance::Letters) => by_rules("und", part, Origin::Letters),
         // English words in other scripts are English.
-        (Writing::Latin, _) => english::pronounce(&latin::plain(part), part),
-        (Writing::Hiragana | Writing::Katakana, _) => kana::pronounce(part),
-        (Writing::Hangul, _) => hangul::pronounce(part),
-        (Writing::Han, Reliance::Kana) => kana::characters(part, |han| {
+        (WritingSystem::Latin, _) => english::pronounce(&latin::plain(part), part),
+        (WritingSystem::Hiragana | WritingSystem::Katakana, _) => kana::pronounce(part),
+        (WritingSystem::Hangul, _) => hangul::pronounce(part),
+        (WritingSystem::Han, Reliance::Kana) => kana::characters(part, |han| {
             by_rules("und", &any_ascii(han), Origin::Letters).into_iter().map(|way| way.phones).collect()
         }),
-        (Writing::Han, _) => {
+        (WritingSystem::Han, _) => {
             mandarin::pronounce(part).unwrap_or_else(|| by_rules("und", &any_ascii(part), Origin::Letters))
         }
-        (Writing::Cyrillic, _) => match own {
+        (WritingSystem::Cyrillic, _) => match own {
             "bg" | "ru" | "uk" => by_rules(own, part, Origin::Rules),
             "be" => by_rules("uk", part, Origin::Letters),
             "mk" | "sr" | "bs" => by_rules("bg", part, Origin::Letters),
             _ => by_rules("ru", part, Origin::Letters),
         },
-        (Writing::Consonantal, _) => with_vowels(by_rules("und", &any_ascii(part), Origin::Letters)),
+        (WritingSystem::Consonantal, _) => with_vowels(by_rules("und", &any_ascii(part), Origin::Letters)),
         _ => by_rules("und", &any_ascii(part), Origin::Letters),
     }
 }
 
-/// Between consonants somebody says a vowel that is not written: which one, lips hardly show.
+/// Adds the unwritten vowels between consonants. Lips hardly show their quality.
 fn with_vowels(mut all: Vec<Pronunciation>) -> Vec<Pronunciation> {
     for pronunciation in &mut all {
         let mut phones: Vec<Phone> = Vec::with_capacity(2 * pronunciation.phones.len());
@@ -93,7 +95,7 @@ fn with_vowels(mut all: Vec<Pronunciation>) -> Vec<Pronunciation> {
     all
 }
 
-/// Digits inside of a word, as in `R2D2`.
+/// Returns the pronunciations of digits inside a word, as in `R2D2`.
 fn digits(language: Language, part: &str) -> Vec<Pronunciation> {
     let mut all = Vec::new();
     for reading in numbers::row(language.code(), part) {
@@ -115,8 +117,8 @@ mod tests {
     fn words_are_divided_where_the_writing_changes() {
         assert_eq!(parts("R2D2").len(), 4);
         assert_eq!(parts("らーめん").len(), 1);
-        assert_eq!(parts("'em"), [(Writing::Latin, "'em")]);
+        assert_eq!(parts("'em"), [(WritingSystem::Latin, "'em")]);
         assert_eq!(parts(""), []);
-        assert_eq!(parts("d'été"), [(Writing::Latin, "d'été")]);
+        assert_eq!(parts("d'été"), [(WritingSystem::Latin, "d'été")]);
     }
 }

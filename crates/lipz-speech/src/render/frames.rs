@@ -1,41 +1,43 @@
-//! Frames and times, exactly.
+//! Exact conversion between frames and times.
 
 use lipz_types::Fps;
 
 const SECOND_US: u128 = 1_000_000;
 
-/// How many frames a sound lasts, rounded up.
+/// Returns the number of frames that a duration takes, rounded up.
 pub(super) fn count(duration_us: u64, fps: Fps) -> usize {
     let frames = (u128::from(duration_us) * u128::from(fps.numerator())).div_ceil(per_numerator_us(fps));
     usize::try_from(frames).unwrap_or(usize::MAX)
 }
 
-/// The middle of a frame, in microseconds, rounded down.
+/// Returns the middle of a frame, in microseconds, rounded down.
 pub(super) fn centre_us(frame: usize, fps: Fps) -> u64 {
     let halves = 2 * frame as u128 + 1;
     u64::try_from(halves * per_numerator_us(fps) / (2 * u128::from(fps.numerator()))).unwrap_or(u64::MAX)
 }
 
-/// The first frame whose middle is not before `time_us`.
+/// Returns the first frame whose middle is not before `time_us`.
 pub(super) fn first_at(time_us: u64, fps: Fps) -> usize {
     // centre(f) >= time, that is (2 f + 1) d >= 2 n t, with microseconds in d
     let halves = (2 * u128::from(time_us) * u128::from(fps.numerator())).div_ceil(per_numerator_us(fps));
     usize::try_from(halves / 2).unwrap_or(usize::MAX)
 }
 
-/// A time in whole frames, as microseconds rounded up: what is as long contains the middles of so many frames.
+/// Rounds a time to the nearest number of frames, in microseconds, rounded up so that such a duration contains the
+/// middles of that many frames.
 pub(super) fn hold_us(time_us: u64, fps: Fps) -> u64 {
     let (numerator, denominator) = (u128::from(fps.numerator()), per_numerator_us(fps));
     let frames = (u128::from(time_us) * numerator + denominator / 2) / denominator;
     u64::try_from((frames.max(1) * denominator).div_ceil(numerator)).unwrap_or(u64::MAX) + 1
 }
 
-/// What is left to a shape from which time is taken, if possible: two fifths of a frame, which still often shows.
+/// Returns the least time that a shape keeps when others take time from it, if possible: two fifths of a frame, which
+/// still often shows.
 pub(super) fn least_us(fps: Fps) -> u64 {
     u64::try_from(per_numerator_us(fps) * 2 / 5 / u128::from(fps.numerator())).unwrap_or(u64::MAX)
 }
 
-/// How many microseconds the rate's numerator of frames lasts.
+/// Returns the microseconds of as many frames as the numerator of the rate.
 fn per_numerator_us(fps: Fps) -> u128 {
     u128::from(fps.denominator()) * SECOND_US
 }

@@ -1,11 +1,10 @@
-//! Closed lips stay long enough to be seen.
+//! Keeps closed lips visible for long enough.
 
-use super::shapes::Shape;
+use super::shapes::TimedShape;
 
-/// Makes closed shapes last `hold_us`. The time comes from the shape before, as far as that keeps `least_us` (or, if it is
-/// closed itself, `hold_us`); what is missing, from the shape after; and what is still missing, from all that is left of
-/// either.
-pub(super) fn hold(shapes: &mut Vec<Shape>, hold_us: u64, least_us: u64) {
+/// Extends closed shapes to `hold_us`. The time comes from the shape before, which keeps `least_us` (or `hold_us` if it
+/// is itself closed); then from the shape after; and then from the remaining time of both.
+pub(super) fn hold(shapes: &mut Vec<TimedShape>, hold_us: u64, least_us: u64) {
     for current in 0..shapes.len() {
         if shapes[current].is_closed() {
             for keep_us in [least_us, 0] {
@@ -16,9 +15,9 @@ pub(super) fn hold(shapes: &mut Vec<Shape>, hold_us: u64, least_us: u64) {
     shapes.retain(|shape| shape.length_us() > 0);
 }
 
-/// Makes the shapes of other consonants last `hold_us` as far as the vowels beside them, and pauses, keep `frame_us`. Closed shapes come
-/// afterwards and take what they need.
-pub(super) fn hold_consonants(shapes: &mut [Shape], hold_us: u64, frame_us: u64) {
+/// Extends the shapes of other consonants to `hold_us`, as long as the adjacent vowels and pauses keep `frame_us`.
+/// Closed shapes are extended afterwards and take the time they need.
+pub(super) fn hold_consonants(shapes: &mut [TimedShape], hold_us: u64, frame_us: u64) {
     for current in 0..shapes.len() {
         if shapes[current].is_consonant() {
             take(shapes, current, hold_us, frame_us);
@@ -26,11 +25,11 @@ pub(super) fn hold_consonants(shapes: &mut [Shape], hold_us: u64, frame_us: u64)
     }
 }
 
-/// Takes what a shape lacks from its neighbours, which keep `keep_us`, or `hold_us` if they are closed.
-fn take(shapes: &mut [Shape], current: usize, hold_us: u64, keep_us: u64) {
+/// Takes the missing time of a shape from its neighbours, which keep `keep_us`, or `hold_us` if they are closed.
+fn take(shapes: &mut [TimedShape], current: usize, hold_us: u64, keep_us: u64) {
     let is_consonant = shapes[current].is_consonant();
-    let lacking = |shapes: &[Shape]| hold_us.saturating_sub(shapes[current].length_us());
-    let spare_us = |shape: &Shape| {
+    let lacking = |shapes: &[TimedShape]| hold_us.saturating_sub(shapes[current].length_us());
+    let spare_us = |shape: &TimedShape| {
         let is_held = shape.is_closed() || is_consonant && shape.is_consonant();
         let keep_us = if is_held { hold_us } else { keep_us };
         shape.length_us().saturating_sub(keep_us)

@@ -1,10 +1,10 @@
-//! What of a phone a viewer can tell apart.
+//! The visually distinct groups of phones.
 
 use crate::Phone;
 use Phone::*;
 
-/// The phones of speech and silence, those that look alike side by side: at rest, with closed lips, with the lip under the
-/// teeth, round, open, and narrow (the shapes of the chart in `shapes.rs`, those that are hardly told apart joined).
+/// The phones of speech and silence, grouped by their look: at rest, with closed lips, with the lip under the teeth,
+/// round, open, and narrow (the shapes of the chart in `shapes.rs`, with hardly distinguishable ones joined).
 pub(crate) const LOOKS: [&[Phone]; 6] = [
     &[Sil],
     &[B, M, P],

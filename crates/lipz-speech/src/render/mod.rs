@@ -1,8 +1,9 @@
-//! Mouths: from phones with times to a shape for every frame.
+//! Rendering: converts phones with times to a viseme for every frame.
 //!
-//! The rules are those of G. Moore, "Talking Heads: Facial Animation in The Getaway" (Game Developer, 2001): a viewer reads closed
-//! lips, and the lip under the teeth, only if they stay for two frames at 24 frames per second, and that time comes from the sound
-//! before them; the mouth is ahead of the sound; it rests only in pauses, and does not open wide for a vowel that is too short.
+//! The rules follow G. Moore, "Talking Heads: Facial Animation in The Getaway" (Game Developer, 2001): viewers see
+//! closed lips, and the lip under the teeth, only if they stay for two frames at 24 frames per second, and that time
+//! comes from the phone before them. The mouth is ahead of the audio, rests only in pauses, and does not open wide for
+//! a short vowel.
 
 mod frames;
 mod hold;
@@ -16,20 +17,21 @@ pub use rms::{RmsRules, rms};
 use crate::Alignment;
 use lipz_types::{Fps, VisemeType};
 
-/// How [`render`] makes a mouth.
+/// The rules with which [`render`] converts phones to visemes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct RenderRules {
-    /// How long before its sound a shape shows, in microseconds. 40 milliseconds, a frame at 24 frames per second: sensors on
-    /// lips see them close 30 to 55 milliseconds before a p, b or m is heard.
+    /// The time by which a viseme precedes its phone, in microseconds. The default is 40 milliseconds, a frame at 24
+    /// frames per second: sensors on lips detect that they close 30 to 55 milliseconds before a p, b or m is audible.
     pub lead_us: u64,
-    /// How long closed lips (p, b, m) and the lip under the teeth (f, v) stay at least, in microseconds: in frames, this is
-    /// rounded to the nearest number, and never less than one. Two frames at 24 frames per second.
+    /// The least time for which closed lips (p, b, m) and the lip under the teeth (f, v) stay, in microseconds. It is
+    /// rounded to the nearest number of frames, but at least one. The default is two frames at 24 frames per second.
     pub hold_us: u64,
-    /// Vowels that are shorter, in microseconds, do not open the mouth wide. A frame at 24 frames per second.
+    /// Vowels shorter than this, in microseconds, do not open the mouth wide. The default is a frame at 24 frames per
+    /// second.
     pub shortest_wide_us: u64,
-    /// Whether the other consonants stay as long, as far as the vowels beside them keep a frame. Not as a rule: a quick mouth
-    /// that stops for each t looks chopped.
+    /// Whether other consonants stay as long, if the adjacent vowels keep a frame. Off by default, because a fast mouth
+    /// that stops for each t looks choppy.
     pub hold_consonants: bool,
 }
 
@@ -39,7 +41,7 @@ impl Default for RenderRules {
     }
 }
 
-/// A mouth: a viseme for every frame.
+/// A lip-sync track: a viseme for every frame.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Mouth {
     /// The codes of the frames, one ASCII character each, without `|`.
@@ -49,7 +51,7 @@ pub struct Mouth {
 }
 
 impl Mouth {
-    /// The `visemes` element of a Lipz file: the frames, with `|` between segments.
+    /// Returns the `visemes` element of a Lipz file: the frames, with `|` between segments.
     pub fn visemes(&self) -> String {
         let mut visemes = String::with_capacity(self.frames.len() + self.segment_starts.len());
         let mut from = 0;
@@ -63,12 +65,12 @@ impl Mouth {
     }
 }
 
-/// The mouth of an alignment: as many frames as the sound lasts, the last of which may be cut short.
+/// Returns the lip-sync track of an alignment. It has as many frames as the audio; the last one may be incomplete.
 ///
-/// For [`VisemeType::Rms`], how far each shape is open; [`rms`] does it by loudness.
+/// For [`VisemeType::Rms`], the frames show how open the shapes are. To follow the loudness instead, use [`rms`].
 pub fn render(alignment: &Alignment, fps: Fps, viseme_type: VisemeType, rules: &RenderRules) -> Mouth {
     let mut shapes = shapes::of_phones(&alignment.phones, rules);
-    // The lead first: lips that are closed when the sound starts must still be seen.
+    // The lead comes first, because closed lips at the start of the audio must still be visible.
     shapes::advance(&mut shapes, rules.lead_us);
     let (hold_us, least_us) = (frames::hold_us(rules.hold_us, fps), frames::least_us(fps));
     if rules.hold_consonants {

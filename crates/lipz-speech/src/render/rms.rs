@@ -1,4 +1,4 @@
-//! `rms` mouths: how loud the voice is.
+//! Lip-sync tracks of type `rms`, which follow the loudness of the voice.
 
 use super::{Mouth, frames};
 use crate::Sound;
@@ -6,17 +6,20 @@ use crate::features::mel::{HOP, RATE_HZ, WINDOW};
 use crate::sound::level::{SILENT_DB, decibels, voice_powers};
 use lipz_types::Fps;
 
-/// How [`rms`] makes a mouth.
+/// The rules with which [`rms`] converts loudness to visemes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct RmsRules {
-    /// So many decibels below the loud frames of the sound, the mouth is closed. 30, where the voice ends and the room begins.
+    /// The level below the loud frames of the recording, in decibels, at which the mouth closes. The default is 30,
+    /// between voice and room noise.
     pub threshold_db: f32,
-    /// A mouth that is closed for as long, in microseconds, rests. 150 milliseconds, as in alignments.
+    /// A mouth that is closed for this long, in microseconds, rests. The default is 150 milliseconds, as in alignments.
     pub shortest_pause_us: u64,
-    /// How far the mouth opens with the amplitude: 1 is in proportion, less opens it wider for what is quiet. A half.
+    /// The exponent of the amplitude: 1 opens the mouth in proportion, less opens it wider for quiet speech. The
+    /// default is 0.5.
     pub exponent: f32,
-    /// How long before its sound the mouth moves, in microseconds. 40 milliseconds, as in [`super::RenderRules::lead_us`].
+    /// The time by which the mouth precedes the audio, in microseconds. The default is 40 milliseconds, as in
+    /// [`super::RenderRules::lead_us`].
     pub lead_us: u64,
 }
 
@@ -26,11 +29,11 @@ impl Default for RmsRules {
     }
 }
 
-/// Of the frames of a sound, so many percent are not louder than the loud ones.
+/// The loud frames are louder than so many percent of all frames.
 const LOUD_PERCENT: usize = 95;
 
-/// The mouth of the loudness of `sound`, of viseme type `rms`: `9` where the voice is loud, `0` where it is quiet, `-` in
-/// pauses. It knows no text, and moves for every noise.
+/// Returns a lip-sync track of type `rms` from the loudness of `sound`: `9` where the voice is loud, `0` where it is
+/// quiet, `-` in pauses. Without a transcript, it also reacts to noise.
 pub fn rms(sound: &Sound, fps: Fps, rules: &RmsRules) -> Mouth {
     let power = voice_powers(sound.spectrum());
     let mut sorted = power.clone();
@@ -53,9 +56,9 @@ pub fn rms(sound: &Sound, fps: Fps, rules: &RmsRules) -> Mouth {
     Mouth { frames: codes.into_iter().map(char::from).collect(), segment_starts: vec![0] }
 }
 
-/// The mean power while a frame of the mouth shows.
+/// Returns the mean power during a frame of the track.
 fn mean(power: &[f32], frame: usize, fps: Fps, lead_us: u64) -> f32 {
-    // A frame of the features is the middle of its samples.
+    // The time of a frame of the features is the middle of its samples.
     let offset_us = (WINDOW as u64 - HOP as u64) * 500_000 / u64::from(RATE_HZ);
     let hop_us = HOP as u64 * 1_000_000 / u64::from(RATE_HZ);
     let index = |time_us: u64| usize::try_from(time_us.saturating_sub(offset_us) / hop_us).unwrap_or(usize::MAX);
@@ -69,7 +72,7 @@ fn mean(power: &[f32], frame: usize, fps: Fps, lead_us: u64) -> f32 {
     }
 }
 
-/// Lets the mouth rest where it is closed for so many frames.
+/// Replaces closed frames with rest in runs of at least `frames`.
 fn rest(codes: &mut [u8], frames: usize) {
     for run in codes.chunk_by_mut(|a, b| (*a == b'0') == (*b == b'0')) {
         if run.first() == Some(&b'0') && run.len() >= frames {
@@ -83,7 +86,7 @@ mod tests {
     use super::*;
     use std::f32::consts::TAU;
 
-    /// A hum of `amplitudes`, each for a quarter of a second.
+    /// Returns a hum with these amplitudes, each for a quarter of a second.
     fn hum(amplitudes: &[f32]) -> Sound {
         let sample = |(i, amplitude): (usize, f32)| {
             amplitude * (1..20).map(|k| (TAU * (i * k * 150 % 16_000) as f32 / 16_000.0).sin()).sum::<f32>() / 20.0

@@ -1,51 +1,51 @@
-//! Which shape each phone has.
+//! The shape of each phone.
 
 use super::RenderRules;
 use crate::{AlignedPhone, Phone};
 use lipz_types::{Viseme, VisemeType, Weight};
 
-/// The resting mouth.
+/// The code of rest.
 pub(super) const REST: u8 = b'-';
 
 /// A shape, as a code of Blair's chart, and its time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Shape {
+pub(super) struct TimedShape {
     pub(super) shape: u8,
     pub(super) start_us: u64,
     pub(super) end_us: u64,
 }
 
-impl Shape {
+impl TimedShape {
     pub(super) fn length_us(&self) -> u64 {
         self.end_us - self.start_us
     }
 
-    /// Whether it is that of another consonant.
+    /// Whether this is the shape of a consonant other than the closed ones.
     pub(super) fn is_consonant(&self) -> bool {
         matches!(self.shape, b'S' | b'L' | b'W')
     }
 
-    /// Whether viewers must be able to read it: closed lips, the lip under the teeth.
+    /// Whether viewers must be able to see the shape: closed lips, or the lip under the teeth.
     pub(super) fn is_closed(&self) -> bool {
         matches!(self.shape, b'M' | b'F')
     }
 }
 
-/// How far into a diphthong its second shape starts, in tenths.
+/// The start of a diphthong's second shape, in tenths of its length.
 const GLIDE_TENTHS: u64 = 6;
 
-/// The shapes of phones; the same shape twice is one.
-pub(super) fn of_phones(phones: &[AlignedPhone], rules: &RenderRules) -> Vec<Shape> {
-    let mut shapes: Vec<Shape> = Vec::with_capacity(phones.len());
+/// Returns the shapes of phones, with equal neighbours merged.
+pub(super) fn of_phones(phones: &[AlignedPhone], rules: &RenderRules) -> Vec<TimedShape> {
+    let mut shapes: Vec<TimedShape> = Vec::with_capacity(phones.len());
     let mut add = |shape, start_us, end_us| match shapes.last_mut() {
         Some(last) if last.shape == shape => last.end_us = end_us,
         _ if start_us == end_us => {}
-        _ => shapes.push(Shape { shape, start_us, end_us }),
+        _ => shapes.push(TimedShape { shape, start_us, end_us }),
     };
     for (number, phone) in phones.iter().enumerate() {
         let AlignedPhone { start_us, end_us, .. } = *phone;
         let (first, second) = match phone.phone {
-            // h has the shape of what follows.
+            // h has the shape of the next phone.
             Phone::Hh => (phones.get(number + 1).map_or(b'S', |next| of_phone(next.phone).0), None),
             phone => of_phone(phone),
         };
@@ -63,16 +63,16 @@ pub(super) fn of_phones(phones: &[AlignedPhone], rules: &RenderRules) -> Vec<Sha
     shapes
 }
 
-/// Moves shapes to `lead_us` earlier; what would be before the sound is cut off.
-pub(super) fn advance(shapes: &mut [Shape], lead_us: u64) {
+/// Moves shapes earlier by `lead_us`, and cuts off the part before the audio.
+pub(super) fn advance(shapes: &mut [TimedShape], lead_us: u64) {
     for shape in shapes {
         shape.start_us = shape.start_us.saturating_sub(lead_us);
         shape.end_us = shape.end_us.saturating_sub(lead_us);
     }
 }
 
-/// The shape of a phone, and that in which a diphthong ends: Preston Blair's chart ("Advanced Animation", 1947), with the
-/// sounds that its names do not mention given to the shape that lips and teeth have in them.
+/// Returns the shape of a phone, and the final shape of a diphthong, from Preston Blair's chart ("Advanced Animation",
+/// 1947). Phones that are not in the chart have the most similar shape of lips and teeth.
 fn of_phone(phone: Phone) -> (u8, Option<u8>) {
     match phone {
         Phone::Aa | Phone::Ae | Phone::Ah => (b'A', None),
@@ -92,7 +92,7 @@ fn of_phone(phone: Phone) -> (u8, Option<u8>) {
     }
 }
 
-/// The code of a shape in a viseme type.
+/// Returns the code of a shape in a viseme type.
 pub(super) fn code(shape: u8, viseme_type: VisemeType) -> u8 {
     match viseme_type {
         VisemeType::Blair => shape,

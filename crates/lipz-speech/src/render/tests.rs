@@ -1,9 +1,9 @@
-//! Tests of mouths.
+//! Tests of rendering.
 
 use super::*;
 use crate::{AlignedPhone, Phone};
 
-/// An alignment of phones, each with its length in milliseconds.
+/// Returns an alignment of phones with these lengths in milliseconds.
 fn alignment(phones: &[(&str, u64)], breaks_ms: &[u64]) -> Alignment {
     let mut now_us = 0;
     let phones = phones.iter().map(|&(name, length_ms)| {
@@ -33,11 +33,11 @@ fn each_phone_shows_its_shape() {
 fn closed_lips_take_time_from_the_sound_before_them() {
     assert_eq!(blair(&[("AA", 250), ("B", 30), ("AA", 250)]), "AAAAAMMAAAAAA");
     assert_eq!(blair(&[("SIL", 250), ("P", 30), ("AA", 250)]), "-----MMAAAAAA");
-    // Even if the lead leaves nothing of them.
+    // Even if the lead cuts them off.
     let phones = alignment(&[("B", 30), ("AA", 250)], &[]);
     let mouth = render(&phones, Fps::whole(24), VisemeType::Blair, &RenderRules::default());
     assert_eq!(mouth.frames, "MMAAAA-");
-    // Nothing before, or nothing to spare: from the sound after them.
+    // If there is nothing before them, or nothing to spare, time comes from the phone after them.
     assert_eq!(blair(&[("B", 30), ("AA", 250)]), "MMAAAAA");
     assert_eq!(blair(&[("B", 83), ("F", 30), ("AA", 250)]), "MMFFAAAAA");
 }
@@ -51,7 +51,7 @@ fn other_consonants_stay_as_long_if_that_is_wanted() {
     let phones = [("AA", 250), ("T", 30), ("AA", 250), ("L", 42), ("IY", 250)];
     assert_eq!(blair(&phones), "AAAAAASAAAAAALEEEEEE");
     assert_eq!(held(&phones), "AAAAASSAAAAALLEEEEEE");
-    // They leave vowels something, and closed lips come first.
+    // Vowels keep some time, and closed lips have priority.
     let phones = [("T", 30), ("IY", 120), ("T", 30), ("B", 30), ("AA", 250)];
     let frames = held(&phones);
     assert!(frames.contains("MM") && frames.contains('S') && frames.contains('E'), "{frames}");

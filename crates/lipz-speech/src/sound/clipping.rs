@@ -1,33 +1,33 @@
-//! Where a recording is louder than its samples can say.
+//! Detection of clipping, where a recording exceeds the range of its samples.
 
-/// Samples that are so near to full scale are cut off: half a step of 8 bits from it.
+/// Samples at or above this are at full scale, from which it is half a step of 8 bits away.
 const FULL_SCALE: f32 = 0.996;
-/// So many of them in a row are no accident: a peak that is not cut off touches full scale once or twice.
+/// The least number of them in a row that counts as clipping. An unclipped peak touches full scale once or twice.
 const LEAST_RUN: usize = 3;
-/// Places that are nearer to each other, in microseconds, are one: half a second.
+/// Places closer together than this, in microseconds, are merged: half a second.
 const NEAR_US: u64 = 500_000;
-/// How many places are remembered; the last stands for all after it.
+/// The most places that are stored. The last stands for all after it.
 const MOST_PLACES: usize = 100;
 
-/// A place where a recording is cut off at full scale.
+/// A place where a recording is clipped at full scale.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Clipping {
-    /// Its start, in microseconds from that of the sound.
+    /// The start in microseconds, from the start of the audio.
     pub start_us: u64,
-    /// Its end.
+    /// The end in microseconds.
     pub end_us: u64,
 }
 
-/// Finds where samples are cut off.
+/// Finds clipped samples.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ClippingFinder {
-    /// By channel: how many samples in a row have been at full scale.
+    /// By channel: the number of consecutive samples at full scale.
     runs: Vec<usize>,
     pub(super) places: Vec<Clipping>,
 }
 
 impl ClippingFinder {
-    /// Takes samples of all channels, the first of which is sample number `first` of `rate_hz` a second.
+    /// Processes samples of all channels. The first is sample number `first`, at `rate_hz` samples per second.
     pub(super) fn push(&mut self, interleaved: &[f32], channels: usize, first: u64, rate_hz: u32) {
         self.runs.resize(channels, 0);
         for (frame, number) in interleaved.chunks_exact(channels).zip(first..) {

@@ -1,20 +1,21 @@
-//! What is missing in a recording.
+//! Missing parts of a recording.
 
-/// What is missing in the middle of a recording: its places, and how long they are together.
+/// The missing parts in the middle of a recording: their number and total length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Damage {
-    /// How many places there are; those side by side are one.
+    /// The number of places. Adjacent ones count once.
     pub places: u64,
-    /// The start of the first, in microseconds from that of the sound.
+    /// The start of the first place in microseconds, from the start of the audio.
     pub start_us: u64,
-    /// The time of all that is missing, as far as it is known, in microseconds: the sound is silent there.
+    /// The total length of the missing parts in microseconds, as far as it can be determined. They are filled with
+    /// silence.
     pub missing_us: u64,
-    /// Where the last place ends.
+    /// The end of the last place.
     end_us: u64,
 }
 
 impl Damage {
-    /// Adds a place: from one sample to another.
+    /// Adds a place, given by its first and last sample.
     pub(super) fn add(&mut self, start: u64, end: u64, rate_hz: u32) {
         let time_us = |sample: u64| sample * 1_000_000 / u64::from(rate_hz);
         let (start_us, end_us) = (time_us(start), time_us(end));

@@ -1,11 +1,11 @@
-//! Decoding: a sound file of any format becomes blocks of samples of one channel.
+//! Decoding: turns an audio file of any format into blocks of mono samples.
 
 use super::clipping::ClippingFinder;
 use super::damage::Damage;
 use super::error::SoundError;
 use super::output::Output;
 use super::packets::Packets;
-use super::source::Source;
+use super::source::SizedSource;
 use super::{lengths, ogg, other};
 use std::collections::VecDeque;
 use std::io::{Read, Seek};
@@ -17,23 +17,23 @@ use symphonia::core::formats::{FormatOptions, FormatReader, TrackType};
 use symphonia::core::io::MediaSourceStream;
 use symphonia::core::meta::MetadataOptions;
 
-/// The rates that are read, in samples per second: beyond them there is no speech, or no sense.
+/// The supported rates, in samples per second. Rates outside are too low for speech, or invalid.
 pub(super) const RATES_HZ: std::ops::RangeInclusive<u32> = 4_000..=768_000;
 
-/// Decodes `source` and gives its samples, as the mean of all channels from -1 to 1, to `take` in order, block by block,
-/// each with the rate in samples per second.
+/// Decodes `source` and passes its samples to `take` in order, block by block, each with the rate in samples per
+/// second. A sample is the mean of all channels, from -1 to 1.
 ///
-/// A file that ends too early, or is damaged in the middle, gives what can be read of it, with silence where something is
-/// missing, and what [`Decoded`] tells.
+/// A file that ends too early, or is damaged in the middle, is decoded as far as possible, with silence for the missing
+/// parts. [`DecodingReport`] describes the damage.
 pub(crate) fn decode<S>(
     source: S,
     extension: Option<&str>,
     take: impl FnMut(u32, &[f32]) -> Result<(), SoundError>,
-) -> Result<Decoded, SoundError>
+) -> Result<DecodingReport, SoundError>
 where
     S: Read + Seek + Send + Sync,
 {
-    let mut source = Source::new(source).map_err(SoundError::Io)?;
+    let mut source = SizedSource::new(source).map_err(SoundError::Io)?;
     if source.length == 0 {
         return Err(SoundError::Empty);
     }
@@ -84,8 +84,8 @@ where
     Ok(output.decoded)
 }
 
-/// What reads a file of this format.
-fn probe<'s, S>(source: Source<S>, extension: Option<&str>) -> Result<Box<dyn FormatReader + 's>, SoundError>
+/// Returns the reader for the format of the file.
+fn probe<'s, S>(source: SizedSource<S>, extension: Option<&str>) -> Result<Box<dyn FormatReader + 's>, SoundError>
 where
     S: Read + Seek + Send + Sync + 's,
 {
@@ -94,7 +94,7 @@ where
     if let Some(extension) = extension {
         hint.with_extension(extension);
     }
-    // Pictures of the cover and the like are nothing to us: a few bytes are enough for what decoding needs.
+    // Cover art and similar metadata are not used. Decoding needs only a few bytes.
     let metadata = MetadataOptions::default()
         .limit_tag_bytes(Limit::Maximum(METADATA_BYTES))
         .limit_visual_bytes(Limit::Maximum(METADATA_BYTES));
@@ -106,23 +106,23 @@ where
     )
 }
 
-/// How many bytes of metadata are read.
+/// The most bytes of metadata that are read.
 const METADATA_BYTES: usize = 1 << 20;
 
-/// What decoding met.
+/// The irregularities found during decoding.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Decoded {
-    /// Where the samples are cut off.
+pub(crate) struct DecodingReport {
+    /// The clipped places.
     pub(super) clipping: ClippingFinder,
-    /// The file ends in the middle of its data.
+    /// Whether the file ends in the middle of its data.
     pub(super) truncated: bool,
-    /// The checksum of all samples is another one.
+    /// Whether the checksum of all samples is wrong.
     pub(super) is_altered: bool,
-    /// What is missing in the middle.
+    /// The missing parts in the middle.
     pub(super) damage: Damage,
 }
 
-/// The first track of sound, and its decoder.
+/// Returns the first audio track and its decoder.
 fn open(format: &dyn FormatReader) -> Result<(u32, Box<dyn AudioDecoder>), SoundError> {
     let track = format.default_track(TrackType::Audio).ok_or(SoundError::NoSound)?;
     let parameters = track.codec_params.as_ref().and_then(|parameters| parameters.audio());

@@ -1,57 +1,57 @@
-//! WAV and AIFF files whose headers tell other lengths than they have: decoders refuse some of them, although the samples are
-//! there.
+//! WAV and AIFF files whose headers have wrong lengths. Decoders reject some of them, although they contain samples.
 
-use super::source::Source;
+use super::source::SizedSource;
 use std::io::{Read, Result, Seek};
 
-/// The bytes of the head of a chunk: its name and its length.
+/// The size of a chunk's head in bytes: its name and its length.
 const HEAD_BYTES: u64 = 8;
-/// Where the first chunk of a file starts, behind the head of the file and the name of its form.
+/// The offset of the first chunk, after the head of the file and the name of its form.
 const FIRST_CHUNK: u64 = 12;
-/// So many chunks are looked at: files have a dozen.
+/// The most chunks that are examined. Usual files have a dozen.
 const MOST_CHUNKS: usize = 1_000;
-/// A writer that does not know how long its file will be writes the greatest length (ffmpeg), or the half of it (sox).
+/// The least length that stands for an unknown length. Programs that stream write the greatest length (ffmpeg), or half
+/// of it (sox).
 const STREAMED: u32 = 0x7fff_f000;
 
-/// What a header tells about where the file ends.
+/// The header's information about the end of the file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(super) struct Told {
-    /// The writer did not know: the file ends where its bytes end.
+pub(super) struct FileEnd {
+    /// The header has no length, so the file ends with its last byte.
     pub(super) is_streamed: bool,
-    /// The samples should go on behind the last byte.
+    /// The header declares more samples than the file contains.
     pub(super) is_cut: bool,
 }
 
-/// Looks whether the lengths in the header are true, and mends those for which the decoder would refuse the file.
-pub(super) fn mend<S: Read + Seek>(source: &mut Source<S>) -> Result<Told> {
+/// Checks the lengths in the header, and fixes those for which the decoder would reject the file.
+pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEnd> {
     let head = source.peek(0, 12)?;
     let length = |bytes: [u8; 4]| match head.starts_with(b"RIFF") {
         true => u32::from_le_bytes(bytes),
         false => u32::from_be_bytes(bytes),
     };
     let Some(whole) = head.get(4..).and_then(|rest| rest.first_chunk()).copied().map(length) else {
-        return Ok(Told::default());
+        return Ok(FileEnd::default());
     };
     let is_true = u64::from(whole) + HEAD_BYTES == source.length;
     match (head.get(..4), head.get(8..)) {
         (Some(b"RIFF"), Some(b"WAVE")) => {
-            // The decoder then asks the chunk of samples alone, and that may be longer than the file.
+            // The decoder then uses only the length of the sample chunk, which may exceed the file.
             source.mended.push((4, u32::MAX.to_le_bytes()));
-            Ok(Told { is_streamed: whole >= STREAMED, is_cut: false })
+            Ok(FileEnd { is_streamed: whole >= STREAMED, is_cut: false })
         }
         (Some(b"FORM"), Some(b"AIFF" | b"AIFC")) => {
-            let Some(end) = u32::try_from(source.length - HEAD_BYTES).ok() else { return Ok(Told::default()) };
+            let Some(end) = u32::try_from(source.length - HEAD_BYTES).ok() else { return Ok(FileEnd::default()) };
             if !is_true {
                 source.mended.push((4, end.to_be_bytes()));
             }
             cut_samples(source)
         }
-        _ => Ok(Told::default()),
+        _ => Ok(FileEnd::default()),
     }
 }
 
-/// Makes the samples of an AIFF file end with the file, if they should go on behind it.
-fn cut_samples<S: Read + Seek>(source: &mut Source<S>) -> Result<Told> {
+/// Shortens the samples of an AIFF file to the length of the file, if they should be longer.
+fn cut_samples<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEnd> {
     let mut at = FIRST_CHUNK;
     for _ in 0..MOST_CHUNKS {
         let head = source.peek(at, 8)?;
@@ -62,13 +62,13 @@ fn cut_samples<S: Read + Seek>(source: &mut Source<S>) -> Result<Told> {
         if name == b"SSND" && length > there {
             let there = u32::try_from(there).unwrap_or(u32::MAX);
             source.mended.push((at + 4, there.to_be_bytes()));
-            return Ok(Told { is_streamed: false, is_cut: true });
+            return Ok(FileEnd { is_streamed: false, is_cut: true });
         }
-        // Chunks start at even places.
+        // Chunks start at even offsets.
         at = start + length + length % 2;
         if at >= source.length {
             break;
         }
     }
-    Ok(Told::default())
+    Ok(FileEnd::default())
 }

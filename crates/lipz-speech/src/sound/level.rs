@@ -1,21 +1,21 @@
-//! How loud the voice is.
+//! The loudness of the voice.
 
 use crate::features::mel::{BANDS, Spectrum, logarithm_of, white_noise};
 
-/// Sounds that are nowhere louder are silent, in decibels below full scale.
+/// Audio that is not louder than this is silent, in decibels relative to full scale.
 pub(crate) const SILENT_DB: f32 = -60.0;
 
-/// The highest band of the voice: up to 4 kilohertz. Above are hisses, for which a mouth opens little.
+/// The number of bands of the voice: up to 4 kilohertz. Above are hisses, for which a mouth opens little.
 const VOICE_BANDS: usize = 20;
 /// The power of white noise at full scale, in the units of [`voice_power`].
 const FULL_SCALE: f32 = 32_768.0 * 32_768.0;
 
-/// The loudness of a sound.
+/// The loudness of a recording.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Levels {
-    /// Of the loud frames: 95 in 100 are not louder.
+    /// The level of the loud frames: 95 in 100 frames are not louder.
     pub(crate) loud_db: f32,
-    /// Of the quiet frames: 5 in 100 are quieter.
+    /// The level of the quiet frames: 5 in 100 frames are quieter.
     pub(crate) quiet_db: f32,
 }
 
@@ -28,7 +28,7 @@ impl Levels {
     }
 }
 
-/// The power of the voice in each frame, without the pre-emphasis of the features; 1 is full scale.
+/// Returns the power of the voice in each frame, without the pre-emphasis of the features; 1 is full scale.
 pub(crate) fn voice_powers(spectrum: &[Spectrum]) -> Vec<f32> {
     let white = white_noise();
     spectrum.iter().map(|frame| voice_power(frame, &white)).collect()
@@ -39,7 +39,7 @@ fn voice_power(spectrum: &Spectrum, white: &[f32; BANDS]) -> f32 {
     bands.map(|(&band, white)| libm::expf(logarithm_of(band)) / white).sum::<f32>() / VOICE_BANDS as f32 / FULL_SCALE
 }
 
-/// A ratio of powers in decibels.
+/// Converts a ratio of powers to decibels.
 pub(crate) fn decibels(ratio: f32) -> f32 {
     10.0 * libm::log10f(ratio.max(1e-30))
 }

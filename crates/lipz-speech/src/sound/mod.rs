@@ -1,4 +1,4 @@
-//! A recording, as far as alignment needs to know it.
+//! A recording, in the form that alignment needs.
 
 mod clipping;
 mod damage;
@@ -25,8 +25,8 @@ pub(crate) use resample::Resampler;
 use std::io::{Cursor, Read, Seek};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// A recording: its length, and the spectrum of each hundredth of a second. The samples themselves are gone: an hour of sound
-/// takes 18 megabytes.
+/// A recording: its length, and the spectrum of each hundredth of a second. It does not keep the samples: an hour of
+/// audio takes 18 megabytes.
 #[derive(Clone, Debug)]
 pub struct Sound {
     samples: u64,
@@ -39,23 +39,23 @@ pub struct Sound {
 }
 
 impl Sound {
-    /// The longest sound that is read, in seconds: a day.
+    /// The longest supported recording in seconds: one day.
     pub const LONGEST_S: u64 = 86_400;
 
-    /// Reads a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file; its first bytes say which it is, and `extension` decides where they
-    /// do not. Channels are mixed down.
+    /// Reads a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file. Its format is detected from its first bytes, or else from
+    /// `extension`. Channels are mixed down.
     ///
     /// # Errors
     ///
-    /// If nothing of the sound can be read. A file that is damaged in the middle or ends too early is read as far as
-    /// possible, and [`Sound::is_truncated`], [`Sound::damage`] and [`Sound::is_altered`] tell so.
+    /// If no audio can be read. A file that is damaged in the middle or ends too early is read as far as possible: see
+    /// [`Sound::is_truncated`], [`Sound::damage`] and [`Sound::is_altered`].
     pub fn read<S>(source: S, extension: Option<&str>) -> Result<Sound, SoundError>
     where
         S: Read + Seek + Send + Sync,
     {
         let mut analysis = None;
-        // In debug builds, the decoders' arithmetic on numbers of a header can overflow, and so panic. In releases,
-        // no file is known that makes them panic, but they are large, and files come from anywhere.
+        // In debug builds, the decoders' arithmetic on numbers of a header can overflow, and so panic. In releases, no
+        // file is known that makes them panic, but they are large, and files come from anywhere.
         let decode = AssertUnwindSafe(|| {
             decode::decode(source, extension, |rate_hz, samples| {
                 let analysis = analysis.get_or_insert_with(|| Analysis::new(rate_hz));
@@ -74,12 +74,12 @@ impl Sound {
         Ok(sound)
     }
 
-    /// The length of a file in microseconds, to the nearest: decoded to its last sample, because headers may be wrong. 0 if
-    /// it has no samples.
+    /// Returns the length of a file in microseconds, rounded to the nearest, or 0 if it has no samples. The file is
+    /// decoded to its last sample, because headers may be wrong.
     ///
     /// # Errors
     ///
-    /// As [`Sound::read`].
+    /// As for [`Sound::read`].
     pub fn length_us<S>(source: S, extension: Option<&str>) -> Result<u64, SoundError>
     where
         S: Read + Seek + Send + Sync,
@@ -93,20 +93,20 @@ impl Sound {
         Ok((samples * 1_000_000 + rate / 2) / rate)
     }
 
-    /// Reads a file that is in memory: see [`Sound::read`].
+    /// Reads a file in memory: see [`Sound::read`].
     ///
     /// # Errors
     ///
-    /// As [`Sound::read`].
+    /// As for [`Sound::read`].
     pub fn from_bytes(bytes: &[u8], extension: Option<&str>) -> Result<Sound, SoundError> {
         Sound::read(Cursor::new(bytes), extension)
     }
 
-    /// The sound of these samples of one channel, from -1 to 1, of which a second has `rate_hz`.
+    /// Returns the recording with these mono samples, from -1 to 1, at `rate_hz` samples per second.
     ///
     /// # Errors
     ///
-    /// If there are none or too many, or the rate is none for speech.
+    /// If there are no samples or too many, or the rate is unsuitable for speech.
     pub fn from_samples(samples: &[f32], rate_hz: u32) -> Result<Sound, SoundError> {
         if !decode::RATES_HZ.contains(&rate_hz) {
             return Err(SoundError::Rate { rate_hz });
@@ -123,12 +123,12 @@ impl Sound {
         Ok(sound)
     }
 
-    /// The length in microseconds.
+    /// Returns the length in microseconds.
     pub fn duration_us(&self) -> u64 {
         self.samples * 1_000_000 / u64::from(self.rate_hz)
     }
 
-    /// Samples per second of the file.
+    /// Returns the sample rate of the file, in samples per second.
     pub fn rate_hz(&self) -> u32 {
         self.rate_hz
     }
@@ -138,42 +138,41 @@ impl Sound {
         self.truncated
     }
 
-    /// What is missing in the middle of the file. The sound is silent for as long, so that what follows keeps its time.
+    /// Returns the missing parts in the middle of the file. They are replaced with silence, so the rest keeps its time.
     pub fn damage(&self) -> Damage {
         self.damage
     }
 
-    /// Whether the samples are others than those of which the file was made, by its checksum of them. Of the formats that are
-    /// read, only FLAC has one.
+    /// Whether the checksum in the file does not match the samples. Of the supported formats, only FLAC has one.
     pub fn is_altered(&self) -> bool {
         self.is_altered
     }
 
-    /// Where the recording is cut off at full scale, in order; near places are one.
+    /// Returns the places where the recording is clipped at full scale, in order. Nearby places are merged.
     pub fn clipping(&self) -> &[Clipping] {
         &self.clipping
     }
 
-    /// How loud it is where it is loud, in decibels below full scale: about -20 for a good recording. One in twenty of the frames
-    /// is louder.
+    /// Returns the level of the loud frames, in decibels relative to full scale: about -20 for a good recording. One
+    /// frame in twenty is louder.
     pub fn level_db(&self) -> f32 {
         level::Levels::new(&self.spectrum).loud_db
     }
 
-    /// How much louder the loud frames are than the quiet ones, in decibels. Speech with pauses has 30 and more; below 10, there
-    /// are no pauses, or noise or music is as loud as the speech.
+    /// Returns the difference between the loud and the quiet frames, in decibels. Speech with pauses has 30 or more.
+    /// Below 10, there are no pauses, or noise or music is as loud as the speech.
     pub fn range_db(&self) -> f32 {
         let levels = level::Levels::new(&self.spectrum);
         levels.loud_db - levels.quiet_db
     }
 
-    /// Whether nothing can be heard: nowhere louder than -60 decibels below full scale.
+    /// Whether the recording is silent: at no time louder than -60 decibels relative to full scale.
     pub fn is_silent(&self) -> bool {
         self.level_db() < level::SILENT_DB
     }
 
-    /// Whether it can be heard, but is no speech: noise, a tone, most music. The shape of its spectrum changes less than that
-    /// of any speech.
+    /// Whether the recording is audible, but not speech: noise, a tone, or most music. The shape of its spectrum
+    /// changes less than that of any speech.
     ///
     /// ```
     /// use lipz_speech::Sound;
@@ -191,7 +190,7 @@ impl Sound {
     }
 }
 
-/// What makes a [`Sound`] of samples, block by block.
+/// Computes a [`Sound`] from samples, block by block.
 struct Analysis {
     rate_hz: u32,
     samples: u64,
@@ -226,7 +225,7 @@ impl Analysis {
     fn finish(mut self) -> Sound {
         let resampler = std::mem::replace(&mut self.resampler, Resampler::new(RATE_HZ, RATE_HZ));
         resampler.finish(&mut self.resampled);
-        // So that each sample is in the first part of a frame.
+        // Pads the end so that each sample is in the first part of a frame.
         self.resampled.extend([0.0; WINDOW - 1]);
         self.analyse();
         Sound {
@@ -244,7 +243,7 @@ impl Analysis {
         for sample in &mut self.resampled {
             *sample *= 32_768.0; // the model's units
         }
-        // By an eighth, not by twice as much: an hour has 18 megabytes.
+        // Grows by an eighth instead of doubling, because an hour takes 18 megabytes.
         let more = self.resampled.len() / HOP + 1;
         if self.spectrum.capacity() - self.spectrum.len() < more {
             self.spectrum.reserve_exact(more.max(self.spectrum.len() / 8));

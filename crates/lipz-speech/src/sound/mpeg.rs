@@ -1,7 +1,7 @@
-//! The frames of an MP3 file, and how many are missing between them.
+//! The frames of an MP3 file, and the number of missing frames between them.
 //!
-//! The decoder's own reader looks for the next frame behind what is no frame, and says nothing: what is missing makes all
-//! that follows too early. Here, the bytes between two frames tell how many there were.
+//! The decoder's own reader silently skips invalid bytes up to the next frame, which makes all later audio too early.
+//! This reader estimates the number of missing frames from the bytes between two frames.
 
 use super::window::Window;
 use std::io::{Read, Result};
@@ -9,35 +9,35 @@ use symphonia::core::formats::Track;
 use symphonia::core::packet::{Packet, PacketBuilder};
 use symphonia::core::units::{Duration, Timestamp};
 
-/// Kilobits a second by their number in a header, of MPEG 1 and of its half rates.
+/// Kilobits per second by their index in a header, for MPEG 1 and its half rates.
 const KILOBITS: [[u32; 16]; 2] = [
     [0, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 0],
     [0, 8, 16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 144, 160, 0],
 ];
-/// Samples a second by their number in a header, of MPEG 1.
+/// Samples per second by their index in a header, for MPEG 1.
 const RATES_HZ: [u32; 3] = [44_100, 48_000, 32_000];
-/// The bytes of a header.
+/// The size of a header in bytes.
 const HEADER_BYTES: usize = 4;
-/// The bits in which all headers of a file are alike: the mark, version, layer, rate.
+/// The bits that are equal in all headers of a file: the mark, version, layer, rate.
 const ALIKE: u32 = 0xfffe_0c00;
-/// What may follow the last frame: tags of several kinds, and blanks.
+/// Data that may follow the last frame: tags of several kinds, and spaces.
 const TAGS: [&[u8]; 5] = [b"TAG", b"APETAGEX", b"LYRICSBEGIN", b"ID3", b"3DI"];
-/// So many zeros are looked at.
+/// The most zeros that are examined.
 const MOST_ZEROS: usize = 1 << 15;
 
-/// What a header says.
+/// The content of a header.
 #[derive(Clone, Copy)]
-struct Header {
+struct MpegHeader {
     word: u32,
-    /// The frame with its header.
+    /// The size of the frame, including its header.
     bytes: usize,
     samples: u64,
-    /// The bytes between the header and the sound.
+    /// The bytes between the header and the audio.
     side_bytes: usize,
 }
 
-impl Header {
-    fn parse(bytes: &[u8]) -> Option<Header> {
+impl MpegHeader {
+    fn parse(bytes: &[u8]) -> Option<MpegHeader> {
         let word = u32::from_be_bytes(*bytes.first_chunk()?);
         let bits = |shift: u32, count: u32| (word >> shift) & ((1 << count) - 1);
         let (version, layer) = (bits(19, 2), bits(17, 2));
@@ -55,41 +55,42 @@ impl Header {
             (false, true) => 9,
         };
         let samples = if is_full { 1152 } else { 576 };
-        (kilobits > 0).then_some(Header { word, bytes: bytes as usize, samples, side_bytes })
+        (kilobits > 0).then_some(MpegHeader { word, bytes: bytes as usize, samples, side_bytes })
     }
 
-    fn is_like(&self, other: &Header) -> bool {
-        let is_mono = |header: &Header| (header.word >> 6) & 3 == 3;
+    fn is_like(&self, other: &MpegHeader) -> bool {
+        let is_mono = |header: &MpegHeader| (header.word >> 6) & 3 == 3;
         (self.word ^ other.word) & ALIKE == 0 && is_mono(self) == is_mono(other)
     }
 }
 
-/// The frames of a file, one after the other.
+/// The frames of a file, in order.
 pub(super) struct Frames<R> {
     window: Window<R>,
-    /// The header of the first frame, which all others are like.
-    first: Header,
-    /// How many frames there should be.
+    /// The header of the first frame. All others have the same format.
+    first: MpegHeader,
+    /// The declared number of frames.
     declared: Option<u64>,
-    /// Frames so far, missing ones too; of those, the missing ones; the bytes of those that are there.
+    /// The number of frames so far, including missing ones; of missing ones; and the bytes of the others.
     count: u64,
     missing: u64,
     bytes: u64,
-    /// How many samples at the start are none of the sound, and after how many it ends.
+    /// The samples to drop at the start, and the number of samples after which the audio ends.
     delay: u64,
     end: Option<u64>,
-    /// The file ends in the middle of a frame, or before its last.
+    /// Whether the file ends in the middle of a frame, or before its last.
     pub(super) is_cut: bool,
 }
 
 impl<R: Read> Frames<R> {
-    /// The frames of `reader`, which is at its start; the decoder knows the rest by its `track`. Nothing, if there is no frame.
+    /// Returns the frames of `reader`, which is at its start, or `None` if there is no frame. `track` has the
+    /// information that the decoder already has.
     pub(super) fn new(reader: R, track: &Track) -> Result<Option<Frames<R>>> {
         let mut window = Window::new(reader);
         window.skip_tag()?;
         let first = loop {
             let Some(bytes) = window.peek(0, HEADER_BYTES)? else { return Ok(None) };
-            match Header::parse(bytes) {
+            match MpegHeader::parse(bytes) {
                 Some(header) if window.is_followed(&header)? => break header,
                 _ => window.skip(1)?,
             }
@@ -109,7 +110,7 @@ impl<R: Read> Frames<R> {
         Ok(Some(frames))
     }
 
-    /// The first frame may have no sound, but the number of frames.
+    /// Reads the first frame, which may contain the number of frames instead of audio.
     fn read_tag(&mut self, track: &Track) -> Result<()> {
         let Some(frame) = self.window.peek(0, self.first.bytes)? else { return Ok(()) };
         let number =
@@ -127,7 +128,7 @@ impl<R: Read> Frames<R> {
         self.window.skip(self.first.bytes)
     }
 
-    /// The next frame, and how many samples are missing before it, if something is. Nothing at the end.
+    /// Returns the next frame, and the number of samples that are missing before it, if any; `None` at the end.
     pub(super) fn next(&mut self) -> Result<Option<(Packet, Option<u64>)>> {
         let mut junk = 0_u64;
         let header = loop {
@@ -136,9 +137,9 @@ impl<R: Read> Frames<R> {
                 return Ok(None);
             };
             let is_tagged = bytes.starts_with(b"ID3");
-            match Header::parse(bytes).filter(|header| header.is_like(&self.first)) {
+            match MpegHeader::parse(bytes).filter(|header| header.is_like(&self.first)) {
                 Some(header) if self.is_frame(&header, junk == 0)? => break header,
-                // Of a file that was put behind another.
+                // The tag of a file that was appended to this one.
                 None if junk == 0 && is_tagged => self.window.skip_tag()?,
                 None if junk == 0 && self.window.is_end()? => {
                     self.finish(0);
@@ -154,7 +155,7 @@ impl<R: Read> Frames<R> {
         let data = self.window.peek(0, header.bytes)?.unwrap_or_default().to_vec();
         self.window.skip(header.bytes)?;
         let start = (self.count * header.samples).cast_signed() - self.delay.cast_signed();
-        // Behind the end is what fills the last frames, or another file.
+        // The end is followed by padding of the last frames, or by another file.
         let end = self.end.filter(|_| self.declared.is_none_or(|declared| self.count < declared));
         self.count += 1;
         self.bytes += header.bytes as u64;
@@ -167,8 +168,8 @@ impl<R: Read> Frames<R> {
         Ok(Some((packet, missing)))
     }
 
-    /// Whether a frame starts here. Where the last one ended, that needs no other sign than its header.
-    fn is_frame(&mut self, header: &Header, is_in_step: bool) -> Result<bool> {
+    /// Whether a frame starts here. Directly after a frame, its header is sufficient evidence.
+    fn is_frame(&mut self, header: &MpegHeader, is_in_step: bool) -> Result<bool> {
         if self.window.peek(0, header.bytes)?.is_none() {
             self.is_cut |= is_in_step;
             return Ok(false);
@@ -176,7 +177,7 @@ impl<R: Read> Frames<R> {
         Ok(is_in_step || self.window.is_followed(header)?)
     }
 
-    /// How many samples these bytes had.
+    /// Counts these bytes as missing, and returns their number of samples.
     fn lose(&mut self, bytes: u64) -> u64 {
         let frames = self.frames_in(bytes);
         self.count += frames;
@@ -184,15 +185,15 @@ impl<R: Read> Frames<R> {
         frames * self.first.samples
     }
 
-    /// How many frames of the mean length these bytes are.
+    /// Returns the number of frames of mean length in these bytes.
     fn frames_in(&self, bytes: u64) -> u64 {
         let mean = self.bytes.checked_div(self.count - self.missing).unwrap_or(self.first.bytes as u64).max(1);
         (bytes + mean / 2) / mean
     }
 
-    /// Behind the last frame, there are so many bytes that are none.
+    /// Handles the end of the file, which has `junk` invalid bytes after the last frame.
     fn finish(&mut self, junk: u64) {
-        // How many frames were lost is not known for sure.
+        // The number of lost frames is an estimate.
         let missing = self.declared.map(|declared| declared.saturating_sub(self.count + 1 + self.missing / 2));
         self.is_cut = match missing {
             Some(missing) => missing > 0,
@@ -201,9 +202,9 @@ impl<R: Read> Frames<R> {
     }
 }
 
-/// What only MP3 files have.
+/// The methods for MP3 files.
 impl<R: Read> Window<R> {
-    /// Goes behind the tags at the start of a file.
+    /// Skips the tags at the start of a file.
     fn skip_tag(&mut self) -> Result<()> {
         while let Some(&[b'I', b'D', b'3', _, _, flags, ref size @ ..]) = self.peek(0, 10)? {
             let size = size.iter().fold(0_usize, |size, byte| size << 7 | usize::from(byte & 0x7f));
@@ -213,18 +214,18 @@ impl<R: Read> Window<R> {
         Ok(())
     }
 
-    /// Whether another frame of this kind, or the end, follows a frame that starts here.
-    fn is_followed(&mut self, header: &Header) -> Result<bool> {
+    /// Whether the frame that starts here is followed by another frame of this format, or by the end.
+    fn is_followed(&mut self, header: &MpegHeader) -> Result<bool> {
         if self.peek(0, header.bytes)?.is_none() {
             return Ok(false);
         }
         Ok(match self.peek(header.bytes, HEADER_BYTES)? {
-            Some(next) => Header::parse(next).is_some_and(|next| next.is_like(header)) || is_tag(next),
+            Some(next) => MpegHeader::parse(next).is_some_and(|next| next.is_like(header)) || is_tag(next),
             None => true,
         })
     }
 
-    /// Whether all that follows is no sound: tags, or zeros up to the end.
+    /// Whether only tags, or zeros up to the end, follow.
     fn is_end(&mut self) -> Result<bool> {
         let Some(start) = self.peek(0, HEADER_BYTES)? else { return Ok(true) };
         if is_tag(start) {

@@ -1,7 +1,7 @@
-//! Where pages of an Ogg file are missing.
+//! Detection of missing pages in an Ogg file.
 //!
-//! The decoder's reader leaves out what is damaged, and gives the packets behind it the times of those that are gone: only those of
-//! the page after next are right. What stands in the pages tells more.
+//! The decoder's reader skips damaged pages, and assigns their times to the packets that follow. Times are correct only
+//! from the second page on. The headers of the pages have more information.
 
 use super::window::Window;
 use std::collections::VecDeque;
@@ -9,16 +9,16 @@ use std::io::{Read, Result};
 use symphonia::core::checksum::Crc32;
 use symphonia::core::io::Monitor;
 
-/// What a page starts with, and how many bytes of it come before the lengths of its parts.
+/// The first bytes of a page, and the size of the header before the lengths of its segments.
 const MARK: &[u8] = b"OggS";
 const HEAD_BYTES: usize = 27;
-/// Where its checksum is.
+/// The offsets of its checksum.
 const CHECKSUM: std::ops::Range<usize> = 22..26;
-/// Where its version is, which is 0, and its flags, of which there are three.
+/// The offsets of its version, which is 0, and of its three flags.
 const VERSION: usize = 4;
 const FLAGS: usize = 5;
 const MOST_FLAGS: u8 = 7;
-/// The bytes of the longest page.
+/// The size of the longest page in bytes.
 const MOST_BYTES: usize = HEAD_BYTES + 255 + 255 * 255;
 /// The time of a page in which no packet ends.
 const NO_TIME: i64 = -1;
@@ -26,13 +26,13 @@ const NO_TIME: i64 = -1;
 /// A place where pages are missing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Hole {
-    /// When the last page before it ends, in samples.
+    /// The end of the last page before it, in samples.
     pub(super) start: i64,
-    /// When the first page behind it ends.
+    /// The end of the first page after it, in samples.
     pub(super) next_end: i64,
 }
 
-/// What is known of a page.
+/// The header of a page.
 struct Page {
     bytes: usize,
     serial: u32,
@@ -40,12 +40,12 @@ struct Page {
     time: i64,
 }
 
-/// The places where pages of the first stream are missing, in order. Reads the file from its first to its last byte.
+/// Returns the places where pages of the first stream are missing, in order. Reads the whole file.
 pub(super) fn holes(reader: impl Read) -> Result<VecDeque<Hole>> {
     let mut pages = Pages::new(reader);
     let mut holes = VecDeque::new();
     let (mut serial, mut number, mut time) = (None, 0_u32, 0);
-    // The start of a hole behind which no packet has ended yet.
+    // The start of a hole after which no packet has ended yet.
     let mut open = None;
     while let Some(page) = pages.next()? {
         if *serial.get_or_insert(page.serial) != page.serial {
@@ -63,14 +63,14 @@ pub(super) fn holes(reader: impl Read) -> Result<VecDeque<Hole>> {
     Ok(holes)
 }
 
-/// The whole pages of a file.
+/// The complete pages of a file.
 struct Pages<R> {
     window: Window<R>,
-    /// How many bytes are behind us.
+    /// The number of bytes before the window.
     passed: u64,
-    /// Bytes whose checksum was another one.
+    /// The number of bytes whose checksum was wrong.
     failed: u64,
-    /// All bytes whose checksum was computed.
+    /// The number of bytes whose checksum was computed.
     #[cfg(test)]
     summed: usize,
 }
@@ -86,7 +86,7 @@ impl<R: Read> Pages<R> {
         }
     }
 
-    /// The next page; nothing if there are no more.
+    /// Returns the next page, or `None` at the end.
     fn next(&mut self) -> Result<Option<Page>> {
         while self.window.peek(0, 1)?.is_some() {
             let page = self.page()?;
@@ -100,14 +100,14 @@ impl<R: Read> Pages<R> {
         Ok(None)
     }
 
-    /// The page that starts here, if there is one, and it is whole.
+    /// Returns the page that starts here, if there is a complete one.
     fn page(&mut self) -> Result<Option<Page>> {
         let is_head = |head: &&[u8]| head.starts_with(MARK) && head[VERSION] == 0 && head[FLAGS] <= MOST_FLAGS;
         let Some(head) = self.window.peek(0, HEAD_BYTES)?.filter(is_head) else { return Ok(None) };
         let parts = usize::from(head[HEAD_BYTES - 1]);
         let Some(head) = self.window.peek(0, HEAD_BYTES + parts)? else { return Ok(None) };
         let bytes = head.len() + head[HEAD_BYTES..].iter().map(|&part| usize::from(part)).sum::<usize>();
-        // Damaged pages lie behind each other. Where heads lie within what other heads call their pages, somebody has made them.
+        // Damaged pages follow each other. Page headers inside other pages indicate a crafted file.
         if self.failed > self.passed + MOST_BYTES as u64 {
             return Ok(None);
         }
@@ -133,7 +133,7 @@ impl<R: Read> Pages<R> {
 mod tests {
     use super::*;
 
-    /// A page with this content of at most 255 bytes.
+    /// Returns a page with this content of at most 255 bytes.
     fn page(number: u32, time: i64, content: &[u8]) -> Vec<u8> {
         let mut page =
             [MARK, &[0, 0], &time.to_le_bytes(), &[7, 0, 0, 0], &number.to_le_bytes(), &[0; 4], &[1]].concat();
@@ -165,17 +165,17 @@ mod tests {
         assert_eq!(summed(&file).0, 3);
     }
 
-    /// Heads whose pages lie over each other: the work stays in proportion to the file.
+    /// With headers of overlapping pages, the work must stay proportional to the size of the file.
     #[test]
     fn heads_that_somebody_made_take_no_more_than_their_bytes() {
         let marks = MARK.repeat(100_000);
         assert_eq!(summed(&marks), (0, 0));
-        // As close as can be, with as many parts as can be, each of them as long as can be.
+        // As close together as possible, with as many and as long segments as possible.
         let head = [MARK, &[0, 0], &[255; 20], &[255]].concat();
         let mut file = head.repeat(20_000);
         let (count, work) = summed(&file);
         assert!(count == 0 && work <= file.len() + 2 * MOST_BYTES, "{work} of {}", file.len());
-        // What comes behind is still found.
+        // The pages after them are still found.
         file.extend(vec![0; MOST_BYTES]);
         file.extend([page(0, 0, b"head"), page(1, 100, b"one"), page(3, 300, b"three")].concat());
         assert_eq!(holes(file.as_slice()).unwrap(), [Hole { start: 100, next_end: 300 }]);

@@ -1,23 +1,23 @@
-//! Decoded samples, with silence where some are missing.
+//! Decoded samples, with silence for missing ones.
 
-use super::decode::{Decoded, RATES_HZ};
+use super::decode::{DecodingReport, RATES_HZ};
 use super::error::SoundError;
 use symphonia::core::audio::GenericAudioBufferRef;
 
-/// How much silence stands for what is missing, in seconds: a damaged number must not make a day of it.
+/// The longest silence for a missing part, in seconds, so that a damaged number cannot produce a day of it.
 const MOST_SILENCE_S: u64 = 600;
-/// Samples of silence that are given at a time.
+/// The samples of silence that are output at a time.
 const BLOCK: usize = 4_096;
 
-/// Takes what is decoded, and gives it on as one channel.
+/// Passes decoded samples on as one channel.
 pub(super) struct Output<T> {
     take: T,
-    pub(super) decoded: Decoded,
+    pub(super) decoded: DecodingReport,
     rate_hz: Option<u32>,
-    /// Samples that were given; and those that are missing before the first, when the rate is not known yet.
+    /// The number of samples that were passed on, and of missing samples before the first, while the rate is unknown.
     given: u64,
     owed: Option<u64>,
-    /// A packet of another rate came last.
+    /// Whether the last packet had a different rate.
     is_off: bool,
     interleaved: Vec<f32>,
     mono: Vec<f32>,
@@ -28,7 +28,7 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
         let (interleaved, mono) = Default::default();
         Output {
             take,
-            decoded: Decoded::default(),
+            decoded: DecodingReport::default(),
             rate_hz: None,
             given: 0,
             owed: None,
@@ -38,14 +38,14 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
         }
     }
 
-    /// Takes the samples of a packet.
+    /// Passes on the samples of a packet.
     pub(super) fn push(&mut self, buffer: &GenericAudioBufferRef<'_>) -> Result<(), SoundError> {
         let rate_hz = buffer.spec().rate();
         if !RATES_HZ.contains(&rate_hz) {
             return Err(SoundError::Rate { rate_hz });
         }
         if *self.rate_hz.get_or_insert(rate_hz) != rate_hz {
-            // One packet of another rate is a damaged number, two are another sound.
+            // One packet with a different rate is a damaged number, two are a different recording.
             return match std::mem::replace(&mut self.is_off, true) {
                 true => Err(SoundError::RateChanges),
                 false => self.leave_out(buffer.frames() as u64),
@@ -64,7 +64,7 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
         (self.take)(rate_hz, &self.mono)
     }
 
-    /// So many samples are missing here; 0 if nobody knows how many.
+    /// Inserts silence for so many missing samples; 0 if their number is unknown.
     pub(super) fn leave_out(&mut self, samples: u64) -> Result<(), SoundError> {
         let Some(rate_hz) = self.rate_hz else {
             self.owed = Some(self.owed.unwrap_or(0).saturating_add(samples));
@@ -90,7 +90,7 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
     }
 }
 
-/// The mean of the samples of all channels. A number that is none counts as silence: floats in files can be anything.
+/// Returns the mean of all channels. Floats in files may be NaN or infinite, which counts as silence.
 fn mean(frame: &[f32]) -> f32 {
     let sum: f32 = frame.iter().map(|&sample| if sample.is_finite() { sample.clamp(-1.0, 1.0) } else { 0.0 }).sum();
     let channels = frame.len() as f32;

@@ -1,4 +1,4 @@
-//! The packets of a sound file, and what is missing between them.
+//! The packets of an audio file, and the missing parts between them.
 
 use super::mpeg::Frames;
 use super::ogg::Hole;
@@ -8,26 +8,26 @@ use symphonia::core::formats::FormatReader;
 use symphonia::core::io::MediaSourceStream;
 use symphonia::core::packet::Packet;
 
-/// Gaps between packets that are shorter are none: a part of a second.
+/// Shorter gaps between packets do not count: a fraction of a second.
 const LEAST_GAP: u32 = 200;
 
-/// Packets that end in a page at most.
+/// The most packets that end in one page.
 const MOST_PACKETS: usize = 255;
 
-/// A packet, and how many samples are missing before it, if something is: 0 if nobody knows how many.
-pub(super) type Next = (Packet, Option<u64>);
+/// A packet, and the number of samples that are missing before it, if any: 0 if the number is unknown.
+pub(super) type NextPacket = (Packet, Option<u64>);
 
-/// Where packets come from.
+/// The source of packets.
 pub(super) enum Packets<'s> {
     /// A format whose packets have times.
-    Timed(Timed<'s>),
-    /// A format in which packets follow each other, whatever happens.
+    Timed(TimedPackets<'s>),
+    /// A format whose packets have no times.
     Untimed(Box<dyn FormatReader + 's>),
     Mpeg(Frames<MediaSourceStream<'s>>),
 }
 
 impl<'s> Packets<'s> {
-    /// The packets of a file of this rate that has just been opened. If pages of it are missing, these are the `holes`.
+    /// Returns the packets of a file with this rate that has just been opened. `holes` are the missing pages.
     pub(super) fn new(format: Box<dyn FormatReader + 's>, rate_hz: u32, holes: VecDeque<Hole>) -> Result<Packets<'s>> {
         let expected = match format.format_info().short_name {
             "mp3" => {
@@ -35,7 +35,7 @@ impl<'s> Packets<'s> {
                 let mut stream = format.into_inner();
                 std::io::Seek::rewind(&mut stream)?;
                 let frames = track.map(|track| Frames::new(stream, &track)).transpose()?.flatten();
-                return frames.map(Packets::Mpeg).ok_or(Error::DecodeError("no frame of sound"));
+                return frames.map(Packets::Mpeg).ok_or(Error::DecodeError("no frame of audio"));
             }
             "flac" => Some(0),
             "ogg" => None,
@@ -43,11 +43,11 @@ impl<'s> Packets<'s> {
         };
         let least_gap = i64::from(rate_hz / LEAST_GAP);
         let held = VecDeque::new();
-        Ok(Packets::Timed(Timed { format, expected, least_gap, holes, held, ahead: None }))
+        Ok(Packets::Timed(TimedPackets { format, expected, least_gap, holes, held, ahead: None }))
     }
 
-    /// The next packet.
-    pub(super) fn next(&mut self) -> Result<Option<Next>> {
+    /// Returns the next packet.
+    pub(super) fn next(&mut self) -> Result<Option<NextPacket>> {
         match self {
             Packets::Mpeg(frames) => Ok(frames.next()?),
             Packets::Untimed(format) => Ok(format.next_packet()?.map(|packet| (packet, None))),
@@ -55,28 +55,28 @@ impl<'s> Packets<'s> {
         }
     }
 
-    /// Whether the file turned out to end too early, although there was no error.
+    /// Whether the file ended too early without an error.
     pub(super) fn is_cut(&self) -> bool {
         matches!(self, Packets::Mpeg(frames) if frames.is_cut)
     }
 }
 
 /// A format whose packets have times.
-pub(super) struct Timed<'s> {
+pub(super) struct TimedPackets<'s> {
     format: Box<dyn FormatReader + 's>,
-    /// When the next packet should start; of the first, only FLAC knows.
+    /// The expected start of the next packet. That of the first is known for FLAC only.
     expected: Option<i64>,
     least_gap: i64,
-    /// Where pages are missing: the packets of the first page behind have the times of those that are gone.
+    /// The missing pages. The packets of the first page after each have the times of the missing packets.
     holes: VecDeque<Hole>,
-    /// These packets, until the next one tells how much is missing before them.
+    /// These packets, until the next one determines how much is missing before them.
     held: VecDeque<Packet>,
-    /// That next one.
-    ahead: Option<Next>,
+    /// The packet after those.
+    ahead: Option<NextPacket>,
 }
 
-impl Timed<'_> {
-    fn next(&mut self) -> Result<Option<Next>> {
+impl TimedPackets<'_> {
+    fn next(&mut self) -> Result<Option<NextPacket>> {
         if let Some(packet) = self.held.pop_front() {
             return Ok(Some((packet, None)));
         }
@@ -84,7 +84,7 @@ impl Timed<'_> {
         let is_behind = |packet: &Packet, hole: &Hole| packet.pts.get() >= hole.start;
         let Some(hole) = self.holes.pop_front_if(|hole| is_behind(&next.0, hole)) else { return Ok(Some(next)) };
         let mut end_of_page = end(&next.0);
-        // What fails, fails again after the packets that are held.
+        // An error occurs again after the held packets.
         while self.held.len() < MOST_PACKETS
             && let Ok(Some(next)) = self.read()
         {
@@ -99,8 +99,8 @@ impl Timed<'_> {
         Ok(Some((next.0, Some(gap))))
     }
 
-    /// The next packet of the file.
-    fn read(&mut self) -> Result<Option<Next>> {
+    /// Returns the next packet of the file.
+    fn read(&mut self) -> Result<Option<NextPacket>> {
         let Some(packet) = self.format.next_packet()? else { return Ok(None) };
         let start = packet.pts.get();
         let gap = self.expected.map_or(0, |expected| start.saturating_sub(expected));
@@ -110,7 +110,7 @@ impl Timed<'_> {
     }
 }
 
-/// When a packet ends, in samples: those that are trimmed off count, too.
+/// Returns the end of a packet in samples, including those that are trimmed.
 fn end(packet: &Packet) -> i64 {
     let trimmed = packet.trim_start.get().saturating_add(packet.trim_end.get());
     packet.pts.get().saturating_add_unsigned(packet.dur.get().saturating_add(trimmed))

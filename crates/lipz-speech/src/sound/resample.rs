@@ -1,38 +1,38 @@
 //! Resampling to the rate of the acoustic model, block by block.
 //!
-//! A windowed sinc, as in J. O. Smith, "Digital Audio Resampling": each output sample is the sum of the input around its
-//! time, weighed by a sinc under a Kaiser window. Our own, because it must give the same bits on every machine: the crate
-//! rubato chooses among instruction sets at run time, and their sums round differently.
+//! A windowed sinc, as in J. O. Smith, "Digital Audio Resampling": each output sample is the sum of the input around
+//! its time, weighted by a sinc with a Kaiser window. It must produce the same bits on every machine. The crate rubato
+//! does not: it chooses among instruction sets at run time, and their sums round differently.
 
 use std::f64::consts::PI;
 
-/// Zeros of the sinc on each side.
+/// The number of zeros of the sinc on each side.
 const ZEROS: usize = 16;
 /// The passband's share of half the lower rate; the rest is the filter's slope.
 const PASSBAND: f64 = 0.94;
 /// The window's shape: side lobes below -80 dB (Kaiser 1974).
 const BETA: f64 = 8.0;
-/// Phases of the filter in the table at most: rates without a small common ratio take the nearest.
+/// The most phases of the filter in the table. Rates without a small common ratio use the nearest phase.
 const MOST_PHASES: u32 = 512;
 
 /// A resampler of one channel.
 pub(crate) struct Resampler {
     from_hz: u64,
     to_hz: u64,
-    /// Coefficients by phase; each phase has `2 * reach` of them.
+    /// Coefficients by phase: `2 * reach` for each.
     table: Vec<f32>,
     phases: u64,
     reach: usize,
-    /// The input that is still needed: the samples from `start` on, in input time; it starts with silence.
+    /// The input that is still needed: the samples from `start` on, in input time. It starts with silence.
     pending: Vec<f32>,
     start: i64,
-    /// How many samples were given, and taken out.
+    /// The number of input samples and of output samples.
     input: u64,
     output: u64,
 }
 
 impl Resampler {
-    /// From `from_hz` to `to_hz` samples per second; neither is 0.
+    /// Returns a resampler from `from_hz` to `to_hz` samples per second. Neither may be 0.
     pub(crate) fn new(from_hz: u32, to_hz: u32) -> Resampler {
         let ratio = f64::from(to_hz) / f64::from(from_hz);
         // Below half of the lower rate.
@@ -57,7 +57,7 @@ impl Resampler {
         }
     }
 
-    /// Takes `samples`, and gives all output that they determine to `out`.
+    /// Processes `samples`, and appends all output that they determine to `out`.
     pub(crate) fn push(&mut self, samples: &[f32], out: &mut Vec<f32>) {
         self.input += samples.len() as u64;
         if self.from_hz == self.to_hz {
@@ -68,7 +68,7 @@ impl Resampler {
         self.run(self.input, out);
     }
 
-    /// Gives the rest of the output, as if silence followed.
+    /// Appends the rest of the output, as if silence followed.
     pub(crate) fn finish(mut self, out: &mut Vec<f32>) {
         if self.from_hz != self.to_hz {
             let end = self.input * self.to_hz / self.from_hz;
@@ -79,10 +79,10 @@ impl Resampler {
         }
     }
 
-    /// Makes output as long as the input up to `input` reaches.
+    /// Computes the output for the input before `input`.
     fn run(&mut self, input: u64, out: &mut Vec<f32>) {
         loop {
-            // The output's time in input samples: a whole number and a phase, exactly.
+            // The output's time in input samples, exactly: an integer and a phase.
             let time = self.output * self.from_hz;
             let mut whole = time / self.to_hz;
             let mut phase = (time % self.to_hz * self.phases + self.to_hz / 2) / self.to_hz;
@@ -101,7 +101,7 @@ impl Resampler {
             out.push(dot(window, coefficients));
             self.output += 1;
         }
-        // Forget what no later output needs.
+        // Drop samples that no later output needs.
         let needed = (self.output * self.from_hz / self.to_hz).cast_signed() - self.reach as i64;
         let unneeded = usize::try_from(needed - self.start).unwrap_or(0).min(self.pending.len());
         self.pending.drain(..unneeded);
@@ -111,7 +111,7 @@ impl Resampler {
 
 const ZEROS_F64: f64 = ZEROS as f64;
 
-/// The sum of products, in an order that vector code keeps.
+/// Returns the sum of products, added in an order that suits vector code.
 fn dot(a: &[f32], b: &[f32]) -> f32 {
     let mut sums = [0.0_f32; 8];
     let (a_chunks, b_chunks) = (a.chunks_exact(8), b.chunks_exact(8));
@@ -124,7 +124,7 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
     sums.iter().sum::<f32>() + rest
 }
 
-/// The coefficients for an output sample `phase` (0 to 1) after an input sample, summing to 1.
+/// Returns the coefficients for an output sample `phase` (0 to 1) after an input sample. Their sum is 1.
 fn filter(phase: f64, cutoff: f64, reach: usize) -> Vec<f32> {
     let weights: Vec<f64> = (0..2 * reach)
         .map(|tap| {
@@ -142,7 +142,7 @@ fn sinc(x: f64) -> f64 {
     if x.abs() < 1e-9 { 1.0 } else { libm::sin(PI * x) / (PI * x) }
 }
 
-/// The Kaiser window, 1 in its middle and near 0 at -1 and 1.
+/// Returns the Kaiser window, which is 1 in the middle and near 0 at -1 and 1.
 fn kaiser(x: f64) -> f64 {
     if x.abs() >= 1.0 {
         return 0.0;
@@ -150,7 +150,7 @@ fn kaiser(x: f64) -> f64 {
     bessel(BETA * libm::sqrt(1.0 - x * x)) / bessel(BETA)
 }
 
-/// The modified Bessel function of the first kind, of order zero, by its series.
+/// Returns the modified Bessel function of the first kind, of order zero, from its series.
 fn bessel(x: f64) -> f64 {
     let mut term = 1.0;
     let mut sum = 1.0;

@@ -1,25 +1,25 @@
-//! A source of bytes as the decoders want it: it knows its length, and some bytes are read as others than they are.
+//! A source of bytes for decoders, with a known length and replacements for wrong bytes.
 
 use std::io::{Read, Result, Seek, SeekFrom};
 use symphonia::core::io::MediaSource;
 
-/// A source that knows its length.
-pub(super) struct Source<S> {
+/// A source with a known length.
+pub(super) struct SizedSource<S> {
     inner: S,
     pub(super) length: u64,
     position: u64,
-    /// Four bytes each that are read instead of those which are there, by their places.
+    /// Replacements of four bytes each, with their offsets.
     pub(super) mended: Vec<(u64, [u8; 4])>,
 }
 
-impl<S: Read + Seek> Source<S> {
-    pub(super) fn new(mut inner: S) -> Result<Source<S>> {
+impl<S: Read + Seek> SizedSource<S> {
+    pub(super) fn new(mut inner: S) -> Result<SizedSource<S>> {
         let length = inner.seek(SeekFrom::End(0))?;
         inner.rewind()?;
-        Ok(Source { inner, length, position: 0, mended: Vec::new() })
+        Ok(SizedSource { inner, length, position: 0, mended: Vec::new() })
     }
 
-    /// Up to so many bytes from a place on; the next are read from the start again.
+    /// Returns up to so many bytes from an offset. Reading then continues from the start.
     pub(super) fn peek(&mut self, at: u64, length: usize) -> Result<Vec<u8>> {
         let mut bytes = Vec::new();
         self.inner.seek(SeekFrom::Start(at))?;
@@ -28,7 +28,7 @@ impl<S: Read + Seek> Source<S> {
         Ok(bytes)
     }
 
-    /// Does something with all bytes; the next are read from the start again.
+    /// Calls `run` with the whole source. Reading then continues from the start.
     pub(super) fn rewound<T>(&mut self, run: impl FnOnce(&mut S) -> Result<T>) -> Result<T> {
         self.rewind()?;
         let result = run(&mut self.inner)?;
@@ -37,7 +37,7 @@ impl<S: Read + Seek> Source<S> {
     }
 }
 
-impl<S: Read> Read for Source<S> {
+impl<S: Read> Read for SizedSource<S> {
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
         let count = self.inner.read(buffer)?;
         for (at, bytes) in &self.mended {
@@ -52,14 +52,14 @@ impl<S: Read> Read for Source<S> {
     }
 }
 
-impl<S: Seek> Seek for Source<S> {
+impl<S: Seek> Seek for SizedSource<S> {
     fn seek(&mut self, position: SeekFrom) -> Result<u64> {
         self.position = self.inner.seek(position)?;
         Ok(self.position)
     }
 }
 
-impl<S: Read + Seek + Send + Sync> MediaSource for Source<S> {
+impl<S: Read + Seek + Send + Sync> MediaSource for SizedSource<S> {
     fn is_seekable(&self) -> bool {
         true
     }

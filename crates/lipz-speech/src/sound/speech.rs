@@ -1,32 +1,32 @@
-//! Whether a sound can be speech at all.
+//! Detection of recordings that cannot be speech.
 //!
-//! In speech, the shape of the spectrum changes all the time, several times a second: tongue and lips never rest. In noise and
-//! tones it stays, however they come and go; in most music it changes more slowly. So the change of the shape is measured,
-//! without regard to loudness.
+//! In speech, the shape of the spectrum changes several times a second, because tongue and lips never rest. In noise
+//! and tones it stays the same, even if they come and go, and in most music it changes more slowly. So this module
+//! measures the change of the shape, independently of loudness.
 
 use crate::features::floor::Floor;
 use crate::features::mel::{BANDS, Spectrum};
 
-/// What the shape of speech changes at least within `STRIDE` frames, in nats per band, in the middle of all places that are
-/// loud. Of 763 lines of human speech of more than a second in five languages and 123 synthetic ones, also with noise 20 decibels
-/// below them, the least is 0.79. Noise, tones, drums and chords have 0 to 0.3; of 136 pieces of music, 115 have less
-/// than this. Speech with noise 10 decibels below it has 0.55 to 0.75.
+/// The least change of the shape of speech within `STRIDE` frames, in nats per band: the median over all loud places.
+/// The minimum in 763 lines of human speech of more than a second in five languages and 123 synthetic ones, also with
+/// noise 20 decibels below them, is 0.79. Noise, tones, drums and chords have 0 to 0.3; 115 of 136 pieces of music have
+/// less than this constant. Speech with noise 10 decibels below it has 0.55 to 0.75.
 const LEAST_CHANGE: f32 = 0.75;
-/// The same for a sound of less than `LONG` frames, in which there may be a single vowel: 0.57 is the least.
+/// The same for recordings of less than `LONG` frames, which may consist of a single vowel: their minimum is 0.57.
 const LEAST_CHANGE_OF_SHORT: f32 = 0.5;
 const LONG: usize = 100;
-/// Frames that are averaged, so that the accidents of noise disappear.
+/// The number of averaged frames, which removes the fluctuations of noise.
 const SMOOTHED: usize = 7;
-/// Frames from one shape to the next it is compared with: 80 milliseconds.
+/// The distance between two compared shapes in frames: 80 milliseconds.
 const STRIDE: usize = 8;
-/// Shorter sounds, in frames, are not judged.
+/// Shorter recordings, in frames, are not judged.
 const SHORTEST: usize = 25;
-/// The share of frames that are not louder than the loud ones, in percent; and how far below them counts as loud, in nats: 15
-/// decibels.
+/// The percentage of frames that are not louder than the loud ones, and the level below them that counts as loud, in
+/// nats: 15 decibels.
 const LOUD_PERCENT: usize = 95;
 const LOUD_NATS: f32 = 3.5;
 
-/// Whether a sound is noise, a tone, or music rather than speech.
+/// Whether a recording is noise, a tone, or music rather than speech.
 pub(crate) fn is_something_else(spectrum: &[Spectrum]) -> bool {
     if spectrum.len() < SHORTEST {
         return false;
@@ -35,7 +35,8 @@ pub(crate) fn is_something_else(spectrum: &[Spectrum]) -> bool {
     change(spectrum).is_some_and(|change| change < least)
 }
 
-/// How much the shape changes in the middle of the places that are loud, in nats per band; nothing if there are none.
+/// Returns the median change of the shape over the loud places, in nats per band, or `None` if there are no such
+/// places.
 fn change(spectrum: &[Spectrum]) -> Option<f32> {
     let floor = Floor::new(spectrum);
     let logarithms = |frame| floor.raise(frame).map(libm::logf);
@@ -65,7 +66,7 @@ fn change(spectrum: &[Spectrum]) -> Option<f32> {
     of_rank((0..changes.len()).filter(is_loud).map(|number| changes[number]).collect(), 50)
 }
 
-/// The number that so many percent of `numbers` are not above.
+/// Returns the given percentile of `numbers`.
 fn of_rank(mut numbers: Vec<f32>, percent: usize) -> Option<f32> {
     let rank = numbers.len().checked_sub(1)? * percent / 100;
     Some(*numbers.select_nth_unstable_by(rank, f32::total_cmp).1)

@@ -1,11 +1,11 @@
-//! Looking ahead in a reader.
+//! Lookahead in a reader.
 
 use std::io::{ErrorKind, Read, Result};
 
-/// Bytes that are read at a time.
+/// The number of bytes that are read at a time.
 const BLOCK_BYTES: usize = 1 << 15;
 
-/// The bytes of a reader, from one on.
+/// The bytes of a reader, from the current position.
 pub(super) struct Window<R> {
     reader: R,
     bytes: Vec<u8>,
@@ -17,7 +17,7 @@ impl<R: Read> Window<R> {
         Window { reader, bytes: Vec::new(), at: 0 }
     }
 
-    /// So many bytes, after so many others; nothing if the file ends before.
+    /// Returns `count` bytes, `from` bytes after the current position, or `None` if the file ends before.
     pub(super) fn peek(&mut self, from: usize, count: usize) -> Result<Option<&[u8]>> {
         let end = self.at + from + count;
         if end > self.bytes.len() && self.at > 0 {
@@ -42,7 +42,7 @@ impl<R: Read> Window<R> {
         Ok(self.bytes.get(start..end))
     }
 
-    /// Goes on by so many bytes.
+    /// Advances by so many bytes.
     pub(super) fn skip(&mut self, mut count: usize) -> Result<()> {
         while count > 0 {
             let step = count.min(BLOCK_BYTES);

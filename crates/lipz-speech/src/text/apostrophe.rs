@@ -1,26 +1,26 @@
-//! Apostrophes and periods that belong to a word, although Unicode puts them outside: `'em`, `runnin'`, `a.m.`
+//! Apostrophes and periods that belong to a word, although Unicode excludes them: `'em`, `runnin'`, `a.m.`
 
 use std::ops::Range;
 
-/// An apostrophe, typed or typeset.
+/// Whether the character is an apostrophe, typed or typeset.
 pub(super) fn is_apostrophe(c: char) -> bool {
     matches!(c, '\'' | '’')
 }
 
-/// The word at `word` of `text`, with the apostrophes and the period around it that belong to it: those with which it
-/// is `known`, and the one of a dropped g.
+/// Returns the word at `word` of `text`, with the adjacent apostrophes and period that belong to it: those with which
+/// it is `known`, and the apostrophe of a dropped g.
 pub(super) fn extended(text: &str, word: Range<usize>, known: &dyn Fn(&str) -> bool) -> Range<usize> {
     let before = text.get(..word.start).unwrap_or_default();
     let after = text.get(word.end..).unwrap_or_default();
     let last = before.chars().next_back().filter(|c| is_apostrophe(*c));
-    // Not the apostrophe that another word ends with.
+    // Excludes an apostrophe that ends another word.
     let last = last.filter(|c| !before[..before.len() - c.len_utf8()].ends_with(char::is_alphanumeric));
     let longer = word.start - last.map_or(0, char::len_utf8);
     let next = after.chars().next();
     let inside = text.get(word.clone()).unwrap_or_default();
     let end = match next {
         Some(c) if is_apostrophe(c) => word.end + c.len_utf8(),
-        // A period ends a sentence; in `a.m.` and `A.` it ends an abbreviation as well.
+        // A period ends a sentence. In `a.m.` and `A.`, it also ends an abbreviation.
         Some('.') if inside.contains('.') || inside.chars().count() == 1 => word.end + 1,
         _ => word.end,
     };

@@ -1,4 +1,4 @@
-//! What is displayed of a segment, and where its bytes come from.
+//! The displayed text of a segment, and the source of its bytes.
 
 use lipz_file::text::meta_ranges;
 use std::ops::Range;
@@ -7,14 +7,14 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(super) struct Display {
     pub(super) text: String,
-    /// For each stretch without meta: where it begins in `text`, and where in the whole text.
+    /// For each stretch without meta: its position in `text`, and in the whole text.
     stretches: Vec<(usize, usize)>,
-    /// Where each meta was in `text`, and where its content is in the whole text.
+    /// The position of each meta in `text`, and the range of its content in the whole text.
     pub(super) metas: Vec<(usize, Range<usize>)>,
 }
 
 impl Display {
-    /// The segment at `segment` of `whole`.
+    /// Returns the display of the segment at `segment` of `whole`.
     pub(super) fn new(whole: &str, segment: Range<usize>) -> Display {
         let start = segment.start;
         let source = whole.get(segment).unwrap_or_default();
@@ -34,7 +34,7 @@ impl Display {
         display
     }
 
-    /// Where a range of the displayed text is in the whole text. It includes metas inside, and none at its ends.
+    /// Converts a range of the displayed text to one of the whole text. It includes metas inside, but not at its ends.
     pub(super) fn range(&self, range: &Range<usize>) -> Range<usize> {
         let place = |after: usize, at: usize| {
             let stretch = self.stretches.get(after.saturating_sub(1)).copied().unwrap_or_default();

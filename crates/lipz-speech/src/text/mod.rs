@@ -1,4 +1,4 @@
-//! Texts as they are spoken: the words of each segment, without `{meta}`, with what `{say: …}` tells about them.
+//! Spoken texts: the words of each segment, without `{meta}`, with their `{say: …}`.
 
 mod apostrophe;
 mod display;
@@ -7,5 +7,5 @@ mod runs;
 mod say;
 mod tokens;
 
-pub(crate) use runs::{Writing, writing};
-pub(crate) use tokens::{Context, Item, Kind, Spelling, Token, items};
+pub(crate) use runs::{WritingSystem, writing};
+pub(crate) use tokens::{Context, Item, Spelling, Token, TokenKind, items};

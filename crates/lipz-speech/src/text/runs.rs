@@ -1,8 +1,8 @@
-//! Writing systems, as far as they differ in how words are divided and read.
+//! Writing systems, classified by how words are divided and read.
 
-/// How a character is read.
+/// The writing system of a character.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Writing {
+pub(crate) enum WritingSystem {
     /// Latin letters.
     Latin,
     /// Cyrillic letters.
@@ -23,30 +23,30 @@ pub(crate) enum Writing {
     Consonantal,
     /// Letters of any other script.
     Other,
-    /// No letter: punctuation, symbols, white space.
+    /// Not a letter: punctuation, symbols, whitespace.
     None,
 }
 
-/// How a character is read.
-pub(crate) fn writing(c: char) -> Writing {
+/// Returns the writing system of a character.
+pub(crate) fn writing(c: char) -> WritingSystem {
     match c {
-        'A'..='Z' | 'a'..='z' => Writing::Latin,
-        '0'..='9' => Writing::Digit,
+        'A'..='Z' | 'a'..='z' => WritingSystem::Latin,
+        '0'..='9' => WritingSystem::Digit,
         '\u{aa}'
         | '\u{ba}'
         | '\u{c0}'..='\u{24f}'
         | '\u{1e00}'..='\u{1eff}'
         | '\u{ff21}'..='\u{ff3a}'
         | '\u{ff41}'..='\u{ff5a}' => match c.is_alphabetic() {
-            true => Writing::Latin,
-            false => Writing::None,
+            true => WritingSystem::Latin,
+            false => WritingSystem::None,
         },
-        '\u{400}'..='\u{52f}' | '\u{1c80}'..='\u{1c8f}' => Writing::Cyrillic,
-        '\u{e00}'..='\u{eff}' | '\u{1000}'..='\u{109f}' | '\u{1780}'..='\u{17ff}' => Writing::Unspaced,
-        '\u{1100}'..='\u{11ff}' | '\u{3130}'..='\u{318f}' | '\u{ac00}'..='\u{d7af}' => Writing::Hangul,
-        '\u{3041}'..='\u{309f}' => Writing::Hiragana,
+        '\u{400}'..='\u{52f}' | '\u{1c80}'..='\u{1c8f}' => WritingSystem::Cyrillic,
+        '\u{e00}'..='\u{eff}' | '\u{1000}'..='\u{109f}' | '\u{1780}'..='\u{17ff}' => WritingSystem::Unspaced,
+        '\u{1100}'..='\u{11ff}' | '\u{3130}'..='\u{318f}' | '\u{ac00}'..='\u{d7af}' => WritingSystem::Hangul,
+        '\u{3041}'..='\u{309f}' => WritingSystem::Hiragana,
         '\u{30a1}'..='\u{30fa}' | '\u{30fc}'..='\u{30ff}' | '\u{31f0}'..='\u{31ff}' | '\u{ff66}'..='\u{ff9f}' => {
-            Writing::Katakana
+            WritingSystem::Katakana
         }
         '々'
         | '〇'
@@ -54,30 +54,33 @@ pub(crate) fn writing(c: char) -> Writing {
         | '\u{3400}'..='\u{4dbf}'
         | '\u{4e00}'..='\u{9fff}'
         | '\u{f900}'..='\u{faff}'
-        | '\u{20000}'..='\u{3ffff}' => Writing::Han,
+        | '\u{20000}'..='\u{3ffff}' => WritingSystem::Han,
         '\u{590}'..='\u{85f}' | '\u{8a0}'..='\u{dff}' | '\u{fb1d}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}'
             if c.is_alphabetic() =>
         {
-            Writing::Consonantal
+            WritingSystem::Consonantal
         }
-        c if c.is_numeric() => Writing::Digit,
-        c if c.is_alphabetic() => Writing::Other,
-        _ => Writing::None,
+        c if c.is_numeric() => WritingSystem::Digit,
+        c if c.is_alphabetic() => WritingSystem::Other,
+        _ => WritingSystem::None,
     }
 }
 
-impl Writing {
-    /// Whether what is written so may follow a number without a blank and is a word of its own: `3年`.
+impl WritingSystem {
+    /// Whether a word in this script may directly follow a number: `3年`.
     pub(super) fn stands_alone(self) -> bool {
-        !matches!(self, Writing::Latin | Writing::Cyrillic | Writing::Consonantal | Writing::Other)
+        !matches!(
+            self,
+            WritingSystem::Latin | WritingSystem::Cyrillic | WritingSystem::Consonantal | WritingSystem::Other
+        )
     }
 
-    /// Whether neighbours without anything between them are one word, although Unicode divides them. Chinese
-    /// characters are, in Japanese only: elsewhere each of them is a syllable with a reading of its own.
+    /// Whether adjacent characters form one word, although Unicode divides them. For Chinese characters, this applies
+    /// to Japanese only. In other languages, each of them is a syllable with its own reading.
     pub(super) fn joins(self, japanese: bool) -> bool {
         match self {
-            Writing::Hiragana | Writing::Katakana | Writing::Unspaced => true,
-            Writing::Han => japanese,
+            WritingSystem::Hiragana | WritingSystem::Katakana | WritingSystem::Unspaced => true,
+            WritingSystem::Han => japanese,
             _ => false,
         }
     }

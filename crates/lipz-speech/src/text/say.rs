@@ -1,18 +1,18 @@
-//! `{say: …}`: a meta that tells how a word is said.
+//! `{say: …}`: a meta with the pronunciation of a word.
 
 use std::ops::Range;
 
-/// What a `{say …}` tells.
+/// The content of a `{say …}`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Say {
-    /// How it is said: phones, IPA between `/` or `[ ]`, or a plain respelling; nothing if it is not said.
+    /// The pronunciation: phones, IPA between `/` or `[ ]`, or a plain respelling. Empty if the word is silent.
     pub(crate) how: String,
-    /// Where that is in the text.
+    /// Its range in the text.
     pub(crate) range: Range<usize>,
 }
 
-/// Reads the content of a meta, at `range` of `text`; none if it is about something else. With it comes the name of
-/// the word that it is about, unless that is the word before it.
+/// Parses the content of a meta, at `range` of `text`. Returns `None` if it is not a `{say …}`. The first value is the
+/// range of the name to which it applies, unless that is the word before it.
 pub(super) fn parse(text: &str, range: Range<usize>) -> Option<(Option<Range<usize>>, Say)> {
     let content = text.get(range.clone())?;
     let start = range.start + content.len() - content.trim_start().len();

@@ -1,8 +1,8 @@
-//! The words of a text, in order, with the breaks between its segments.
+//! The words of a text in order, with the breaks between its segments.
 
 use super::apostrophe::extended;
 use super::display::Display;
-use super::runs::{Writing, writing};
+use super::runs::{WritingSystem, writing};
 use super::say::{self, Say};
 use crate::ProblemKind;
 use lipz_file::text::segments;
@@ -10,7 +10,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use unicode_segmentation::UnicodeSegmentation;
 
-/// What a text is divided into.
+/// The parts of a text.
 #[derive(Debug)]
 pub(crate) enum Item {
     /// A `|`.
@@ -18,55 +18,55 @@ pub(crate) enum Item {
     Token(Token),
 }
 
-/// Something that is said.
+/// A spoken part of a text.
 #[derive(Clone, Debug)]
 pub(crate) struct Token {
-    /// As it is displayed.
+    /// The text as displayed.
     pub(crate) text: String,
-    /// Where it is in the text.
+    /// Its range in the text.
     pub(crate) range: Range<usize>,
-    pub(crate) kind: Kind,
+    pub(crate) kind: TokenKind,
 }
 
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum Kind {
-    /// A word that is read.
+pub(crate) enum TokenKind {
+    /// A word.
     Word,
-    /// A number or a sign, with all ways to write it in words.
+    /// A number or a sign, with all its readings in words.
     Spelled(Vec<String>),
-    /// What somebody wrote how to say.
+    /// A word with an explicit pronunciation.
     Say(Say),
 }
 
-/// What a word has to be known for: its language, and its dictionaries.
+/// The language and dictionaries with which a text is divided.
 pub(crate) struct Context<'c> {
     pub(crate) japanese: bool,
-    /// How many words the longest entry of the lexicon has.
+    /// The number of words in the longest entry of the lexicon.
     pub(crate) longest_entry: usize,
-    /// Whether the lexicon has several words as one.
+    /// Whether the lexicon has an entry for several words.
     pub(crate) entry: &'c dyn Fn(&str) -> bool,
-    /// Whether a dictionary has the word.
+    /// Whether a dictionary contains the word.
     pub(crate) known: &'c dyn Fn(&str) -> bool,
-    /// The number or sign that begins at a place of a text.
+    /// Returns the number or sign that begins at an offset of a text.
     pub(crate) spelled: &'c dyn Fn(&str, usize) -> Option<Spelling>,
 }
 
 /// A number or a sign in words.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Spelling {
-    /// How many bytes of the text it is.
+    /// The length in bytes.
     pub(crate) length: usize,
-    /// All ways to write it in words, the most likely first.
+    /// All its readings in words, the most likely first.
     pub(crate) readings: Vec<String>,
 }
 
-/// The longest name in `{say name: …}`, in words.
+/// The most words in the name of a `{say name: …}`.
 const LONGEST_NAME: usize = 16;
 
-/// Divides a text. What is odd about its `{say …}` goes to `problems`.
+/// Divides a text. Problems of its `{say …}` are added to `problems`.
 pub(crate) fn items(text: &str, context: &Context<'_>, problems: &mut Vec<(ProblemKind, Range<usize>)>) -> Vec<Item> {
     let displays: Vec<Display> = segments(text).map(|segment| Display::new(text, segment)).collect();
-    let mut names = Names::new(text, &displays, context, problems);
+    let mut names = NameSays::new(text, &displays, context, problems);
     let mut items = Vec::new();
     for (index, display) in displays.iter().enumerate() {
         if index > 0 {
@@ -81,7 +81,7 @@ pub(crate) fn items(text: &str, context: &Context<'_>, problems: &mut Vec<(Probl
     items
 }
 
-/// The words of a displayed text, as Unicode divides them, with numbers and signs; ranges are those of that text.
+/// Returns the words of a displayed text by Unicode rules, with numbers and signs. Ranges refer to that text.
 fn words(text: &str, context: &Context<'_>) -> Vec<Token> {
     let mut words: Vec<Token> = Vec::new();
     let mut end = 0;
@@ -96,18 +96,18 @@ fn words(text: &str, context: &Context<'_>) -> Vec<Token> {
         };
         if let Some(Spelling { length, readings }) = (context.spelled)(text, start) {
             end = start + length.max(1);
-            words.push(token(start..end, Kind::Spelled(readings)));
+            words.push(token(start..end, TokenKind::Spelled(readings)));
         } else if piece.contains(char::is_alphanumeric) {
             let mut range = extended(text, start..start + piece.len(), context.known);
             range.start = range.start.max(end);
             end = range.end;
-            words.push(token(range, Kind::Word));
+            words.push(token(range, TokenKind::Word));
         }
     }
     words
 }
 
-/// Makes one word of words that the lexicon has as one: `New York`, `Jean-Luc`.
+/// Joins words that are one entry of the lexicon: `New York`, `Jean-Luc`.
 fn entries(text: &str, words: Vec<Token>, context: &Context<'_>) -> Vec<Token> {
     if context.longest_entry < 2 {
         return words;
@@ -119,9 +119,9 @@ fn entries(text: &str, words: Vec<Token>, context: &Context<'_>) -> Vec<Token> {
         let found = (2..=longest).rev().find_map(|count| {
             let run = words.get(at..at + count)?;
             let range = first.range.start..run.last()?.range.end;
-            let plain = run.iter().all(|word| !matches!(word.kind, Kind::Say(_)));
+            let plain = run.iter().all(|word| !matches!(word.kind, TokenKind::Say(_)));
             let entry = text.get(range.clone()).filter(|entry| plain && (context.entry)(entry))?;
-            Some((count, Token { text: entry.to_owned(), range, kind: Kind::Word }))
+            Some((count, Token { text: entry.to_owned(), range, kind: TokenKind::Word }))
         });
         let (count, token) = found.unwrap_or_else(|| (1, first.clone()));
         out.push(token);
@@ -130,17 +130,17 @@ fn entries(text: &str, words: Vec<Token>, context: &Context<'_>) -> Vec<Token> {
     out
 }
 
-/// Joins what is one word in scripts without spaces.
+/// Joins the parts of words in scripts without spaces.
 fn joined(words: Vec<Token>, context: &Context<'_>) -> Vec<Token> {
     let class = |token: &Token| match token.kind {
-        Kind::Word => token.text.chars().map(writing).find(|writing| *writing != Writing::None),
+        TokenKind::Word => token.text.chars().map(writing).find(|writing| *writing != WritingSystem::None),
         _ => None,
     };
-    let mut joined: Vec<(Token, Option<Writing>)> = Vec::new();
+    let mut joined: Vec<(Token, Option<WritingSystem>)> = Vec::new();
     for token in words {
         let writing = class(&token);
         if let Some((last, class)) = joined.last_mut() {
-            let long_vowel = token.text.starts_with('ー') && *class == Some(Writing::Hiragana);
+            let long_vowel = token.text.starts_with('ー') && *class == Some(WritingSystem::Hiragana);
             let same = *class == writing && writing.is_some_and(|writing| writing.joins(context.japanese));
             if last.range.end == token.range.start && (same || long_vowel) {
                 last.range.end = token.range.end;
@@ -153,7 +153,7 @@ fn joined(words: Vec<Token>, context: &Context<'_>) -> Vec<Token> {
     joined.into_iter().map(|(token, _)| token).collect()
 }
 
-/// Gives each `{say: …}` to the word before it. Ranges become those of the whole text.
+/// Assigns each `{say: …}` to the word before it. Ranges become those of the whole text.
 fn with_says(text: &str, display: &Display, words: Vec<Token>) -> Vec<Token> {
     let mut says = display.metas.iter().filter_map(|(at, range)| match say::parse(text, range.clone())? {
         (None, say) => Some((*at, say)),
@@ -167,18 +167,18 @@ fn with_says(text: &str, display: &Display, words: Vec<Token>) -> Vec<Token> {
         let word_start = words.peek().map(|word| word.range.start);
         match &next {
             Some((at, say)) if word_start.is_none_or(|start| *at <= start) => {
-                // `“Xylara” {say: …}` is about Xylara, but not `Well, {say: um}` about well.
+                // `“Xylara” {say: …}` applies to Xylara, but in `Well, {say: um}` it does not apply to *well*.
                 let closes =
                     |c: char| c.is_whitespace() || matches!(c, ')' | ']' | '"' | '\'' | '”' | '’' | '»' | '」' | '』');
                 let between =
                     |end: &usize| *end >= *at || display.text.get(*end..*at).is_some_and(|gap| gap.chars().all(closes));
-                // A word that has one already is followed by something that is said in addition.
+                // After a word that already has one, it is an additional spoken word.
                 let last = out
                     .last_mut()
-                    .filter(|last| ends.last().is_some_and(between) && !matches!(last.kind, Kind::Say(_)));
+                    .filter(|last| ends.last().is_some_and(between) && !matches!(last.kind, TokenKind::Say(_)));
                 match last {
                     Some(last) => {
-                        last.kind = Kind::Say(say.clone());
+                        last.kind = TokenKind::Say(say.clone());
                         join_stem(&mut out);
                         ends.truncate(out.len());
                     }
@@ -186,7 +186,7 @@ fn with_says(text: &str, display: &Display, words: Vec<Token>) -> Vec<Token> {
                         out.push(Token {
                             text: say.how.clone(),
                             range: say.range.clone(),
-                            kind: Kind::Say(say.clone()),
+                            kind: TokenKind::Say(say.clone()),
                         });
                         ends.push(*at);
                     }
@@ -204,17 +204,17 @@ fn with_says(text: &str, display: &Display, words: Vec<Token>) -> Vec<Token> {
     out
 }
 
-/// `食べる{say: たべる}`: what is said ends with the kana before it, so it says the characters before these, too.
+/// In `食べる{say: たべる}`, the reading ends with the kana before it, so it also applies to the characters before these.
 fn join_stem(tokens: &mut Vec<Token>) {
     let [.., stem, kana] = tokens.as_slice() else { return };
-    let Kind::Say(say) = &kana.kind else { return };
+    let TokenKind::Say(say) = &kana.kind else { return };
     let is = |token: &Token, class| token.text.chars().all(|c| writing(c) == class || c == 'ー');
     let longer = say.how.len() > kana.text.len() && say.how.ends_with(&kana.text);
     if longer
-        && stem.kind == Kind::Word
+        && stem.kind == TokenKind::Word
         && stem.range.end == kana.range.start
-        && is(stem, Writing::Han)
-        && is(kana, Writing::Hiragana)
+        && is(stem, WritingSystem::Han)
+        && is(kana, WritingSystem::Hiragana)
     {
         let Some(kana) = tokens.pop() else { return };
         let Some(stem) = tokens.last_mut() else { return };
@@ -224,21 +224,21 @@ fn join_stem(tokens: &mut Vec<Token>) {
     }
 }
 
-/// `{say name: …}` of a text: they are about the name wherever it stands.
-struct Names {
+/// The `{say name: …}` of a text. They apply to every occurrence of the name.
+struct NameSays {
     says: HashMap<Vec<String>, (Say, Range<usize>)>,
     used: HashSet<Vec<String>>,
     longest: usize,
 }
 
-impl Names {
+impl NameSays {
     fn new(
         text: &str,
         displays: &[Display],
         context: &Context<'_>,
         problems: &mut Vec<(ProblemKind, Range<usize>)>,
-    ) -> Names {
-        let mut names = Names { says: HashMap::new(), used: HashSet::new(), longest: 0 };
+    ) -> NameSays {
+        let mut names = NameSays { says: HashMap::new(), used: HashSet::new(), longest: 0 };
         for (_, meta) in displays.iter().flat_map(|display| &display.metas) {
             let Some((Some(name), say)) = say::parse(text, meta.clone()) else { continue };
             let key: Vec<String> =
@@ -253,7 +253,7 @@ impl Names {
         names
     }
 
-    /// Makes one token of the words of each name.
+    /// Joins the words of each name into one token.
     fn apply(&mut self, display: &Display, words: Vec<Token>) -> Vec<Token> {
         if self.says.is_empty() {
             return words;
@@ -274,7 +274,7 @@ impl Names {
             };
             let range = first.range.start..words.get(at + count - 1).map_or(first.range.end, |last| last.range.end);
             let text = display.text.get(range.clone()).unwrap_or_default().to_owned();
-            out.push(Token { text, range, kind: Kind::Say(say) });
+            out.push(Token { text, range, kind: TokenKind::Say(say) });
             self.used.insert(key);
             at += count;
         }

@@ -1,7 +1,8 @@
-//! The file of a model that was trained: its head, and the acoustic model.
+//! The file of a trained model: its head, and the acoustic model.
 //!
-//! In little-endian byte order: `LIPZ-TM1`; the hash of all that follows (XXH3, 64 bits); the hash of what it was learnt from;
-//! seconds of speech and recordings, 32 bits each; the code of the language in 8 bytes; then the file of the acoustic model.
+//! It is little-endian: `LIPZ-TM1`; the hash of the rest (XXH3, 64 bits); the hash of the training data; the seconds of
+//! speech and the number of recordings, 32 bits each; the code of the language in 8 bytes; then the file of the
+//! acoustic model.
 
 use crate::{Language, Model};
 use std::error::Error;
@@ -11,43 +12,43 @@ use twox_hash::XxHash3_64;
 const MAGIC: &[u8; 8] = b"LIPZ-TM1";
 const HEAD: usize = 8 + 8 + 8 + 4 + 4 + 8;
 
-/// An acoustic model that was learnt from recordings: see [`Training`](crate::Training).
+/// An acoustic model that was trained on recordings: see [`Training`](crate::Training).
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct TrainedModel {
-    /// What it learnt.
+    /// The model.
     pub model: Model,
     /// The language of the recordings.
     pub language: Language,
-    /// A hash of everything that it was learnt from: whoever trains says of what.
+    /// A hash of the training data, which the caller of the training defines.
     pub origin: u64,
-    /// How much speech it was learnt from, in seconds.
+    /// The amount of speech in the training data, in seconds.
     pub speech_s: u32,
-    /// From how many recordings.
+    /// The number of recordings in the training data.
     pub recordings: u32,
 }
 
-/// Why bytes are no model that was trained.
+/// The reason why bytes are not a trained model.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum ModelError {
-    /// They are something else.
+    /// The bytes are a different kind of file.
     OtherFile,
-    /// They are a model, but not all of it, or not as it was written.
+    /// The bytes are a model, but truncated or altered.
     Damaged,
 }
 
 impl TrainedModel {
-    /// No file of a model is longer, in bytes.
+    /// The greatest size of a model's file in bytes.
     pub const LONGEST_FILE: u64 = 1 << 20;
 
-    /// A model that was learnt from `speech_s` seconds of speech in so many recordings.
+    /// Returns a model that was trained on `speech_s` seconds of speech in so many recordings.
     pub fn new(model: Model, language: Language, origin: u64, speech_s: u32, recordings: u32) -> TrainedModel {
         TrainedModel { model, language, origin, speech_s, recordings }
     }
 
-    /// The bytes of its file. What the file says of the model is a little rounded, so a model that was read is not quite the
-    /// one that was written; the same model gives the same bytes.
+    /// Returns the bytes of the file. The values are slightly rounded, so a model that is read differs a little from
+    /// the one that was written. The same model always produces the same bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut content = self.origin.to_le_bytes().to_vec();
         content.extend_from_slice(&self.speech_s.to_le_bytes());
@@ -65,7 +66,7 @@ impl TrainedModel {
     /// Reads the bytes of a file.
     ///
     /// # Errors
-    /// If they are no model, or are damaged.
+    /// If the bytes are not a model, or are damaged.
     pub fn from_bytes(bytes: &[u8]) -> Result<TrainedModel, ModelError> {
         if !bytes.starts_with(MAGIC) {
             return Err(ModelError::OtherFile);
@@ -90,7 +91,7 @@ impl TrainedModel {
 impl fmt::Display for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            ModelError::OtherFile => "it is no model of voices",
+            ModelError::OtherFile => "it is not a voice model",
             ModelError::Damaged => "it is damaged",
         })
     }
@@ -123,7 +124,7 @@ mod tests {
     #[test]
     fn no_file_that_ends_early_is_a_model_although_its_hash_is_right() {
         let whole = TrainedModel::new(Model::english().clone(), Language::ENGLISH, 0, 0, 0).to_bytes();
-        // At every byte of both heads, and of the last probabilities; between them, here and there.
+        // Every byte of both heads and of the last probabilities, and some bytes in between.
         let heads = 0..HEAD + 16 + 8 * 42;
         let last = whole.len() - 64..whole.len();
         for length in heads.clone().chain((heads.end..last.start).step_by(29_989)).chain(last) {
@@ -139,7 +140,7 @@ mod tests {
     #[test]
     fn numbers_that_make_no_sense_are_refused_although_the_hash_is_right() {
         let model = TrainedModel::new(Model::english().clone(), Language::ENGLISH, 0, 0, 0).to_bytes();
-        // A mean, a sigma, and the last probability, as numbers that are none, infinite or negative.
+        // A mean, a sigma, and the last probability, as NaN, infinite or negative numbers.
         let sigmas = HEAD + 16 + 8 * 42 + 2 * 42 * 3 * 128 * 13;
         for at in [HEAD + 16 + 8 * 42, sigmas, model.len() - 40 * 40 - 2] {
             for half in [0x7e00_u16, 0x7c00, 0xbc00] {

@@ -1,4 +1,4 @@
-//! A model of the voices of a project, learnt from its own recordings and texts.
+//! Training of a model with a project's own recordings and texts.
 
 mod file;
 mod states;
@@ -9,17 +9,17 @@ use crate::features::cepstra::{NUMBERS, Vectors};
 use crate::model::Counts;
 use crate::{AlignOptions, Aligner, Model, Phone, Script, Sound};
 
-/// Learns a model from recordings and what is said in them.
+/// Trains a model on recordings and their transcripts.
 ///
-/// Starts with a model that is there: aligns the recordings with it, counts which numbers the frames of each phone have, and
-/// moves the model towards them; then again with the new model.
+/// Starts with an existing model: aligns the recordings with it, counts the values in the frames of each phone, and
+/// moves the model towards them. This is repeated with the new model.
 #[derive(Clone, Debug)]
 pub struct Training {
     first: Model,
     model: Model,
 }
 
-/// What recordings tell about a model: see [`Training::observe`].
+/// The statistics of recordings for training: see [`Training::observe`].
 #[derive(Clone, Debug)]
 pub struct Observations {
     counts: Counts,
@@ -29,15 +29,15 @@ pub struct Observations {
 }
 
 impl Training {
-    /// How often recordings are aligned and the model is moved: what comes after that changes nothing.
+    /// The number of rounds of aligning the recordings and moving the model. Further rounds change nothing.
     pub const ROUNDS: usize = 3;
 
-    /// A training that starts with `model`.
+    /// Returns a training that starts with `model`.
     pub fn new(model: &Model) -> Training {
         Training { first: model.clone(), model: model.clone() }
     }
 
-    /// Adds a recording and what is said in it to `observations`. One whose script is not what is said is left out.
+    /// Adds a recording and its transcript to `observations`. A recording that does not match its script is skipped.
     pub fn observe(&self, sound: &Sound, script: &Script, observations: &mut Observations) {
         let aligner = Aligner::new(&self.model, AlignOptions::default());
         let phones = aligner.frames(sound, script);
@@ -66,12 +66,12 @@ impl Training {
         }
     }
 
-    /// Moves the model to what was observed.
+    /// Moves the model towards the observations.
     pub fn learn(&mut self, observations: &Observations) {
         self.model = self.first.adapted(&observations.counts);
     }
 
-    /// The model as it is now.
+    /// Returns the current model.
     pub fn model(&self) -> &Model {
         &self.model
     }
@@ -84,7 +84,7 @@ impl Default for Observations {
 }
 
 impl Observations {
-    /// Adds those of other recordings.
+    /// Adds the observations of other recordings.
     pub fn extend(&mut self, other: &Observations) {
         self.counts.extend(&other.counts);
         self.speech_frames += other.speech_frames;
@@ -92,17 +92,17 @@ impl Observations {
         self.left_out += other.left_out;
     }
 
-    /// How much speech was observed, in microseconds.
+    /// Returns the length of the observed speech, in microseconds.
     pub fn speech_us(&self) -> u64 {
         self.speech_frames * 10_000
     }
 
-    /// How many recordings were used.
+    /// Returns the number of recordings used.
     pub fn used(&self) -> usize {
         self.used
     }
 
-    /// How many recordings were left out, because something else is said in them than their scripts say.
+    /// Returns the number of recordings skipped because they do not match their scripts.
     pub fn left_out(&self) -> usize {
         self.left_out
     }

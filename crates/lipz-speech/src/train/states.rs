@@ -1,16 +1,16 @@
-//! Which frames of a phone are in which of its states.
+//! Assignment of the frames of a phone to its states.
 
 use crate::features::cepstra::NUMBERS;
 use crate::model::STATES;
 use crate::{Model, Phone};
 
-/// How many of the frames of a phone are in each of its states, along the best path through them. Fewer frames than states
-/// are in none: the search was cut off there.
+/// Returns the number of frames of a phone in each of its states, along the best path. If there are fewer frames than
+/// states, all are 0, because the search was cut off there.
 pub(super) fn lengths(model: &Model, phone: Phone, vectors: &[[f32; NUMBERS]]) -> [usize; STATES] {
     if vectors.len() < STATES {
         return [0; STATES];
     }
-    // The best value of being in each state, and after how many frames it was entered on that path.
+    // The best value of each state, and the frame at which its path entered it.
     let base = phone.index() * STATES;
     let mut values = [f32::NEG_INFINITY; STATES];
     let mut entries = [[0; STATES]; STATES];

@@ -1,8 +1,8 @@
-//! A tiny network in the form of the package `hama`, with numbers by chance: it hears nonsense, always the same.
+//! A tiny network in the format of the package `hama`, with reproducible random values. Its output has no meaning.
 
 use std::collections::BTreeMap;
 
-/// Numbers per frame, inside of feed-forward layers; frames of a convolution; blocks.
+/// The number of values per frame, and inside feed-forward layers; the frames of a convolution; the blocks.
 const WIDTH: usize = 8;
 const INNER: usize = 12;
 const KERNEL: usize = 5;
@@ -11,14 +11,14 @@ const BLOCKS: usize = 2;
 /// The names of its tokens.
 pub(crate) const TOKENS: [&str; 9] = ["<pad>", "a", "m", "ʃ", "u", "ː", "f", "<wb>", "<blank>"];
 
-/// The names of its tokens, as the package has them.
+/// The names of its tokens, in the format of the package.
 #[allow(dead_code, reason = "not every test needs it")]
 pub(crate) fn vocabulary() -> String {
     let own = TOKENS.len() - 2;
     format!("{{\"encoder\": [], \"decoder\": {:?}}}", &TOKENS[..own])
 }
 
-/// The file. `seed` makes other numbers.
+/// Returns the file. `seed` selects the values.
 pub(crate) fn hama(seed: u32) -> Vec<u8> {
     let mut chance = seed;
     let mut number = move || {
@@ -53,10 +53,10 @@ pub(crate) fn hama(seed: u32) -> Vec<u8> {
     file
 }
 
-/// How large a number of a tensor is at most: so that what is heard changes with the sound.
+/// Returns the largest value of a tensor, chosen so that the output depends on the audio.
 fn size(name: &str, at: usize) -> f32 {
     match name {
-        // Each band has a few bins of its own, all with positive power.
+        // Each band has its own few bins, all with positive power.
         "mel_fb" if (at / 80 * 2 / 5).abs_diff(at % 80) > 1 => 0.0,
         "onnx::Conv_100" => 0.05,
         name if name.ends_with("bias") || name == "onnx::Conv_101" => 0.1,
@@ -64,7 +64,7 @@ fn size(name: &str, at: usize) -> f32 {
     }
 }
 
-/// A number from -1 to 1 as a 16-bit float, rounded down: sign, exponent, ten bits.
+/// Returns a number from -1 to 1 as a 16-bit float, rounded down: sign, exponent, ten bits.
 fn half(value: f32) -> [u8; 2] {
     let bits = value.to_bits();
     let (sign, exponent) = ((bits >> 16 & 0x8000) as u16, (bits >> 23 & 0xff) as u16);
@@ -72,8 +72,8 @@ fn half(value: f32) -> [u8; 2] {
     (sign | small).to_le_bytes()
 }
 
-/// All tensors: dimensions, and whether their numbers have 16 bits. In the order of their names, in which those without
-/// a name of their own are in that of the network.
+/// Returns all tensors: dimensions, and whether their values have 16 bits. They are sorted by name; those without
+/// individual names are in the order of the network.
 fn tensors() -> BTreeMap<String, (Vec<usize>, bool)> {
     let mut all = BTreeMap::new();
     let mut add = |name: String, dimensions: &[usize]| {

@@ -1,4 +1,4 @@
-//! Random numbers that are the same in each run.
+//! Reproducible random numbers.
 
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! WAV and AIFF files, made in memory.
 
-/// How a sample is stored.
+/// The storage format of a sample.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(dead_code, reason = "not every test makes every kind")]
 pub(crate) enum Samples {
@@ -17,7 +17,7 @@ impl Samples {
     pub(crate) const ALL: [Samples; 6] =
         [Samples::U8, Samples::S16, Samples::S24, Samples::S32, Samples::F32, Samples::F64];
 
-    /// The number of the format, and bytes per sample.
+    /// Returns the number of the format, and the bytes per sample.
     fn format(self) -> (u16, u16) {
         match self {
             Samples::U8 => (1, 1),
@@ -43,7 +43,7 @@ impl Samples {
     }
 }
 
-/// A WAV file with the same samples in every channel.
+/// Returns a WAV file with the same samples in every channel.
 pub(crate) fn wav(samples: Samples, channels: u16, rate_hz: u32, sound: &[f32]) -> Vec<u8> {
     let (format, bytes) = samples.format();
     let data: Vec<u8> = sound.iter().flat_map(|&sample| samples.bytes(sample).repeat(channels.into())).collect();
@@ -64,7 +64,7 @@ pub(crate) fn wav(samples: Samples, channels: u16, rate_hz: u32, sound: &[f32]) 
     file
 }
 
-/// An AIFF file, or, for samples that this has no name for, an AIFC file; with the same samples in every channel.
+/// Returns an AIFF file with the same samples in every channel, or an AIFC file for formats that AIFF lacks.
 #[allow(dead_code, reason = "not every test makes such files")]
 pub(crate) fn aiff(samples: Samples, channels: u16, rate_hz: u32, sound: &[f32]) -> Vec<u8> {
     let (_, bytes) = samples.format();
@@ -82,7 +82,7 @@ pub(crate) fn aiff(samples: Samples, channels: u16, rate_hz: u32, sound: &[f32])
         Samples::F64 => b"fl64\0\0",
         _ => b"",
     };
-    // The rate as a float of 80 bits: the exponent, then 64 bits of which the first is 1.
+    // The rate as an 80-bit float: the exponent, then 64 bits of which the first is 1.
     let shift = rate_hz.leading_zeros();
     let exponent = u16::try_from(16_383 + 31 - shift).unwrap();
     let common = [

@@ -1,22 +1,22 @@
-//! Dubs that are older than what their original says.
+//! Dubs that are older than their original.
 
-use crate::clip::Clip;
-use crate::recordings::shown;
-use crate::{OriginalThen, Spoken};
+use crate::record::{OriginalHashes, RecordedText};
+use crate::recordings::clip::ClipMouth;
+use crate::recordings::paths::shown;
 use lipz_compiler::Input;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::path::Path;
 
-/// Reports a dub of which the record knows that its original was another recording, or had another text, when it was recorded.
+/// Reports a dub whose original has changed its recording or text since the dub was recorded, according to the record.
 pub(super) fn check(
-    clip: &Clip<'_>,
+    clip: &ClipMouth<'_>,
     (original, recording): (&Input, Option<&Path>),
-    now: &Spoken,
-    known: &[Spoken],
+    now: &RecordedText,
+    known: &[RecordedText],
 ) -> Option<Diagnostic> {
     let (visemes, now) = (clip.visemes?, now.original?);
-    let then: Vec<OriginalThen> = known.iter().filter_map(|spoken| spoken.original).collect();
-    let is_same = |then: &&OriginalThen| then.is_recorded_as(&now);
+    let then: Vec<OriginalHashes> = known.iter().filter_map(|spoken| spoken.original).collect();
+    let is_same = |then: &&OriginalHashes| then.is_recorded_as(&now);
     if then.is_empty() || then.iter().filter(is_same).any(|then| then.text == now.text) {
         return None;
     }
@@ -30,6 +30,6 @@ pub(super) fn check(
         Some(path) => format!("its recording is `{}`", escape::text(&shown(path))),
         None => format!("it is `{name}`"),
     };
-    let help = "record the dub again; if it still says the same: `lipz accept`";
+    let help = "record the dub again, or run `lipz approve` if it is still correct";
     Some(Diagnostic::at(Code::DubOutOfDate, visemes.span(), message).note(note).help(help))
 }

@@ -1,28 +1,33 @@
-//! Whether clips and recordings belong together.
+//! Lints that compare clips with recordings.
 
 mod dub;
 mod length;
 mod missing;
+mod recording_counts;
 mod stale;
 mod voice;
 
-use crate::clip::Clip;
-use crate::heard::Ear;
-use crate::originals::Originals;
-use crate::recordings::{not_used, shown};
-use crate::spoken_now::SpokenNow;
-use crate::sync::grid;
-use crate::sync::mouth::mismatches;
-use crate::{Recordings, SyncRecord, record_place, threads};
-use lipz_compiler::settings::Settings;
-use lipz_compiler::{Content, Input, WordTimes};
-use lipz_diagnostics::{Code, Diagnostic, Report, escape};
-use std::borrow::Cow;
-use std::fs;
-use std::path::PathBuf;
+pub use recording_counts::RecordingCounts;
 
-/// Reports clips without a recording, recordings without a clip, and pairs that do not fit. Nothing, if the project has
-/// no folder of recordings. Files that are no Lipz files are for [`Compiler::check`](lipz_compiler::Compiler::check).
+use crate::job::grid;
+use crate::job::mouth::mismatches;
+use crate::record::expected_text::ExpectedText;
+use crate::record::{SyncRecord, record_place};
+use crate::recordings::Recordings;
+use crate::recordings::clip::ClipMouth;
+use crate::recordings::finder::not_used;
+use crate::recordings::inputs::{bytes_of, path_of};
+use crate::recordings::loudness::LoudnessCache;
+use crate::recordings::originals::Originals;
+use crate::recordings::paths::shown;
+use crate::threads;
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Input, WordTimes};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
+
+/// Reports clips without a recording, recordings without a clip, and pairs that do not match. Reports nothing if the
+/// project has no folder of recordings. Invalid Lipz files are reported by
+/// [`Compiler::check`](lipz_compiler::Compiler::check).
 ///
 /// `progress` is called for each clip, from several threads.
 pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)) -> Vec<Report> {
@@ -31,22 +36,23 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     }
     let (recordings, mut reports) = Recordings::discover_with_reports(settings);
     if lipz_diagnostics::reports::have_errors(&reports) {
-        return reports; // whatever is missing may be where nobody could look
+        return reports; // missing recordings may be in unreadable folders
     }
-    let (ear, record) = match (Ear::open(settings.audio.cache.as_deref()), SyncRecord::read(&record_place(settings))) {
-        (Ok(ear), Ok(record)) => {
-            reports.extend_from_slice(record.warnings());
-            (ear, record)
-        }
-        (ear, record) => {
-            reports.extend(ear.err());
-            reports.extend(record.err());
-            return reports;
-        }
-    };
+    let (ear, record) =
+        match (LoudnessCache::open(settings.audio.cache.as_deref()), SyncRecord::read(&record_place(settings))) {
+            (Ok(ear), Ok(record)) => {
+                reports.extend_from_slice(record.warnings());
+                (ear, record)
+            }
+            (ear, record) => {
+                reports.extend(ear.err());
+                reports.extend(record.err());
+                return reports;
+            }
+        };
     reports.extend(not_used(&recordings));
     for path in recordings.without_clip(inputs) {
-        let message = format!("no clip has the recording `{}`", escape::text(&shown(path)));
+        let message = format!("the recording `{}` does not belong to a clip", escape::text(&shown(path)));
         let help = "add a Lipz file, or remove the recording";
         reports.push(Report::failure(shown(path), Code::RecordingWithoutClip, message, help));
     }
@@ -64,8 +70,8 @@ pub fn check(settings: &Settings, inputs: &[Input], progress: &(dyn Fn() + Sync)
     reports
 }
 
-/// Whether a clip with mouth shapes lacks a recording in some language.
-pub(crate) fn is_unrecorded(settings: &Settings, clip: &Clip<'_>, recordings: &Recordings, key: &str) -> bool {
+/// Whether a clip with visemes lacks a recording in some language.
+pub(crate) fn is_unrecorded(settings: &Settings, clip: &ClipMouth<'_>, recordings: &Recordings, key: &str) -> bool {
     !missing::check(settings, clip, recordings, key).is_empty()
 }
 
@@ -74,14 +80,14 @@ fn one(
     settings: &Settings,
     (input, original): (&Input, Option<&Input>),
     recordings: &Recordings,
-    ear: &Ear,
+    ear: &LoudnessCache,
     record: &SyncRecord,
 ) -> Vec<Report> {
     let Some(bytes) = bytes_of(input) else { return Vec::new() };
     let original_bytes = original.and_then(bytes_of).unwrap_or_default();
     let original_document = lipz_file::parse(&original_bytes).document;
     let Some(document) = lipz_file::parse(&bytes).document else { return Vec::new() };
-    let clip = Clip::from_document(&document, &settings.options);
+    let clip = ClipMouth::from_document(&document, &settings.options);
     let mut reports = Vec::new();
     let mut diagnostics = Vec::from_iter(missing::check(settings, &clip, recordings, &input.key));
     for path in recordings.dubs(&input.key).into_iter().filter_map(|(_, path)| path) {
@@ -105,14 +111,15 @@ fn one(
                 let known = record.lines_for(lipz_file);
                 let of_original = original.zip(original_document.as_ref());
                 let keyed = of_original.map(|(input, document)| (&*input.key, document));
-                let said = SpokenNow::new(settings, recordings, facts.content_hash, (&input.key, &document), keyed);
+                let said = ExpectedText::new(settings, recordings, facts.content_hash, (&input.key, &document), keyed);
                 let recorded = said.known(record, lipz_file);
                 diagnostics.extend(stale::check(&clip, &said.now, path, &recorded, known));
-                // What the run said that made the mouth is still true. After a merge there may be several lines: the last one counts.
+                // The mismatches found by the run that made the visemes still apply. If there are several lines after a
+                // merge, the last one counts.
                 let made = known.iter().rev().find(|line| line.made.sound == facts.content_hash);
                 let differences = made.and_then(|line| line.differences.as_ref());
                 let locale = recordings.locale(&input.key);
-                match crate::spoken_string(settings, locale, &document) {
+                match crate::recordings::transcript::spoken_string(settings, locale, &document) {
                     Some(text) => diagnostics.extend(mismatches(differences, text)),
                     None => reports.extend(of_borrowed(settings, locale, input, original, differences)),
                 }
@@ -121,7 +128,7 @@ fn one(
                     diagnostics.extend(dub::check(&clip, original, &said.now, &recorded));
                 }
             }
-            // Of a mouth of another length, every other place is wrong, too.
+            // If the length of the visemes is wrong, further positions would be wrong as well.
             if diagnostics.len() == before {
                 diagnostics.extend(voice::check(&clip, &heard));
             }
@@ -133,7 +140,7 @@ fn one(
     reports
 }
 
-/// Where a dub that is spoken as the text of its original says something else.
+/// Returns the mismatches of a dub that uses the text of its original.
 fn of_borrowed(
     settings: &Settings,
     locale: Option<&str>,
@@ -143,26 +150,10 @@ fn of_borrowed(
 ) -> Option<Report> {
     let (original, bytes) = (original?, bytes_of(original?)?);
     let document = lipz_file::parse(&bytes).document?;
-    let found = mismatches(differences, crate::spoken_string(settings, locale, &document)?);
-    let note = format!("in its dub {}", escape::quoted(&dub.key));
+    let found = mismatches(differences, crate::recordings::transcript::spoken_string(settings, locale, &document)?);
+    let note = format!("the dub is {}", escape::quoted(&dub.key));
     let found: Vec<Diagnostic> = found.into_iter().map(|diagnostic| diagnostic.note(note.clone())).collect();
     (!found.is_empty()).then(|| Report::from_bytes(original.name(), &bytes, found))
-}
-
-/// The file of an input, also of one whose text is not saved yet: what is remembered of it stays true.
-pub(crate) fn path_of(input: &Input) -> Option<PathBuf> {
-    match &input.content {
-        Content::File(path) => Some(path.clone()),
-        Content::Bytes { name, .. } => Some(PathBuf::from(name)).filter(|path| path.is_file()),
-    }
-}
-
-/// The bytes of a Lipz file; none if it cannot be read.
-pub(crate) fn bytes_of(input: &Input) -> Option<Cow<'_, [u8]>> {
-    match &input.content {
-        Content::Bytes { bytes, .. } => Some(Cow::Borrowed(bytes.as_slice())),
-        Content::File(path) => fs::read(path).ok().map(Cow::Owned),
-    }
 }
 
 #[cfg(test)]

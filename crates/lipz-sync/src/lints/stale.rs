@@ -1,13 +1,20 @@
-//! Mouths that were made from another recording, and recordings that are older than their text.
+//! Visemes made from a different recording, and recordings that are older than their text.
 
-use crate::clip::Clip;
-use crate::recordings::shown;
-use crate::{Line, Spoken};
+use crate::record::{RecordLine, RecordedText};
+use crate::recordings::clip::ClipMouth;
+use crate::recordings::paths::shown;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::path::Path;
 
-/// Reports a recording of which the record knows that it says another text, and a mouth that was made from none but another recording.
-pub(super) fn check(clip: &Clip<'_>, now: &Spoken, path: &Path, known: &[Spoken], made: &[Line]) -> Option<Diagnostic> {
+/// Reports a recording whose text has changed, according to the record, and visemes that were only made from different
+/// recordings.
+pub(super) fn check(
+    clip: &ClipMouth<'_>,
+    now: &RecordedText,
+    path: &Path,
+    known: &[RecordedText],
+    made: &[RecordLine],
+) -> Option<Diagnostic> {
     let visemes = clip.visemes?;
     if known.iter().any(|spoken| spoken.text == now.text) || known.is_empty() && made.is_empty() {
         return None;
@@ -16,11 +23,13 @@ pub(super) fn check(clip: &Clip<'_>, now: &Spoken, path: &Path, known: &[Spoken]
         false => (
             Code::OutdatedRecording,
             "the recording is older than its text",
-            "record the line again; if it says the text all the same: `lipz accept`",
+            "record the line again, or run `lipz approve` if the recording matches the text",
         ),
-        true => {
-            (Code::StaleMouth, "the mouth was made from another recording", "make the mouth again from the recording")
-        }
+        true => (
+            Code::StaleMouth,
+            "the visemes were made from a different recording",
+            "make the visemes again from the recording",
+        ),
     };
     let note = format!("the recording is `{}`", escape::text(&shown(path)));
     Some(Diagnostic::at(code, visemes.span(), message).note(note).help(help))

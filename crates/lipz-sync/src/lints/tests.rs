@@ -1,8 +1,11 @@
+//! Tests of diagnostics about clips and recordings that do not match.
+
 use super::*;
+use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
 
-/// A WAV file with a sound that changes as often as speech.
+/// Writes a WAV file with audio that changes as often as speech.
 fn voice(path: &Path, rate_hz: u32, samples: u32) {
     let spec = hound::WavSpec {
         channels: 1,
@@ -20,17 +23,17 @@ fn voice(path: &Path, rate_hz: u32, samples: u32) {
     writer.finalize().unwrap();
 }
 
-struct Project {
+struct TestProject {
     folder: tempfile::TempDir,
     settings: Settings,
 }
 
-impl Project {
-    fn new(settings: &str) -> Project {
+impl TestProject {
+    fn new(settings: &str) -> TestProject {
         let folder = tempfile::tempdir().unwrap();
         let text = format!("default-fps = 24\n[audio]\nfolder = \"sounds\"\n{settings}");
         let settings = Settings::parse(text, "lipz.toml", folder.path()).unwrap();
-        Project { folder, settings }
+        TestProject { folder, settings }
     }
 
     fn sound(&self, name: &str, rate_hz: u32, samples: u32) -> PathBuf {
@@ -50,22 +53,22 @@ const HALF_A_SECOND: &str = r#"{ "visemes": "MA--|EO------" }"#;
 
 #[test]
 fn a_frame_of_difference_is_none() {
-    let project = Project::new("");
+    let project = TestProject::new("");
     project.sound("a.wav", 48_000, 24_000);
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [""; 0]);
     project.sound("a.wav", 48_000, 26_000); // a frame longer
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [""; 0]);
     project.sound("a.wav", 48_000, 26_002);
-    let longer = "the mouth moves for 0.500 s, but the recording lasts 0.542 s";
+    let longer = "the visemes last 0.500 s, but the recording lasts 0.542 s";
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [longer]);
     project.sound("a.wav", 8_000, 3_000);
-    let shorter = "the mouth moves for 0.500 s, but the recording lasts 0.375 s";
+    let shorter = "the visemes last 0.500 s, but the recording lasts 0.375 s";
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [shorter]);
 }
 
 #[test]
 fn a_tolerance_takes_the_place_of_the_frame() {
-    let project = Project::new("tolerance-ms = 125");
+    let project = TestProject::new("tolerance-ms = 125");
     project.sound("a.wav", 8_000, 3_000);
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [""; 0]);
     project.sound("a.wav", 8_000, 2_999);
@@ -74,19 +77,19 @@ fn a_tolerance_takes_the_place_of_the_frame() {
 
 #[test]
 fn what_has_no_counterpart_is_reported() {
-    let project = Project::new("pattern = \"en/{key}\"");
+    let project = TestProject::new("pattern = \"en/{key}\"");
     project.sound("en/a.wav", 8_000, 4_000);
     let lonely = project.sound("de/a.wav", 8_000, 4_000);
     let found = project.check(&[("a", HALF_A_SECOND), ("b", HALF_A_SECOND), ("text", r#"{ "text_en-us": "Aye." }"#)]);
-    let without_clip = format!("no clip has the recording `{}`", lonely.display());
+    let without_clip = format!("the recording `{}` does not belong to a clip", lonely.display());
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found.contains(&without_clip), "{found:?}");
-    assert!(found.contains(&"the clip has mouth shapes, but no recording".to_owned()), "{found:?}");
+    assert!(found.contains(&"the clip has visemes, but no recording".to_owned()), "{found:?}");
 }
 
 #[test]
 fn sounds_that_are_none_are_reported_and_all_others_checked() {
-    let project = Project::new("");
+    let project = TestProject::new("");
     project.sound("b.wav", 8_000, 8_000);
     fs::write(project.folder.path().join("sounds/a.wav"), "RIFF").unwrap();
     let found = project.check(&[("a", HALF_A_SECOND), ("b", HALF_A_SECOND)]);
@@ -96,7 +99,7 @@ fn sounds_that_are_none_are_reported_and_all_others_checked() {
 
 #[test]
 fn levels_of_the_project_hold() {
-    let project = Project::new("[lints]\nrecording-length = \"deny\"\n");
+    let project = TestProject::new("[lints]\nrecording-length = \"deny\"\n");
     project.sound("a.wav", 8_000, 8_000);
     let inputs = [Input::from_bytes("a", HALF_A_SECOND)];
     assert!(check(&project.settings, &inputs, &|| ())[0].has_errors());
@@ -106,7 +109,7 @@ fn levels_of_the_project_hold() {
 
 #[test]
 fn recordings_that_nobody_can_use_are_told_without_a_run_that_makes_mouths() {
-    let project = Project::new("cache = \"sounds.cache\"\n[voices]\nde-de = \"de/{key}\"\n");
+    let project = TestProject::new("cache = \"sounds.cache\"\n[voices]\nde-de = \"de/{key}\"\n");
     let half = HALF_A_SECOND;
     project.sound("a.wav", 8_000, 4_000);
     let silent = project.sound("de/a.wav", 8_000, 4_000);
@@ -122,8 +125,8 @@ fn recordings_that_nobody_can_use_are_told_without_a_run_that_makes_mouths() {
     bytes[4044..4084].copy_from_slice(&[0xff, 0x7f].repeat(20));
     fs::write(&loud, &bytes).unwrap();
     let told = [
-        "the recording is cut off at full scale at 0.25 s",
-        "nothing can be heard in the recording",
+        "the recording is clipped at full scale at 0.25 s",
+        "the recording is silent",
         "the recording ends in the middle of its data",
         "the clip has no recording in `de-de`",
     ];
@@ -138,12 +141,12 @@ fn recordings_that_nobody_can_use_are_told_without_a_run_that_makes_mouths() {
 
 #[test]
 fn the_voice_of_a_clip_decides_which_text_is_spoken() {
-    let project = Project::new("[voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n");
+    let project = TestProject::new("[voices]\nen-us = \"en/{key}\"\nde-de = \"de/{key}\"\n");
     project.sound("en/a.wav", 8_000, 4_000);
     project.sound("de/a.wav", 8_000, 4_000);
     assert_eq!(project.check(&[("en/a", HALF_A_SECOND), ("de/a", HALF_A_SECOND)]), [""; 0], "each its own");
     let found = project.check(&[("a", HALF_A_SECOND)]);
-    assert_eq!(found, ["the clip has mouth shapes, but no recording"], "no spoken locale is named: dubs only");
+    assert_eq!(found, ["the clip has visemes, but no recording"], "no spoken locale is named: dubs only");
     let mut project = project;
     project.settings.options = project.settings.options.default_locale("en-us").unwrap();
     assert_eq!(project.check(&[("a", HALF_A_SECOND)]), [""; 0], "one mouth, two recordings");

@@ -1,10 +1,12 @@
-//! The mouths of all shards, merged into the Lipz files.
+//! Merging of the visemes of all shards into the Lipz files.
 
 use super::hash_for_sync;
 use super::mouths::{MadeMouth, Mouths};
-use crate::sync::listed::Listings;
-use crate::sync::{Line, Spoken, Whole, hash_of, write};
-use crate::{SyncRecord, Synced};
+use crate::job::SyncResults;
+use crate::job::review_list::ReviewLists;
+use crate::job::write::{WriteGuard, write};
+use crate::record::{RecordLine, RecordedText, SyncRecord};
+use crate::recordings::file_facts::hash_of;
 use lipz_compiler::replace_file;
 use lipz_compiler::shard::{ContentHash, WireReport};
 use lipz_diagnostics::{Code, Diagnostic, Report};
@@ -12,12 +14,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Brings the mouths of all shards into their Lipz files and the record, as a [`SyncRun`](crate::SyncRun) does with those that it
-/// makes. A file that is not what it was when the plan was made stays as it is, which is reported, and so does one of which the
-/// record says something else, or that has another recording; one that has its mouth already is done. So a run that ended in
-/// the middle can be done again.
-pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &Whole<'_>) -> Synced {
-    let (mut synced, mut listed, mut made) = (Synced::default(), Listings::default(), Vec::new());
+/// Writes the visemes of all shards into their Lipz files and the record, like a [`SyncRun`](crate::SyncRun). A file
+/// stays unchanged, with a report, if it, its lines in the record or its recording have changed since the plan was
+/// made. A file that already has its visemes is skipped, so that an interrupted merge can be repeated.
+pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &WriteGuard<'_>) -> SyncResults {
+    let (mut synced, mut listed, mut made) = (SyncResults::default(), ReviewLists::default(), Vec::new());
     for of_shard in mouths {
         synced.refused += of_shard.refused;
         synced.unchanged += of_shard.unchanged.len();
@@ -48,39 +49,43 @@ pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &Whole<'_>) ->
     synced.end(listed, record, whole)
 }
 
-/// Writes a mouth into its file, and its lines into the record; returns those that the record is to have, if it has not.
-fn put(mouth: &MadeMouth, record: &SyncRecord, whole: &Whole<'_>) -> Result<Option<(Line, Vec<Spoken>)>, Report> {
+/// Writes visemes into their file, and lines into the record. Returns the lines that are missing from the record.
+fn put(
+    mouth: &MadeMouth,
+    record: &SyncRecord,
+    whole: &WriteGuard<'_>,
+) -> Result<Option<(RecordLine, Vec<RecordedText>)>, Report> {
     let path = Path::new(&mouth.lipz_file);
     let outdated = |message: String| {
-        let help = "the file is kept; make the plan again, and the mouths: lipz shard plan --sync";
+        let help = "make the plan again with `lipz shard plan sync`, and then the visemes";
         Report::about(mouth.lipz_file.as_str(), Diagnostic::new(Code::PlanOutdated, message).help(help))
     };
-    let line = Line::parse(&mouth.line).filter(|(_, file)| *file == record.name(path)).map(|(line, _)| line);
-    let line = line.ok_or_else(|| outdated("the record is in another place than when the plan was made".to_owned()))?;
-    let spoken = mouth.spoken.iter().filter_map(|spoken| Some(Spoken::parse(spoken)?.0)).collect::<Vec<_>>();
+    let line = RecordLine::parse(&mouth.line).filter(|(_, file)| *file == record.name(path)).map(|(line, _)| line);
+    let line = line.ok_or_else(|| outdated("the path of the record has changed since the plan was made".to_owned()))?;
+    let spoken = mouth.spoken.iter().filter_map(|spoken| Some(RecordedText::parse(spoken)?.0)).collect::<Vec<_>>();
     let now = match fs::read(path) {
         Ok(bytes) => Some(bytes),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(crate::facts::unreadable(path, &error)),
+        Err(error) => return Err(crate::recordings::file_facts::unreadable(path, &error)),
     };
     let grid = mouth.grid.as_ref().map(|(place, text)| (Path::new(place), text.as_str()));
     let is_done = now.as_deref() == Some(mouth.after.as_bytes());
     if !is_done && now.as_deref().map(ContentHash::of) != mouth.before {
-        return Err(outdated(format!("`{}` is not what it was when the plan was made", mouth.lipz_file)));
+        return Err(outdated(format!("`{}` has changed since the plan was made", mouth.lipz_file)));
     }
     let known = record.lines_for(path);
-    // A machine that merges need not have the recordings, and of what is done nobody asks.
+    // The machine that merges may not have the recordings, and for finished clips they are not needed.
     let recording = Path::new(&mouth.recording);
     if !(is_done && known.contains(&line)) && recording.is_file() && hash_of(recording)? != line.made.sound {
-        return Err(outdated(format!("`{}` is not what it was when the plan was made", mouth.recording)));
+        return Err(outdated(format!("`{}` has changed since the plan was made", mouth.recording)));
     }
-    // A merge that was stopped may have added the line to those that were there.
+    // An interrupted merge may have added the line to the existing ones.
     if !known.contains(&line) && hash_for_sync(record, path) != mouth.known {
-        let message = format!("the record says something else of `{}` than when the plan was made", mouth.lipz_file);
+        let message = format!("the record of `{}` has changed since the plan was made", mouth.lipz_file);
         return Err(outdated(message));
     }
     if is_done {
-        // What was accepted since then stays.
+        // Texts accepted since then stay.
         let is_in_record = known == std::slice::from_ref(&line);
         let grid = grid.filter(|(place, _)| !place.exists());
         let mut written = Ok(());

@@ -1,4 +1,5 @@
-//! Lip sync on several machines: the mouths of a shard in a file of their own, and such files merged into the Lipz files.
+//! Lip sync on several machines: the visemes of a shard in a separate file, and merging of these files into the Lipz
+//! files.
 
 mod merge;
 mod mouths;
@@ -8,12 +9,12 @@ pub use merge::merge;
 pub use mouths::Mouths;
 pub use step::{beside, mouths};
 
-use crate::SyncRecord;
+use crate::record::SyncRecord;
 use lipz_compiler::shard::ContentHash;
 use lipz_compiler::{Content, Input};
 use std::path::Path;
 
-/// The hash of what the record says of an input, if it says something.
+/// Returns the hash of an input's lines in the record, if it has any.
 pub fn record_hash(record: &SyncRecord, input: &Input) -> Option<ContentHash> {
     match &input.content {
         Content::File(lipz_file) => hash_of(record, lipz_file),
@@ -21,12 +22,12 @@ pub fn record_hash(record: &SyncRecord, input: &Input) -> Option<ContentHash> {
     }
 }
 
-/// The hash of what the record says of the mouth of a Lipz file.
+/// Returns the hash of the lines about the visemes of a Lipz file.
 fn hash_of(record: &SyncRecord, lipz_file: &Path) -> Option<ContentHash> {
     hash(record.lines_for(lipz_file).iter().map(|line| line.written("")).collect())
 }
 
-/// The same with what it says of recordings, which makes no other bank, but other lines of a mouth.
+/// Returns the same, including the lines about recordings, which do not affect the bank, but do affect later lines.
 fn hash_for_sync(record: &SyncRecord, lipz_file: &Path) -> Option<ContentHash> {
     let lines = record.lines_for(lipz_file).iter().map(|line| line.written(""));
     hash(lines.chain(record.all_spoken(lipz_file).iter().map(|spoken| spoken.written(""))).collect())

@@ -1,18 +1,18 @@
-//! The file with the mouths of a shard: JSON, with a hash of itself.
+//! The file with the visemes of a shard: JSON, with a hash of its content.
 
-use crate::Kept;
-use crate::sync::listed::Listed;
+use crate::job::outcome::KeepReason;
+use crate::job::review_list::ReviewList;
 use lipz_compiler::shard::{ContentHash, ShardPlan, WireReport};
 use serde::{Deserialize, Serialize};
 
-/// What such a file says that it is.
+/// The name of the format in the file.
 const FORMAT: &str = "lipz-mouths";
 /// The version of its format.
 const VERSION: u32 = 1;
-/// The version of this library: another one may make other mouths.
+/// The version of this crate, because different versions may produce different visemes.
 const MAKER: &str = env!("CARGO_PKG_VERSION");
 
-/// What a step of lip sync has made of the clips of a shard.
+/// The result of a lip-sync step for the clips of a shard.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
@@ -22,52 +22,52 @@ pub struct Mouths {
     lipz: String,
     /// The number of the shard.
     pub shard: u16,
-    /// How many shards there are.
+    /// The number of shards.
     pub shards: u16,
-    /// The hash of all that the mouths were made from.
+    /// The hash of everything from which the visemes were made.
     pub id: ContentHash,
     /// The settings file, if there is one.
     pub settings: Option<String>,
-    /// Where the record is, or would be.
+    /// The path of the record, which may not exist.
     pub record: String,
-    /// The hash of the settings and of all that every shard reads.
+    /// The hash of the settings and of everything that all shards read.
     pub common: ContentHash,
     pub(super) made: Vec<MadeMouth>,
-    /// The keys of the clips whose mouths are what they would become, and their words to look at.
-    pub(super) unchanged: Vec<(String, Listed)>,
-    pub(super) kept: Vec<(String, Kept)>,
-    /// How many clips could not be made.
+    /// The keys of the clips whose visemes are up to date, and their words to check.
+    pub(super) unchanged: Vec<(String, ReviewList)>,
+    pub(super) kept: Vec<(String, KeepReason)>,
+    /// The number of clips with errors.
     pub refused: usize,
     pub(super) reports: Vec<WireReport>,
-    /// The hash of the document without this one.
+    /// The hash of the document without this field.
     hash: ContentHash,
 }
 
-/// A mouth, and the file that gets it.
+/// Visemes, and the file that gets them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MadeMouth {
     pub(super) key: String,
     pub(super) lipz_file: String,
-    /// The hash of the file before; `None` if there is none.
+    /// The hash of the old file; `None` if it does not exist.
     pub(super) before: Option<ContentHash>,
-    /// The file with the mouth.
+    /// The file with the visemes.
     pub(super) after: String,
     /// The recording.
     pub(super) recording: String,
-    /// The hash of what the record said of the file and its recordings, if it said something.
+    /// The hash of the record's lines about the file and its recordings, if it had any.
     pub(super) known: Option<ContentHash>,
     /// The line of the record.
     pub(super) line: String,
-    /// Lines of it about what the recording says, if the mouth is made for other words.
+    /// The lines about the recording's text, if it differs from that of the visemes.
     pub(super) spoken: Vec<String>,
-    pub(super) listed: Listed,
-    /// Place and text of the TextGrid that is not there yet.
+    pub(super) listed: ReviewList,
+    /// The path and the text of the missing TextGrid.
     pub(super) grid: Option<(String, String)>,
     pub(super) has_new_text: bool,
     /// The locale, if its language has no rules.
     pub(super) read_by_letters: Option<String>,
-    /// Dubs come after the originals, whose texts they borrow.
+    /// Whether the clip is a dub. Dubs come after the originals, whose texts they borrow.
     pub(super) is_dub: bool,
 }
 
@@ -92,34 +92,34 @@ impl Mouths {
         }
     }
 
-    /// How many clips have got a mouth.
+    /// Returns the number of clips with new visemes.
     pub fn made_count(&self) -> usize {
         self.made.len()
     }
 
-    /// The file.
+    /// Returns the file.
     pub fn to_json(&self) -> String {
         let hash = self.hash();
         json(&Mouths { hash, ..self.clone() })
     }
 
-    /// The mouths in the bytes of a file.
+    /// Parses the bytes of a file.
     ///
     /// # Errors
-    /// Why it is not such a file, or not whole.
+    /// The reason why it is not such a file, or is damaged.
     pub fn parse(bytes: &[u8]) -> Result<Mouths, String> {
         let mouths: Mouths = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
         if mouths.format != FORMAT || mouths.version != VERSION {
-            return Err(format!("it is `{}` of version {}", mouths.format, mouths.version));
+            return Err(format!("its format is `{}` version {}", mouths.format, mouths.version));
         }
         if mouths.lipz != MAKER {
-            return Err(format!("it was made by lipz {}, and this is lipz {MAKER}", mouths.lipz));
+            return Err(format!("it was made by lipz {}, but this is lipz {MAKER}", mouths.lipz));
         }
         if mouths.shard >= mouths.shards {
-            return Err(format!("there is no shard {} of {}", mouths.shard, mouths.shards));
+            return Err(format!("shard {} of {} does not exist", mouths.shard, mouths.shards));
         }
         let is_whole = mouths.hash == mouths.hash();
-        is_whole.then_some(mouths).ok_or_else(|| "it is damaged, or was changed by hand".to_owned())
+        is_whole.then_some(mouths).ok_or_else(|| "it is damaged, or was edited".to_owned())
     }
 
     fn hash(&self) -> ContentHash {
@@ -133,7 +133,7 @@ fn common(plan: &ShardPlan) -> ContentHash {
 }
 
 fn json(mouths: &Mouths) -> String {
-    // Strings and numbers: there is nothing that JSON does not have.
+    // Serialising strings and numbers cannot fail.
     let mut text = serde_json::to_string_pretty(mouths).unwrap_or_default();
     text.push('\n');
     text

@@ -1,12 +1,17 @@
-//! The step of a shard: what is read of its clips, and the mouths that are made of them.
+//! The step of a shard: the files that it reads for its clips, and the visemes that it makes.
 
 use super::hash_for_sync;
 use super::mouths::{MadeMouth, Mouths};
-use crate::recordings::shown;
-use crate::sync::{New, Place, Step, by_letters, grid_place, work};
-use crate::{Job, Recordings, SyncOptions, SyncRecord, jobs_of_clips};
+use crate::job::grid::place as grid_place;
+use crate::job::outcome::{JobOutcome, NewMouth};
+use crate::job::store::ClipStore;
+use crate::job::work::{by_letters, work};
+use crate::job::{Job, SyncOptions, jobs_of_clips};
+use crate::record::SyncRecord;
+use crate::recordings::Recordings;
+use crate::recordings::paths::shown;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::shard::{Beside, ContentHash, ShardPlan, WireReport};
+use lipz_compiler::shard::{ContentHash, ExtraInputs, ShardPlan, WireReport};
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, DiagnosticsError, Report};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -15,25 +20,25 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// What lip sync reads of each of these clips besides its Lipz file, by key: the recordings of the clip and of dubs that have no
-/// file yet, what the record says of them, and their TextGrids.
+/// Returns the additional inputs of lip sync for each of these clips, by key: the recordings of the clip and of dubs
+/// without a file, their lines in the record, and their TextGrids.
 pub fn beside(
     settings: &Settings,
     inputs: &[Input],
     recordings: &Recordings,
     record: &SyncRecord,
-) -> HashMap<String, Beside> {
+) -> HashMap<String, ExtraInputs> {
     let file_of: HashMap<&Path, &str> =
         inputs.iter().filter_map(|input| Some((path(input)?, input.key.as_str()))).collect();
-    let mut all: HashMap<String, Beside> = HashMap::new();
+    let mut all: HashMap<String, ExtraInputs> = HashMap::new();
     for job in jobs_of_clips(inputs, recordings) {
         let original = || job.original.as_ref().and_then(|original| file_of.get(original.lipz_file.as_path()));
-        // A dub that has no file yet is with its original.
+        // A dub without a file belongs to its original.
         let own = file_of.get(job.lipz_file.as_path()).or_else(original);
         let Some(of_clip) = own.map(|key| all.entry((*key).to_owned()).or_default()) else { continue };
         let grid = settings.sync.textgrids.as_deref().map(|folder| grid_place(folder, &job.key));
         of_clip.files.extend(grid.filter(|grid| grid.is_file()));
-        // A dub is made with the text and the recording of its original, which need not be an input.
+        // A dub also depends on the text and the recording of its original, which may not be an input.
         if let Some(original) = &job.original {
             let is_input = file_of.contains_key(original.lipz_file.as_path());
             of_clip.files.extend((!is_input).then(|| original.lipz_file.clone()));
@@ -53,8 +58,8 @@ pub fn beside(
     all
 }
 
-/// Makes the mouths of a shard, and writes nothing but what is returned. What is read is what the plan names: a recording that
-/// it does not name is none.
+/// Makes the visemes of a shard, and returns them without writing files. Only files in the plan are read; recordings
+/// that it does not name are ignored.
 ///
 /// # Errors
 /// If the files are not those of the plan.
@@ -84,21 +89,21 @@ pub fn mouths(
     if !unplanned.is_empty() {
         return Err(unplanned);
     }
-    let made = Made::default();
+    let made = MouthsSoFar::default();
     let mut mouths = Mouths::new(plan);
     for (job, step, reports) in work(&jobs, options, record, &made, progress) {
         mouths.reports.extend(reports.iter().map(WireReport::of));
         match step {
-            Step::Unchanged(listed) => mouths.unchanged.push((job.key.clone(), listed)),
-            Step::Kept(kept) => mouths.kept.push((job.key.clone(), kept)),
-            Step::Refused => mouths.refused += 1,
-            Step::New(new) => mouths.made.push(made_mouth(job, *new, options, record)),
+            JobOutcome::Unchanged(listed) => mouths.unchanged.push((job.key.clone(), listed)),
+            JobOutcome::Kept(kept) => mouths.kept.push((job.key.clone(), kept)),
+            JobOutcome::Refused => mouths.refused += 1,
+            JobOutcome::New(new) => mouths.made.push(made_mouth(job, *new, options, record)),
         }
     }
     Ok(mouths)
 }
 
-fn made_mouth(job: &Job, new: New, options: &SyncOptions, record: &SyncRecord) -> MadeMouth {
+fn made_mouth(job: &Job, new: NewMouth, options: &SyncOptions, record: &SyncRecord) -> MadeMouth {
     MadeMouth {
         read_by_letters: by_letters(job, options, &new),
         key: job.key.clone(),
@@ -116,11 +121,11 @@ fn made_mouth(job: &Job, new: New, options: &SyncOptions, record: &SyncRecord) -
     }
 }
 
-/// What was made by now: dubs read the files of their originals as they will be.
+/// The results so far. Dubs read the new files of their originals.
 #[derive(Default)]
-struct Made(Mutex<BTreeMap<PathBuf, String>>);
+struct MouthsSoFar(Mutex<BTreeMap<PathBuf, String>>);
 
-impl Place for Made {
+impl ClipStore for MouthsSoFar {
     fn read(&self, lipz_file: &Path) -> io::Result<Vec<u8>> {
         match self.0.lock().unwrap_or_else(PoisonError::into_inner).get(lipz_file) {
             Some(after) => Ok(after.clone().into_bytes()),
@@ -132,7 +137,7 @@ impl Place for Made {
         false
     }
 
-    fn put(&self, job: &Job, new: &New) -> Result<(), Option<Report>> {
+    fn put(&self, job: &Job, new: &NewMouth) -> Result<(), Option<Report>> {
         let mut files = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         files.insert(job.lipz_file.clone(), new.after.clone());
         Ok(())
@@ -148,7 +153,8 @@ fn path(input: &Input) -> Option<&Path> {
 
 fn unplanned(place: &Path) -> Report {
     let name = shown(place);
-    let message = format!("`{name}` was not there when the plan was made");
-    let diagnostic = Diagnostic::new(Code::PlanOutdated, message).help("make the plan again: lipz shard plan --sync");
+    let message = format!("`{name}` did not exist when the plan was made");
+    let diagnostic =
+        Diagnostic::new(Code::PlanOutdated, message).help("make the plan again with `lipz shard plan sync`");
     Report::about(name, diagnostic)
 }

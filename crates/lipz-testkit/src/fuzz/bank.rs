@@ -1,4 +1,4 @@
-//! Files that pretend to be banks or text banks.
+//! Arbitrary files as banks or text banks.
 
 use crate::exercise::{Effort, every_text_query, provoke};
 use crate::golden::{SMALL, reseal, verified};
@@ -9,14 +9,14 @@ use lipz_bank::files::{DialogueFile, FileKind};
 use lipz_layout::Header;
 use std::mem::offset_of;
 
-/// Opens any bytes, asks everything, verifies, and asks again. Then once more with the length and the
-/// checksum that a forger would write.
+/// Opens any bytes, makes every query, verifies, and queries again. Then does the same with the length and the checksum
+/// that a forger would write.
 pub fn bank(bytes: &[u8]) {
     provoke(bytes, Effort::Few);
     provoke(&sealed(bytes), Effort::Few);
 }
 
-/// The same for text banks beside a bank, verified or not.
+/// The same for text banks with a bank, verified or not.
 pub fn text_bank(bytes: &[u8]) {
     let verified_bank = verified(SMALL);
     let banks = [Bank::open(SMALL).expect("a golden bank"), verified_bank];
@@ -28,7 +28,7 @@ pub fn text_bank(bytes: &[u8]) {
             if let Ok(opened) = verified {
                 assert!(bank.is_verified() && every_text_query(&opened), "a verified text bank lacks texts");
             }
-            // In a dialogue the same holds.
+            // The same must apply in a dialogue.
             every_query(&[SMALL, bytes]);
             let is_texts = DialogueFile::open(bytes, 1).is_ok_and(|file| file.kind() == FileKind::Texts);
             let is_right = with_texts(&verified_bank, bytes).is_ok();
@@ -37,7 +37,7 @@ pub fn text_bank(bytes: &[u8]) {
     }
 }
 
-/// The bytes with the right length and checksum, where they have room for a header.
+/// Returns the bytes with the correct length and checksum, if they have room for a header.
 fn sealed(bytes: &[u8]) -> Vec<u8> {
     let mut sealed = bytes.to_vec();
     if sealed.len() >= size_of::<Header>() {

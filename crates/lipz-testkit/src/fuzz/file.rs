@@ -1,11 +1,10 @@
-//! Files that pretend to be Lipz files.
+//! Arbitrary files as Lipz files.
 
 use lipz_compiler::{Compiler, Input, Options};
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity, Span};
 use lipz_file::format::{LineEnding, Style, format};
 
-/// Reads and checks any bytes: every diagnostic has its places in the file, and without errors there is a
-/// bank.
+/// Parses and checks any bytes: every diagnostic has its positions in the file, and without errors there is a bank.
 pub fn parse(bytes: &[u8]) {
     let parsed = lipz_file::parse(bytes);
     let text = Report::from_bytes("", bytes, Vec::new()).source.text;
@@ -28,15 +27,15 @@ pub fn parse(bytes: &[u8]) {
     }
 }
 
-/// A name that is spelled with an escape means the same, but only the full parser reads it: the short way for clean files
-/// makes no other bank.
+/// A name with an escape has the same meaning, but only the full parser reads it. The fast path for clean files must
+/// make the same bank.
 fn the_long_way_is_the_same(bytes: &[u8]) {
     let Some(start) = bytes.iter().position(|byte| *byte == b'"').map(|quote| quote + 1) else { return };
     let Some((first, rest)) = bytes[start..].split_first().filter(|(first, _)| first.is_ascii_alphanumeric()) else {
         return;
     };
     let escaped = [&bytes[..start], format!("\\u00{first:02x}").as_bytes(), rest].concat();
-    // Texts are clean in locales that were seen before.
+    // Texts are clean in locales that were used before.
     let before = r#"{"text_en-us":"Aye.","text_de-de":"Nun.","text_fr-fr":"Oui."}"#;
     let bank = |bytes: &[u8]| {
         let inputs = [Input::from_bytes("a", before), Input::from_bytes("clip", bytes)];
@@ -45,7 +44,7 @@ fn the_long_way_is_the_same(bytes: &[u8]) {
     assert!(bank(bytes) == bank(&escaped), "the short way makes another bank");
 }
 
-/// The marked places of a diagnostic are stretches of the text.
+/// Checks that the marked positions of a diagnostic are ranges of the text.
 pub(super) fn is_about(found: &Diagnostic, text: &str) {
     let labels = found.primary.iter().chain(&found.labels).map(|label| label.span);
     let spans: Vec<Span> = labels.chain(found.fixes().map(|fix| fix.span)).collect();
@@ -53,14 +52,14 @@ pub(super) fn is_about(found: &Diagnostic, text: &str) {
     assert!(!found.message.is_empty());
 }
 
-/// What is written is read as the same document; formatting it again changes nothing, and neither does
-/// fixing what was fixed. The bank stays the same through both, whatever the project lowers.
+/// A written document is parsed to an equal one. Formatting or fixing it again changes nothing. Both preserve the bank,
+/// for any lowered levels.
 pub fn rewrite(bytes: &[u8]) {
     let banks = banks(bytes);
     if let Some(fixed) = Compiler::default().fix(bytes) {
         assert_same(&banks, fixed.text.as_bytes());
         let again = Compiler::default().fix(fixed.text.as_bytes());
-        // A hundred mistakes are mended in one run.
+        // One run fixes a hundred errors.
         assert!(again.is_none() || fixed.counts.values().sum::<usize>() >= 100, "{}", fixed.text);
     }
     let Some(document) = lipz_file::parse(bytes).document else { return };
@@ -75,14 +74,14 @@ pub fn rewrite(bytes: &[u8]) {
     }
 }
 
-/// The banks that projects make of a file, without source records; none where it has errors.
+/// Returns the banks that projects make of a file, without source records; `None` if it has errors.
 fn banks(bytes: &[u8]) -> [Option<Vec<u8>>; 2] {
     let lowered = || Options::new().strip(true).levels([(Code::SegmentCount, Some(Severity::Warning))]);
     [lowered(), lowered().default_locale("en-us").expect("a locale")]
         .map(|options| Compiler::new(options).compile(&[Input::from_bytes("clip", bytes)]).bank)
 }
 
-/// Where there was a bank, it is the same.
+/// Checks that each existing bank is still the same.
 fn assert_same(before: &[Option<Vec<u8>>; 2], after: &[u8]) {
     for (before, after) in before.iter().zip(banks(after)) {
         assert!(before.is_none() || *before == after, "another bank");

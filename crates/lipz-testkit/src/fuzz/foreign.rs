@@ -1,4 +1,4 @@
-//! Files that pretend to be of other tools.
+//! Arbitrary files as files of other tools.
 
 use super::file::is_about;
 use lipz_diagnostics::{Diagnostic, Severity};
@@ -9,17 +9,17 @@ use lipz_interop::subtitles::{SubtitleFormat, clip, join};
 use lipz_interop::textgrid::TextGrid;
 use lipz_interop::{DEFAULT_RATE, Format, ImportOptions, Segments, formats, import};
 
-/// What else is read, behind the formats of mouth shapes. All other numbers are for the last one.
+/// The formats after those of visemes. All further numbers select the last one.
 const OTHERS: [&str; 5] = ["srt", "vtt", "frm", "msg", "lip"];
 
-/// What the target takes a file for whose first byte is `number`: seeds are called by these names.
+/// Returns the kind of file that the target selects for the first byte `number`. Seeds have these names.
 pub fn kind_of_foreign(number: u8) -> &'static str {
     let number = usize::from(number);
     let other = || OTHERS[(number - formats::ALL.len()).min(OTHERS.len() - 1)];
     formats::ALL.get(number).map_or_else(other, |format| format.name)
 }
 
-/// Takes the first byte for the number of a format, and the others for one of its files.
+/// The first byte selects a format, and the rest is a file of it.
 pub fn foreign(bytes: &[u8]) {
     let Some((number, file)) = bytes.split_first() else { return };
     match kind_of_foreign(*number) {
@@ -41,7 +41,7 @@ pub(super) fn has_errors(found: &[Diagnostic]) -> bool {
     found.iter().any(|found| found.severity == Severity::Error)
 }
 
-/// What is imported is a Lipz file, and nothing is if there are errors.
+/// Importing returns a Lipz file, or nothing if there are errors.
 fn shapes(format: &Format, file: &[u8]) {
     for segments in [Segments::Phrases, Segments::Pauses, Segments::Sentences] {
         let options = ImportOptions::new().segments(segments).locale("en-us").min_hold(2);
@@ -54,7 +54,7 @@ fn shapes(format: &Format, file: &[u8]) {
     }
 }
 
-/// A TextGrid that is written and read again is the same, and its labels are in the file.
+/// A TextGrid that is written and read again is unchanged, and its labels are in the file.
 fn textgrid(file: &[u8]) {
     let mut found = Vec::new();
     let grid = TextGrid::read(file, &mut found);
@@ -67,7 +67,7 @@ fn textgrid(file: &[u8]) {
     assert_eq!(again.as_ref(), Some(&written));
 }
 
-/// Cues are about places in the file, and written and read again they are the same.
+/// Cues refer to positions in the file, and are unchanged after writing and reading.
 fn subtitles(format: SubtitleFormat, file: &[u8]) {
     let mut found = Vec::new();
     let cues = format.read(file, &mut found);
@@ -86,7 +86,7 @@ fn subtitles(format: SubtitleFormat, file: &[u8]) {
     assert!(again.is_empty(), "a text that would divide segments");
 }
 
-/// A LIP file that is read is written as it was, byte by byte.
+/// A LIP file is written exactly as it was read.
 fn lip(file: &[u8]) {
     if let Ok(lip) = Lip::read(file) {
         assert_eq!(lip.write(), file);
@@ -94,7 +94,7 @@ fn lip(file: &[u8]) {
     }
 }
 
-/// The scripts of a game, and the list of its heads.
+/// The scripts of a game, and the list of its talking heads.
 fn texts(file: &str) {
     let (entries, found) = msg::read(file);
     found.iter().for_each(|found| is_about(found, file));

@@ -1,4 +1,4 @@
-//! Banks by someone who knows the format: whole sections, changed fields, right sums.
+//! Banks forged with knowledge of the format: whole sections, changed fields, correct checksums.
 
 use crate::exercise::{Effort, provoke};
 use crate::forge;
@@ -12,7 +12,7 @@ use std::mem::offset_of;
 use std::sync::LazyLock;
 use zerocopy::FromBytes;
 
-/// What is done to a bank.
+/// The changes to a bank.
 #[derive(Arbitrary, Debug)]
 pub(super) struct Forgery {
     base: u8,
@@ -21,7 +21,7 @@ pub(super) struct Forgery {
     places: Vec<Overwrite>,
 }
 
-/// A change of a section that leaves a file whose sections follow each other.
+/// A change of a section. Afterwards, the sections of the file still follow each other.
 #[derive(Arbitrary, Debug)]
 enum Edit {
     Byte { at: u16, value: u8 },
@@ -33,7 +33,7 @@ enum Edit {
     Remove { at: u16 },
 }
 
-/// What a number becomes.
+/// The change of a number.
 #[derive(Arbitrary, Debug)]
 enum Number {
     Set(u32),
@@ -48,10 +48,10 @@ struct Overwrite {
     value: Number,
 }
 
-/// The settings of a project whose faces move.
+/// The settings of a project with generated motion of faces.
 const FACES: &str = "[face]\nkeys = \"words\"\nblink = 5\n[face.amy]\nblink-fear = 1\nglances = 0\n";
 
-/// Small banks, so that a change soon meets something: all kinds of clips, with and without sources.
+/// Small banks, so that changes are likely to hit something: all kinds of clips, with and without sources.
 static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let far = format!(r#"{{ "visemes": "{}", "text_en-us": "{}x" }}"#, "A|".repeat(11) + "B", "a|".repeat(11));
     let sets: [&[(&str, &str)]; 4] = [
@@ -75,7 +75,7 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
             ("fr/aye", r#"{ "visemes": "O|O", "text_en-us": "Aye!|No" }"#),
         ],
     ];
-    // Profiles; emotions and gestures of texts and events.
+    // Profiles; emotions and gestures in texts and events.
     let face: &[(&str, &str)] = &[(
         "face",
         r#"{ "fps": 4, "visemes": "MAEO|EO--", "text_en-us": "{anger 2} Yes, sure!|{calm} No.",
@@ -97,8 +97,8 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     sets.flat_map(|(set, settings)| [bank(set, settings, false), bank(set, settings, true)]).collect()
 });
 
-/// Makes the changes that the bytes stand for, and asks everything. What passes `verify` is whole, and
-/// no tool panics on it.
+/// Makes the changes encoded in the bytes, and every query. A bank that passes `verify` must be consistent, and no tool
+/// may panic on it.
 pub fn forged_bank(bytes: &[u8]) {
     let Ok(forgery) = Forgery::arbitrary_take_rest(Unstructured::new(bytes)) else { return };
     let base = &BASES[usize::from(forgery.base) % BASES.len()];
@@ -143,7 +143,7 @@ impl Forgery {
 }
 
 impl Edit {
-    /// Places are taken modulo what there is; what has no place is left undone.
+    /// Offsets are taken modulo the length. Changes without a valid offset are skipped.
     fn apply(&self, contents: &mut Vec<u8>, entry_bytes: usize) {
         let entries = contents.len() / entry_bytes.max(1);
         let entry = |at: u16| (entries > 0).then(|| usize::from(at) % entries * entry_bytes);

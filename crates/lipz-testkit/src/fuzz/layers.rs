@@ -1,15 +1,15 @@
-//! Layers: those that the compiler makes of the versions of a project, and those of someone who knows the format.
+//! Layers: those that the compiler makes from the versions of a project, and those forged with knowledge of the format.
 
 use super::forged_bank::Forgery;
 use crate::dialogues::{assert_same, places};
 use crate::stacked::{every_query, every_query_verified};
 use arbitrary::{Arbitrary, Unstructured};
 use lipz_bank::{Bank, Dialogue, Locale};
-use lipz_compiler::{Compiler, Input, Options, Over, Stack, Voices};
+use lipz_compiler::{Compiler, Input, Options, Stack, StackBelow, Voices};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// A base, and a layer that changes a text, a mouth and a default, removes a clip and a locale, and adds both.
+/// A base, and a layer that changes a text, visemes and a default, removes a clip and a locale, and adds both.
 static FILES: LazyLock<[Vec<u8>; 2]> = LazyLock::new(|| {
     let inputs = |files: &[(&str, &str)]| -> Vec<Input> {
         files.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect()
@@ -27,12 +27,12 @@ static FILES: LazyLock<[Vec<u8>; 2]> = LazyLock::new(|| {
     let compiler =
         |locale: &str| Compiler::new(Options::new().strip(true).default_locale(locale).expect("a locale").threads(1));
     let base = compiler("en-us").compile(&old).into_bank().expect("files without errors");
-    let over = Over::new(Stack::open([("base", &base)]).expect("a bank"));
+    let over = StackBelow::new(Stack::open([("base", &base)]).expect("a bank"));
     let layer = compiler("fr-fr").compile_over(&new, &over).into_bank().expect("a change");
     [base, layer]
 });
 
-/// Asks stacks everything. Whatever they are made of, what they answer is what the bank answers that they are merged into.
+/// Makes every query of stacks. They must always return the same answers as the bank into which they are merged.
 pub fn layers(bytes: &[u8]) {
     let Some((first, rest)) = bytes.split_first() else { return };
     let unstructured = Unstructured::new(rest);
@@ -43,7 +43,7 @@ pub fn layers(bytes: &[u8]) {
     }
 }
 
-/// Makes the changes in the layer. The tools take what the reader takes.
+/// Makes the changes in the layer. The tools must accept the same files as the reader.
 fn forged(forgery: &Forgery) {
     let [base, layer] = &*FILES;
     let forged = forgery.apply_to(layer);
@@ -69,13 +69,13 @@ fn forged(forgery: &Forgery) {
     }
 }
 
-/// Whether some clip has a text of its own in a locale. A layer of the compiler removes the others, as merging does; a forged one
-/// may leave them.
+/// Whether any clip has its own text in a locale. A layer of the compiler removes other locales, as merging does; a
+/// forged one may leave them.
 fn has_texts(dialogue: &Dialogue<'_>, locale: Locale) -> bool {
     dialogue.clips().any(|clip| clip.segments().any(|segment| segment.has_own_text(locale)))
 }
 
-/// The most versions of a project.
+/// The maximal number of versions of a project.
 const MOST: usize = 6;
 
 const KEYS: [&str; 5] = ["a", "act1/b", "de/a", "de/act1/b", "z"];
@@ -93,7 +93,7 @@ struct History {
     versions: Vec<Version>,
 }
 
-/// What is done to the clips of the version before, and the settings.
+/// The changes to the clips of the previous version, and to the settings.
 #[derive(Arbitrary, Debug)]
 struct Version {
     default_locale: u8,
@@ -101,7 +101,7 @@ struct Version {
     changes: Vec<(u8, Option<Contents>)>,
 }
 
-/// A Lipz file: numbers say which of the few parts it has, if any.
+/// A Lipz file: numbers select its parts from a few, if any.
 #[derive(Arbitrary, Debug)]
 struct Contents {
     texts: [u8; TAGS.len()],
@@ -112,7 +112,7 @@ struct Contents {
 }
 
 impl History {
-    /// The stack has to say at each version what its bank says, and to become that bank.
+    /// At each version, the stack has to return the same answers as the bank of that version, and be mergeable into it.
     fn check(&self) {
         let mut project: BTreeMap<&str, String> = BTreeMap::new();
         let mut files: Vec<Vec<u8>> = Vec::new();
@@ -126,11 +126,11 @@ impl History {
             }
             let inputs: Vec<Input> = project.iter().map(|(key, file)| Input::from_bytes(*key, file.clone())).collect();
             let compiler = Compiler::new(version.options(self.strip));
-            // Dubs that do not fit their originals are errors.
+            // Dubs that do not match their originals are errors.
             let Ok(whole) = compiler.compile(&inputs).into_bank() else { continue };
             let stack = |files: &[Vec<u8>]| Stack::open(files.iter().map(|file| ("", file.as_slice())));
             match stack(&files) {
-                Ok(below) => files.extend(compiler.compile_over(&inputs, &Over::new(below)).bank),
+                Ok(below) => files.extend(compiler.compile_over(&inputs, &StackBelow::new(below)).bank),
                 Err(_) => files.push(whole.clone()),
             }
             let mut places = places(MOST);
@@ -167,7 +167,7 @@ impl Contents {
     }
 }
 
-/// One of some things, or none.
+/// Selects an item, or none.
 fn chosen<T>(all: &[T], number: u8) -> Option<&T> {
     all.get(usize::from(number) % (all.len() + 1))
 }

@@ -1,8 +1,8 @@
-//! What must hold of lipz for any bytes.
+//! Guarantees of lipz for any bytes.
 //!
-//! Each check takes bytes from anywhere and panics if something does not hold that the crates promise.
-//! The fuzz targets in `fuzz/` hand it what libFuzzer makes up, the test `replay` what is in
-//! `fuzz/seeds`, with a fixed number of changes.
+//! Each check takes arbitrary bytes and panics if a guarantee of the crates is violated. The fuzz targets in `fuzz/`
+//! pass it the inputs of libFuzzer. The test `replay` passes the seeds in `fuzz/seeds`, and a fixed number of changed
+//! copies.
 
 mod bank;
 mod file;
@@ -30,17 +30,17 @@ pub use texts::{text_record, texts};
 
 /// One fuzz target: `fuzz/fuzz_targets/NAME.rs` with the seeds in `fuzz/seeds/NAME`.
 pub struct Target {
-    /// How the target is called.
+    /// The name of the target.
     pub name: &'static str,
-    /// What must hold.
+    /// The guarantee.
     pub check: fn(&[u8]),
-    /// How many changed copies of each seed the tests try: fewer where a check takes milliseconds.
+    /// The number of changed copies of each seed in the tests, which is smaller if a check takes milliseconds.
     pub copies: u64,
 }
 
-/// A check takes less than a millisecond.
+/// For checks of less than a millisecond.
 const QUICK: u64 = 2_000;
-/// A check takes milliseconds.
+/// For checks of milliseconds.
 const SLOW: u64 = 100;
 
 /// All fuzz targets.

@@ -1,4 +1,4 @@
-//! Files that are packed and unpacked.
+//! Packs and unpacks files.
 
 use crate::dialogue;
 use crate::exercise::verified_is_whole;
@@ -6,11 +6,11 @@ use lipz_bank::Bank;
 use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
 
-/// Separates files in the input: no Lipz file has it as a byte.
+/// Separates files in the input, because no Lipz file contains this byte.
 const SEPARATOR: u8 = 0;
 
-/// Takes the bytes for up to four files, and packs those that have no errors: they come back element by
-/// element as they were, and packed again they are the same bank.
+/// Splits the bytes into up to four files, and packs those without errors. Unpacking restores each element, and packing
+/// again makes the same bank.
 pub fn round_trip(bytes: &[u8]) {
     let joined = [(Code::SegmentCount, Some(Severity::Warning))];
     let options = Options::new().default_locale("en-us").expect("a locale").levels(joined);

@@ -1,11 +1,11 @@
-//! Files that pretend to be the settings of a Second Life viewer.
+//! Arbitrary files as the settings of a Second Life viewer.
 
 use super::file::is_about;
 use super::foreign::has_errors;
 use lipz_bank::Fps;
 use lipz_interop::second_life::lip_sync;
 
-/// Diagnostics are about places in the file; without settings there is a reason; what is read is a babble profile.
+/// Diagnostics refer to positions in the file. Either there is a reason, or the result is a babble profile.
 pub fn second_life(bytes: &[u8]) {
     let mut found = Vec::new();
     let settings = lip_sync(bytes, "settings.xml", &mut found);

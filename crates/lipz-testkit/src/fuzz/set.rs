@@ -1,4 +1,4 @@
-//! Indices of sets by someone who knows the format, over banks that they are or are not about.
+//! Indices of sets forged with knowledge of the format, with matching or other banks.
 
 use super::forged_bank::Forgery;
 use crate::dialogues::places;
@@ -16,7 +16,7 @@ use zerocopy::IntoBytes;
 
 const SHARDS: NonZero<u16> = NonZero::new(3).expect("not 0");
 
-/// The index of a set, and its banks, some of whose clips are dubs in the bank of their original.
+/// The index of a set, and its banks. Some clips are dubs in the bank of their original.
 static FILES: LazyLock<(Vec<u8>, Vec<Vec<u8>>)> = LazyLock::new(|| {
     let voices = Voices::new("en-us").expect("a voice").dub("de-de", "de/{key}").expect("a voice");
     let file = r#"{ "fps": 24, "visemes": "MA|EO", "text_en-us": "Aye.|No", "events": "|amy points door" }"#;
@@ -37,7 +37,7 @@ static FILES: LazyLock<(Vec<u8>, Vec<Vec<u8>>)> = LazyLock::new(|| {
     (index(&banks, &moved), banks)
 });
 
-/// The index of these banks, as docs/reference/bank-format.md says.
+/// Returns the index of these banks, as specified in docs/reference/bank-format.md.
 fn index(banks: &[Vec<u8>], moved: &[(ClipId, u16)]) -> Vec<u8> {
     let (mut records, mut names) = (Vec::new(), String::new());
     for (number, bytes) in banks.iter().enumerate() {
@@ -65,8 +65,8 @@ fn sealed(mut index: Vec<u8>) -> Vec<u8> {
     index
 }
 
-/// Makes the changes that the bytes stand for in an index, and asks it and its banks everything. Names lead nowhere else, and what
-/// passes `verify` with its banks finds each clip.
+/// Makes the changes encoded in the bytes in an index, and every query of it and its banks. Names lead to no other
+/// folder, and an index that passes `verify` with its banks finds each clip.
 pub fn set(bytes: &[u8]) {
     let Ok(forgery) = Forgery::arbitrary_take_rest(Unstructured::new(bytes)) else { return };
     let (index, files) = &*FILES;

@@ -1,4 +1,4 @@
-//! Files that pretend to be recordings, and what is remembered of them.
+//! Arbitrary files as recordings, and as records of them.
 
 use super::file::is_about;
 use lipz_speech::{RmsRules, Sound, SoundError, rms};
@@ -7,7 +7,7 @@ use lipz_types::Fps;
 use std::io::Cursor;
 use std::path::Path;
 
-/// Reads any bytes as a recording, whatever its name promises: what is read has a length and a mouth.
+/// Reads any bytes as a recording with any extension. A readable recording has a length and visemes.
 pub fn sound(bytes: &[u8]) {
     let read = Sound::from_bytes(bytes, None);
     let length_us = Sound::length_us(Cursor::new(bytes), None);
@@ -16,10 +16,10 @@ pub fn sound(bytes: &[u8]) {
             let fps = Fps::whole(24);
             let mouth = rms(&sound, fps, &RmsRules::default());
             let frames = u32::try_from(mouth.frames.len()).expect("a day has fewer frames");
-            // One more for a frame that has begun.
+            // Plus one frame that has begun.
             let longest_us = fps.start_of_frame_us(frames + 1);
             assert!(longest_us >= sound.duration_us(), "{frames} frames, {} microseconds", sound.duration_us());
-            // To the nearest, and down to the last whole microsecond.
+            // Rounded to the nearest, and down to the last whole microsecond.
             assert!(length_us.is_ok_and(|length_us| length_us.abs_diff(sound.duration_us()) <= 1));
             sound.clipping().iter().for_each(|place| assert!(place.start_us < place.end_us));
         }
@@ -30,7 +30,8 @@ pub fn sound(bytes: &[u8]) {
     }
 }
 
-/// Reads any bytes as the record of mouths and recordings: places are in the file, and what is written is read as the same.
+/// Reads any bytes as the record of visemes and recordings. Positions are in the file, and a written record is read as
+/// an equal one.
 pub fn sync_record(bytes: &[u8]) {
     let path = Path::new("lipz-sync.txt");
     let Ok(record) = SyncRecord::parse(path, bytes) else { return };

@@ -1,15 +1,15 @@
-//! Files that pretend to be those of translators.
+//! Arbitrary files as files of translators.
 
 use super::file::is_about;
 use lipz_diagnostics::Diagnostic;
 use lipz_texts::{Format, Merge, ReadOptions, Standing, State, TextRecord, read};
 
-/// The clip that the translations are for: it has all that a merge has to keep.
+/// The clip that the translations belong to, with everything that a merge has to preserve.
 const CLIP: &str = r#"{ "visemes": "MA|EO", "text_en-us": "a {b} \u00e9|c", "note": [1,  2],
   "text_de-de": "x {b}  |", "events": "|feels sad" }"#;
 
-/// The first byte chooses the format. Places are inside of the text that they count in; whatever is merged, the clip stays
-/// a Lipz file in which only texts of other locales changed; merging the same again changes nothing.
+/// The first byte selects the format. Positions are in their text. After any merge, the clip is still a Lipz file in
+/// which only texts of other locales have changed; merging again changes nothing.
 pub fn texts(bytes: &[u8]) {
     let Some((first, rest)) = bytes.split_first() else { return };
     let format = match first {
@@ -24,7 +24,7 @@ pub fn texts(bytes: &[u8]) {
     let is_inside = |span: lipz_diagnostics::Span| incoming.text.get(span.range()).is_some();
     assert!(incoming.entries.iter().all(|entry| is_inside(entry.text.span) && is_inside(entry.key.span)));
     let mut entries = incoming.entries.clone();
-    // Entries of other clips are as good.
+    // Entries of other clips serve as well.
     entries.retain(|entry| &*entry.locale != "en-us");
     entries.truncate(64);
     let before = lipz_file::parse(CLIP.as_bytes()).document.unwrap();
@@ -40,8 +40,8 @@ pub fn texts(bytes: &[u8]) {
     assert_eq!(again.text, None, "{text}");
 }
 
-/// Reads any bytes as the record of source texts: places are in the file, what is written is read as the same, also where git
-/// has put two branches together; and what is accepted is up to date.
+/// Reads any bytes as the record of source texts. Positions are in the file, and a written record is read as an equal
+/// one, even after git has merged two branches. Accepted entries are up to date.
 pub fn text_record(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let Some((mut record, found)) = TextRecord::parse(&text) else { return };

@@ -1,5 +1,5 @@
-//! The cases about curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`, `emotions of CHARACTER
-//! TIME`, `emotions speaker CHARACTER TIME`. All values are thousandths.
+//! The cases for curves and emotions: `curves`, `curve NAME frame N`, `curve NAME TIME`, `emotions TIME`, `emotions of
+//! CHARACTER TIME`, `emotions speaker CHARACTER TIME`. All values are in thousandths.
 
 use super::{Stage, Time, number};
 use lipz_bank::Clip;
@@ -41,7 +41,7 @@ impl Stage {
         }
     }
 
-    /// The clip with what it was given.
+    /// Returns the clip with the settings of the case.
     pub(super) fn chosen(&self) -> Clip<'static> {
         let mut clip = self.clip.and_then(|id| self.dialogue.clip(id)).expect("a clip");
         if let Some(fps) = self.given.0 {
@@ -51,7 +51,7 @@ impl Stage {
     }
 }
 
-/// The value at a frame or a time, which a curve and a cursor agree about that all cases share.
+/// Returns the value at a frame or a time. A cursor, which all cases share, must return the same value as a search.
 fn value(curve: &lipz_bank::curve::Curve<'_>, words: &[&str], cursor: &mut CurveCursor) -> Option<CurveValue> {
     let (found, with_cursor) = match words {
         ["frame", frame] => (Some(curve.value(number(frame))), Some(cursor.value(curve, number(frame)))),

@@ -1,12 +1,12 @@
-//! The cases about faces: `face PROFILE LOOK TIME`, with `of CHARACTER` or `speaker CHARACTER` before the profile; `idle PROFILE LOOK SEED TIME`. A look is `ahead`, `person PITCH YAW` or
-//! `point PITCH YAW`. All values are thousandths.
+//! The cases for faces: `face PROFILE LOOK TIME`, with `of CHARACTER` or `speaker CHARACTER` before the profile; `idle
+//! PROFILE LOOK SEED TIME`. A look is `ahead`, `person PITCH YAW` or `point PITCH YAW`. All values are in thousandths.
 
 use super::{Stage, Time, number};
 use lipz_bank::curve::CurveValue;
 use lipz_bank::face::{Face, FaceProfile, LookAt, Who};
 
 impl Stage {
-    /// The face of the clip at a time.
+    /// Writes the face of the clip at a time.
     pub(super) fn face(&mut self, words: &[&str]) {
         let clip = self.chosen();
         let (who, words) = who(&words[1..]);
@@ -19,7 +19,7 @@ impl Stage {
         self.answers.push_str(&told(&face));
     }
 
-    /// The face of somebody who says nothing.
+    /// Writes the face of a silent character.
     pub(super) fn idle(&mut self, words: &[&str]) {
         let (look, rest) = look(&words[2..]);
         let Some(profile) = self.profile(words[1]) else { return };
@@ -37,7 +37,7 @@ impl Stage {
     }
 }
 
-/// Whose face, and the words behind it.
+/// Returns the character, and the words after it.
 pub(super) fn who<'w>(words: &'w [&'w str]) -> (Option<Who<'w>>, &'w [&'w str]) {
     match words {
         ["of", character, rest @ ..] => (Some(Who::Other(character)), rest),
@@ -46,7 +46,7 @@ pub(super) fn who<'w>(words: &'w [&'w str]) -> (Option<Who<'w>>, &'w [&'w str]) 
     }
 }
 
-/// What somebody looks at, and the words behind it.
+/// Returns the target of the eyes, and the words after it.
 fn look<'w>(words: &'w [&'w str]) -> (LookAt, &'w [&'w str]) {
     let angle = |word: &str| CurveValue::from_thousandths(number(word));
     match words {

@@ -1,11 +1,12 @@
-//! The files of a dialogue that the cases name.
+//! The files of a dialogue in the cases.
 
 use lipz_bank::Dialogue;
 use lipz_bank::files::{DialogueFile, SetIndex};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The files that `NAME.list` names in their order, behind the index of a set its banks; `NAME.lipzbank` alone without such a list.
+/// Returns the files in `NAME.list` in their order, with the banks of a set after its index; without a list,
+/// `NAME.lipzbank` alone.
 pub(super) fn of_bank(folder: &Path, name: &str) -> Vec<PathBuf> {
     match fs::read_to_string(folder.join(format!("{name}.list"))) {
         Ok(list) => list.lines().map(|file| folder.join(file)).collect(),

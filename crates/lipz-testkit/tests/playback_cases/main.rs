@@ -1,4 +1,4 @@
-//! The cases of fixtures/playback/cases.txt, played by the reader in Rust: `LIPZ_BLESS=1` writes its answers.
+//! The cases of fixtures/playback/cases.txt, played by the reader in Rust. `LIPZ_BLESS=1` writes its answers.
 //!
 //! `cargo xtask capi` and `cargo xtask web` play the same cases in C, C++ and JavaScript.
 #![allow(clippy::expect_used, clippy::panic)]
@@ -12,7 +12,7 @@ mod files;
 use lipz_bank::babble::{Babble, VoiceLevel, Weights};
 use lipz_bank::curve::CurveCursor;
 use lipz_bank::playback::{CharacterState, ConsonantHold, DueSegments, Lead};
-use lipz_bank::{Clip, ClipId, Cursor, Dialogue, EventName, Fps, Locale, Spoken, VisemeType, VoicedClip};
+use lipz_bank::{Clip, ClipId, Cursor, Dialogue, EventName, Fps, Locale, VisemeType, VoiceSource, VoicedClip};
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,16 +26,16 @@ fn number<T: std::str::FromStr>(word: &str) -> T {
     word.parse().unwrap_or_else(|_| panic!("`{word}` is not a number"))
 }
 
-/// What the cases are played with.
+/// The state of a run of the cases.
 struct Stage {
-    /// Where the files are.
+    /// The folder of the files.
     folder: PathBuf,
     /// The files of the dialogue.
     files: Vec<PathBuf>,
     dialogue: &'static Dialogue<'static>,
     locale: Option<Locale>,
     clip: Option<ClipId>,
-    /// What the clip was given where it has none.
+    /// The settings for clips without their own.
     given: (Option<Fps>, Option<VisemeType>),
     cursor: Option<Cursor>,
     curve_cursor: CurveCursor,
@@ -54,7 +54,7 @@ impl Stage {
         self.cursor = self.cursor.map(change);
     }
 
-    /// Does what a line says.
+    /// Runs the command in a line.
     fn command(&mut self, line: &str) {
         let words: Vec<&str> = line.split(' ').collect();
         let dialogue = self.dialogue;
@@ -152,7 +152,7 @@ impl Stage {
         }
     }
 
-    /// The chosen clip in a voice.
+    /// Plays the chosen clip in a voice.
     fn voice(&mut self, tag: &str) {
         let clip = self.chosen();
         let Some(voice) = self.dialogue.voice(tag) else {
@@ -161,21 +161,21 @@ impl Stage {
         };
         let VoicedClip { clip, spoken, .. } = clip.in_voice(voice);
         let whose = match spoken {
-            Spoken::Original => "original",
-            Spoken::Dub => "dub",
+            VoiceSource::Original => "original",
+            VoiceSource::Dub => "dub",
             _ => "other dub",
         };
         let tag = clip.voice().map_or("-", |voice| self.dialogue.voice_tag(voice));
         let _ = writeln!(self.answers, "  {whose}: {}, spoken in {tag}", clip.key());
     }
 
-    /// The clip as a game looks it up for each rendered frame, and the cursor.
+    /// Returns the clip, which a game looks up for each rendered frame, and the cursor.
     fn playing(&self) -> (Clip<'static>, Cursor) {
         let clip = self.clip.and_then(|id| self.dialogue.clip(id)).expect("a clip");
         (clip, self.cursor.expect("a cursor"))
     }
 
-    /// Moves the cursor, and writes what is shown and what is due.
+    /// Moves the cursor, and writes its viseme and segment, and the due events.
     fn go(&mut self, words: &[&str]) {
         let (clip, mut cursor) = self.playing();
         let due = match words {
@@ -201,7 +201,7 @@ impl Stage {
         };
         let viseme = cursor.viseme(clip);
         let _ = write!(self.answers, "  frame {frame}, viseme {viseme}");
-        // The type that the clip was given, the cursor keeps for itself.
+        // The cursor also stores the type that was set on the clip.
         let kind = clip.viseme_type().or(self.given.1);
         if let Some(kind) = kind.filter(|_| clip.frame_count() > 0) {
             let _ = write!(self.answers, ", open {}", viseme.openness(kind).ten_thousandths());
@@ -259,13 +259,13 @@ fn babbled(babble: &Babble<'_>, elapsed: Time, power: impl lipz_bank::babble::Po
     at!(elapsed, |elapsed| babble.at(elapsed, power))
 }
 
-/// Plays the cases with the files of a folder; the answers, and the number of commands.
+/// Plays the cases with the files of a folder. Returns the answers, and the number of commands.
 fn play(folder: PathBuf, cases: &str) -> (String, usize) {
     let (mut stage, mut count) = (Stage::new(folder), 0);
     for line in cases.lines().filter(|line| !line.starts_with("  ")) {
         stage.answers.push_str(line);
         stage.answers.push('\n');
-        // This reader has all that sections need.
+        // This reader has all capabilities that sections need.
         if !line.is_empty() && !line.starts_with('#') && !line.starts_with("needs ") {
             stage.command(line);
             count += 1;
@@ -294,7 +294,7 @@ fn the_reader_answers_as_the_cases_say() {
     assert_same(&answers, &expected);
 }
 
-/// A game asks several files as it asks one.
+/// A game uses several files like one.
 #[test]
 #[cfg(feature = "tools")]
 fn files_in_every_layout_answer_as_the_cases_say() {

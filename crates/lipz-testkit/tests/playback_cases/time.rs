@@ -13,7 +13,7 @@ pub(super) enum Time {
 }
 
 impl Time {
-    /// The time of these words, and those behind it.
+    /// Returns the time of these words, and the words after it.
     pub(super) fn read<'w>(words: &'w [&'w str]) -> (Time, &'w [&'w str]) {
         match words {
             ["us", us, rest @ ..] => (Time::Us(Micros(number(us))), rest),

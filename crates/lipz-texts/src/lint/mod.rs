@@ -1,20 +1,19 @@
-//! What is wrong with translations: they are older than their source, or do not say what it says.
+//! Lints of translations that are stale, or differ in content from their source.
 
 mod numbers;
 mod numerals;
 mod same;
 mod stale;
 
-use crate::collect::trimmed;
-use crate::merge::tag_of;
-use crate::placeholder;
+use crate::exchange::clip_texts::{tag_of, trimmed};
+use crate::exchange::placeholder;
 use crate::record::TextRecord;
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use lipz_file::locale::language;
 use lipz_file::text;
 use lipz_file::{Document, JsonString, Value};
 
-/// Diagnostics of one kind that one text shows in full; the rest is counted.
+/// The most diagnostics of one kind that are listed for a text. The rest are counted.
 const SHOWN: usize = 3;
 
 /// Compares translations with their source texts, in one Lipz file.
@@ -27,8 +26,8 @@ const SHOWN: usize = 3;
 /// TextLints::new("en-us").check("mara.lipz", &clip, &mut found);
 /// let messages: Vec<&str> = found.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
 /// assert_eq!(messages, [
-///     "the translation has `{nmae}` in place of `{name}`",
-///     "the translation has the number 50 in place of 15",
+///     "the translation has `{nmae}` instead of `{name}`",
+///     "the translation has the number 50 instead of 15",
 /// ]);
 /// # Ok::<(), &str>(())
 /// ```
@@ -40,7 +39,7 @@ pub struct TextLints<'r> {
 }
 
 impl<'r> TextLints<'r> {
-    /// Lints of translations from this locale.
+    /// Returns lints of translations from this locale.
     pub fn new(source_locale: impl Into<String>) -> TextLints<'r> {
         TextLints { source_locale: source_locale.into(), default_locale: None, record: None }
     }
@@ -51,13 +50,13 @@ impl<'r> TextLints<'r> {
         TextLints { default_locale: locale, ..self }
     }
 
-    /// Sets the record of what translations were made from: without it, none is older than its source.
+    /// Sets the record of the translations' source texts. Without it, stale translations are not reported.
     #[must_use]
     pub fn record(self, record: Option<&'r TextRecord>) -> Self {
         TextLints { record, ..self }
     }
 
-    /// Reports what is wrong with the translations of a clip; `file` is what the record calls its Lipz file.
+    /// Reports the problems of a clip's translations. `file` is the path of its Lipz file in the record.
     pub fn check(&self, file: &str, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) {
         let before = diagnostics.len();
         let others = self.record.map(|record| record.source_locales_of(file)).unwrap_or_default();
@@ -66,12 +65,12 @@ impl<'r> TextLints<'r> {
             let Some(source) = self.texts(clip).find(|text| text.locale == source_locale) else { continue };
             for translation in self.texts(clip).filter(|text| text.locale != source_locale) {
                 if translation.segments.len() != source.segments.len() {
-                    continue; // reported as such
+                    continue; // reported separately
                 }
                 if let Some(record) = self.record {
                     stale::check(record, file, &source, &translation, diagnostics);
                 }
-                // Whatever a translation was made from, it says what the text of the project's own locale says.
+                // A translation should match the text in the project's own locale, whichever its source was.
                 if source_locale == self.source_locale {
                     compare(&source, &translation, diagnostics);
                 }
@@ -83,25 +82,25 @@ impl<'r> TextLints<'r> {
         }
     }
 
-    fn texts<'d>(&'d self, clip: &'d Document<'d>) -> impl Iterator<Item = Text<'d>> {
+    fn texts<'d>(&'d self, clip: &'d Document<'d>) -> impl Iterator<Item = LocaleText<'d>> {
         clip.elements.iter().filter_map(|element| {
             let locale = tag_of(&element.name.text, self.default_locale.as_deref())?;
             let Value::String(string) = &element.value else { return None };
-            Some(Text { locale, string, segments: trimmed(&string.text) })
+            Some(LocaleText { locale, string, segments: trimmed(&string.text) })
         })
     }
 }
 
 /// A text of a clip.
-struct Text<'d> {
+struct LocaleText<'d> {
     locale: String,
     string: &'d JsonString<'d>,
     /// Its segments, trimmed.
     segments: Vec<String>,
 }
 
-impl Text<'_> {
-    /// Where a segment is, or a range of its bytes, without the white space around it.
+impl LocaleText<'_> {
+    /// Returns the span of a segment without surrounding whitespace, or of a range of its bytes.
     fn span(&self, segment: usize, range: Option<std::ops::Range<usize>>) -> Span {
         let Some(whole) = text::segments(&self.string.text).nth(segment) else { return self.string.span() };
         let shown = self.string.text.get(whole.clone()).unwrap_or_default();
@@ -112,10 +111,10 @@ impl Text<'_> {
     }
 }
 
-/// Reports translations that do not say what the source says: segments that both have.
-fn compare(source: &Text<'_>, translation: &Text<'_>, diagnostics: &mut Vec<Diagnostic>) {
+/// Reports translations whose content differs from the source, in segments that both have.
+fn compare(source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
     let is_other_language = language(&source.locale) != language(&translation.locale);
-    let mut found: [Few; 4] = Default::default();
+    let mut found: [FewDiagnostics; 4] = Default::default();
     let [same, placeholders, metas, numbers] = &mut found;
     let numbers_differ = numbers::differ(&source.segments, &translation.segments);
     let pairs = source.segments.iter().zip(&translation.segments).enumerate();
@@ -125,8 +124,9 @@ fn compare(source: &Text<'_>, translation: &Text<'_>, diagnostics: &mut Vec<Diag
             diagnostic.also(source.span(at, None), label).help(help)
         };
         if is_other_language && from == to && same::is_suspicious(from) {
-            let message = format!("the text in {} is still that in {}", translation.locale, source.locale);
-            let help = "translate it; without the element, players would see the same, and coverage that it is missing";
+            let message = format!("the text in {} is the same as in {}", translation.locale, source.locale);
+            let help = "translate it, or remove the element, so that the fallback applies and the coverage counts it \
+                as missing";
             same.add(|| differs(Code::UntranslatedText, message, "the same text", help));
         }
         if let Some(message) = placeholder::difference(from, to) {
@@ -136,7 +136,7 @@ fn compare(source: &Text<'_>, translation: &Text<'_>, diagnostics: &mut Vec<Diag
             metas.add(|| differs(Code::MetaDiffers, message, "the source", placeholder::META_HELP));
         }
         if let Some(message) = numbers_differ.then(|| numbers::difference(from, to)).flatten() {
-            let help = "compare the texts: one of the two is wrong";
+            let help = "compare the texts, and correct one of the two";
             numbers.add(|| differs(Code::NumbersDiffer, message, "the source", help));
         }
     }
@@ -145,15 +145,15 @@ fn compare(source: &Text<'_>, translation: &Text<'_>, diagnostics: &mut Vec<Diag
     }
 }
 
-/// Diagnostics of one kind about one text: the first few, and how many there are. The others are not made, because finding
-/// their places takes as long as their text is.
+/// Diagnostics of one kind about one text: the first few, and their number. The rest are not created, because computing
+/// each position takes as long as the text.
 #[derive(Default)]
-struct Few {
+struct FewDiagnostics {
     shown: Vec<Diagnostic>,
     count: usize,
 }
 
-impl Few {
+impl FewDiagnostics {
     fn add(&mut self, make: impl FnOnce() -> Diagnostic) {
         self.count += 1;
         if self.shown.len() < SHOWN {
@@ -173,7 +173,7 @@ impl Few {
     }
 }
 
-/// Whether a Lipz file may have something to compare, two texts, as its bytes show without parsing.
+/// Whether the bytes of a Lipz file may contain two texts to compare, without parsing it.
 pub fn has_translations(bytes: &[u8]) -> bool {
     const NAME: &[u8] = b"text";
     bytes.windows(NAME.len()).filter(|window| *window == NAME).nth(1).is_some()

@@ -1,15 +1,15 @@
-//! Numbers that a translation does not have, or has in place of others.
+//! Numbers that are missing from a translation, or replaced with different ones.
 //!
-//! Digits of all scripts are compared, and `1,000`, `1.000` and `1 000` are the same. Numbers in words are not compared, and
-//! so neither is a small number that is missing, which may be written out, nor one that the source does not have.
+//! Digits of all scripts are compared, and `1,000`, `1.000` and `1 000` are equal. Numbers in words are not compared.
+//! Therefore missing small numbers, which may be written out, and additional numbers are not reported.
 
 use super::numerals::{Number, has_roman, numbers, runs};
 use lipz_file::text::display;
 
-/// Whole numbers up to this one are often written out.
+/// The greatest integer that is often written out.
 const OFTEN_IN_WORDS: u8 = 12;
 
-/// Whether the numbers of all segments together differ: some move to another segment with the words around them.
+/// Whether the numbers of all segments together differ. Some move to a different segment with the words around them.
 pub(super) fn differ(sources: &[String], texts: &[String]) -> bool {
     if sources.iter().zip(texts).all(|(source, text)| are_same(source, text)) {
         return false;
@@ -17,7 +17,8 @@ pub(super) fn differ(sources: &[String], texts: &[String]) -> bool {
     !are_same(&sources.join("\n"), &texts.join("\n"))
 }
 
-/// How the numbers of a translation differ from those of its source; `None` if they do not, or if nobody can tell.
+/// Returns the difference between the numbers of a translation and its source; `None` if they are equal or cannot be
+/// compared.
 pub(super) fn difference(source: &str, text: &str) -> Option<String> {
     if are_same(source, text) {
         return None;
@@ -35,11 +36,11 @@ pub(super) fn difference(source: &str, text: &str) -> Option<String> {
         (true, _) => None,
         (false, false) => {
             let lost: Vec<&str> = lost.iter().map(|number| number.spelled.as_str()).collect();
-            Some(format!("the translation has the {} in place of {}", list(&added), lost.join(", ")))
+            Some(format!("the translation has the {} instead of {}", list(&added), lost.join(", ")))
         }
         (false, true) => {
             let large: Vec<&Number> = lost.into_iter().filter(|number| !is_small(number)).collect();
-            (!large.is_empty()).then(|| format!("the translation has lost the {}", list(&large)))
+            (!large.is_empty()).then(|| format!("the translation lacks the {}", list(&large)))
         }
     }
 }
@@ -48,7 +49,7 @@ fn is_small(number: &Number) -> bool {
     number.value.parse::<u8>().is_ok_and(|value| value <= OFTEN_IN_WORDS)
 }
 
-/// Whether two texts have the same numbers, or at least the same digits, however a reader divides them.
+/// Whether two texts have the same numbers, or at least the same digits in any grouping.
 fn are_same(source: &str, text: &str) -> bool {
     let digits = |text: &str| text.bytes().any(|byte| byte.is_ascii_digit() || !byte.is_ascii());
     if !digits(source) && !digits(text) {
@@ -63,7 +64,7 @@ fn are_same(source: &str, text: &str) -> bool {
     values(&source) == values(&text) || runs(&source) == runs(&text)
 }
 
-/// The numbers of `all` that `others` have less often.
+/// Returns the numbers of `all` that occur less often in `others`.
 fn without<'n>(all: &'n [Number], others: &[Number]) -> Vec<&'n Number> {
     let mut counts: std::collections::HashMap<&str, usize> = std::collections::HashMap::new();
     others.iter().for_each(|number| *counts.entry(&number.value).or_default() += 1);
@@ -104,12 +105,12 @@ mod tests {
     #[test]
     fn other_numbers() {
         let found = |source, text| difference(source, text).unwrap_or_default();
-        assert_eq!(found("in 365", "363"), "the translation has the number 363 in place of 365");
-        assert_eq!(found("6 or 7", "3 oder 5"), "the translation has the numbers 3, 5 in place of 6, 7");
-        assert_eq!(found("25% more", "mehr"), "the translation has lost the number 25");
-        assert_eq!(found("2.5", "25"), "the translation has the number 25 in place of 2.5");
-        assert_eq!(found("10,000", "1.000"), "the translation has the number 1.000 in place of 10,000");
-        assert_eq!(found("15", "٥١"), "the translation has the number ٥١ in place of 15");
+        assert_eq!(found("in 365", "363"), "the translation has the number 363 instead of 365");
+        assert_eq!(found("6 or 7", "3 oder 5"), "the translation has the numbers 3, 5 instead of 6, 7");
+        assert_eq!(found("25% more", "mehr"), "the translation lacks the number 25");
+        assert_eq!(found("2.5", "25"), "the translation has the number 25 instead of 2.5");
+        assert_eq!(found("10,000", "1.000"), "the translation has the number 1.000 instead of 10,000");
+        assert_eq!(found("15", "٥١"), "the translation has the number ٥١ instead of 15");
     }
 
     #[test]

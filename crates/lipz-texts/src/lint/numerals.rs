@@ -1,6 +1,6 @@
-//! Numbers in texts, whatever the script of their digits and however they are divided.
+//! Recognition of numbers in texts, with digits of any script and any grouping.
 
-/// The zeros of all decimal digits (Unicode 16, `Nd`); each is followed by its nine others.
+/// The zeros of all decimal digits (Unicode 16, `Nd`). Each is followed by the digits 1 to 9.
 const ZEROS: [char; 66] = [
     '\u{30}',
     '\u{660}',
@@ -70,39 +70,39 @@ const ZEROS: [char; 66] = [
     '\u{1FBF0}',
 ];
 
-/// What stands between the digits of one number in some language: at its thousands, or before its fraction.
+/// The characters between the digits of a number in some language: thousands separators and decimal marks.
 const SEPARATORS: [char; 6] = ['.', ',', '\u{66B}', '\u{66C}', '\u{FF0C}', '\u{FF0E}'];
 
-/// What stands only at its thousands.
+/// The characters that are only thousands separators.
 const THOUSANDS: [char; 6] = [' ', '\u{A0}', '\u{2009}', '\u{202F}', '\'', '\u{2019}'];
 
 /// A number of a text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Number {
-    /// As the text has it: `1.000,50`.
+    /// As in the text: `1.000,50`.
     pub(super) spelled: String,
-    /// Without the marks of its thousands: `1000.5`.
+    /// Without thousands separators: `1000.5`.
     pub(super) value: String,
 }
 
-/// Digits without anything between them.
-struct Run {
-    /// As the text has them.
+/// Consecutive digits.
+struct DigitRun {
+    /// As in the text.
     spelled: String,
     /// In ASCII.
     digits: String,
-    /// The one character between these and those before, if there is just one.
+    /// The character before these digits and after the previous ones, if there is exactly one.
     before: Option<char>,
 }
 
-fn all_runs(text: &str) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+fn all_runs(text: &str) -> Vec<DigitRun> {
+    let mut runs: Vec<DigitRun> = Vec::new();
     let mut is_open = false;
     let mut between: Vec<char> = Vec::new();
     for character in text.chars() {
         let Some(digit) = digit(character) else {
             is_open = false;
-            // Two are enough to know that it is not one.
+            // Two characters suffice to rule out a single one.
             if between.len() < 2 {
                 between.push(character);
             }
@@ -110,7 +110,7 @@ fn all_runs(text: &str) -> Vec<Run> {
         };
         if !is_open {
             let before = if let [only] = between.as_slice() { Some(*only).filter(|_| !runs.is_empty()) } else { None };
-            runs.push(Run { spelled: String::new(), digits: String::new(), before });
+            runs.push(DigitRun { spelled: String::new(), digits: String::new(), before });
             between.clear();
             is_open = true;
         }
@@ -122,7 +122,7 @@ fn all_runs(text: &str) -> Vec<Run> {
     runs
 }
 
-/// The digits of a character, in ASCII.
+/// Returns the ASCII digit of a character.
 fn digit(character: char) -> Option<char> {
     if character.is_ascii() {
         return character.is_ascii_digit().then_some(character);
@@ -132,17 +132,17 @@ fn digit(character: char) -> Option<char> {
     char::from_digit(value, 10)
 }
 
-/// The runs of digits, sorted, without zeros before them.
+/// Returns the runs of digits, sorted, without leading zeros.
 pub(super) fn runs(text: &str) -> Vec<String> {
     let mut runs: Vec<String> = all_runs(text).into_iter().map(|run| without_zeros(&run.digits)).collect();
     runs.sort_unstable();
     runs
 }
 
-/// The numbers of a text, in its order.
+/// Returns the numbers of a text, in order.
 pub(super) fn numbers(text: &str) -> Vec<Number> {
     let mut numbers = Vec::new();
-    let mut open: Vec<Run> = Vec::new();
+    let mut open: Vec<DigitRun> = Vec::new();
     for run in all_runs(text) {
         let goes_on = open.last().is_some_and(|last| match run.before {
             Some(between) if THOUSANDS.contains(&between) => run.digits.len() == 3 && last.digits.len() <= 3,
@@ -158,8 +158,8 @@ pub(super) fn numbers(text: &str) -> Vec<Number> {
     numbers
 }
 
-/// The number of which these are the parts. Three digits behind the last mark are thousands, others a fraction.
-fn number(parts: &[Run]) -> Option<Number> {
+/// Returns the number with these parts. Three digits after the last mark are thousands, others a fraction.
+fn number(parts: &[DigitRun]) -> Option<Number> {
     let (last, before) = parts.split_last()?;
     let mut spelled = String::new();
     for (at, part) in parts.iter().enumerate() {
@@ -182,13 +182,13 @@ fn without_zeros(digits: &str) -> String {
     if rest.is_empty() { "0".to_owned() } else { rest.to_owned() }
 }
 
-/// Whether a text has a number as a Roman numeral.
+/// Whether a text contains a number as a Roman numeral.
 pub(super) fn has_roman(text: &str, number: &Number) -> bool {
     let Some(roman) = number.value.parse().ok().and_then(roman) else { return false };
     text.split(|character: char| !character.is_alphanumeric()).any(|word| word == roman)
 }
 
-/// The Roman numeral of a number from 1 to 3999.
+/// Returns the Roman numeral of a number from 1 to 3999.
 fn roman(number: u16) -> Option<String> {
     const STEPS: [(u16, &str); 13] = [
         (1000, "M"),

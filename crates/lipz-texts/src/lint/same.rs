@@ -1,13 +1,13 @@
-//! Texts that nobody has translated.
+//! Untranslated texts.
 
 use lipz_file::text::display;
 
-/// Letters of a script without small letters that no name has.
+/// The least number of letters, in a script without lower case, that are longer than any name.
 const LETTERS: usize = 6;
 
-/// Whether a text that is the same in another language has probably not been translated: it has at least three words, of
-/// which two begin with a small letter; or six letters, if its script has no small ones. So names, cries, numbers and
-/// `OK` are not suspicious.
+/// Whether a text that is equal in another language is probably untranslated: it has at least three words, two of which
+/// begin in lower case, or six letters in a script without lower case. This excludes names, exclamations, numbers and
+/// `OK`.
 pub(super) fn is_suspicious(text: &str) -> bool {
     let shown = display(text).text;
     let mut words = shown.split(|character: char| !character.is_alphabetic() && character != '\'' && character != '’');

@@ -1,24 +1,24 @@
-//! Translations that are older than their source.
+//! Stale translations.
 
-use super::{Few, Text};
-use crate::changes::changes;
+use super::{FewDiagnostics, LocaleText};
+use crate::exchange::changes::changes;
 use crate::record::{Standing, TextRecord};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 
-/// Changes of a text that are marked one by one.
+/// The most changes of a text that are marked individually.
 const MARKED: usize = 4;
 
-/// Reports the segments of a translation that were made from another source text than that of today.
+/// Reports the segments of a translation whose source text has changed.
 pub(super) fn check(
     record: &TextRecord,
     file: &str,
-    source: &Text<'_>,
-    translation: &Text<'_>,
+    source: &LocaleText<'_>,
+    translation: &LocaleText<'_>,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let standings =
         record.standings(file, &source.locale, &translation.locale, &source.segments, &translation.segments);
-    let mut found = Few::default();
+    let mut found = FewDiagnostics::default();
     for (at, standing) in standings.into_iter().enumerate() {
         if let Standing::Stale { made_from, is_changed } = standing {
             found.add(|| stale(source, translation, at, &made_from, is_changed));
@@ -27,29 +27,37 @@ pub(super) fn check(
     found.report(diagnostics);
 }
 
-/// The diagnostic about a segment.
-fn stale(source: &Text<'_>, translation: &Text<'_>, at: usize, made_from: &str, is_changed: bool) -> Diagnostic {
+/// Returns the diagnostic about a segment.
+fn stale(
+    source: &LocaleText<'_>,
+    translation: &LocaleText<'_>,
+    at: usize,
+    made_from: &str,
+    is_changed: bool,
+) -> Diagnostic {
     let message = match is_changed {
         false => format!("the text in {} has changed since this was translated", source.locale),
-        true => format!("this and the text in {} have both changed since one was made from the other", source.locale),
+        true => {
+            format!("the translation and the text in {} have both changed since the last translation", source.locale)
+        }
     };
     let now = source.segments.get(at).map_or("", String::as_str);
     let mut diagnostic = Diagnostic::at(Code::StaleTranslation, translation.span(at, None), message);
     let changes = changes(made_from, now);
     if changes.len() > MARKED {
-        diagnostic = diagnostic.also(source.span(at, None), "many words are others");
+        diagnostic = diagnostic.also(source.span(at, None), "many words have changed");
     } else {
         for change in changes {
             let was = match change.old.is_empty() {
                 true => "this is new".to_owned(),
-                false if change.new.is_empty() => format!("here was {}", escape::quoted(change.old)),
+                false if change.new.is_empty() => format!("{} was removed here", escape::quoted(change.old)),
                 false => format!("this was {}", escape::quoted(change.old)),
             };
             diagnostic = diagnostic.also(source.span(at, Some(change.new)), was);
         }
     }
     diagnostic
-        .note(format!("it was made from {}", escape::quoted(made_from)))
-        .note(format!("the text is now  {}", escape::quoted(now)))
-        .help("translate the new text; if the translation still says the same, `lipz accept FILE` notes that")
+        .note(format!("the translation was made from {}", escape::quoted(made_from)))
+        .note(format!("the text is now               {}", escape::quoted(now)))
+        .help("translate the new text, or run `lipz approve FILE` if the translation is still correct")
 }

@@ -1,28 +1,28 @@
-//! What a file of exchange says about the source texts of its translations, whether they are imported or not.
+//! The source texts of translations according to an exchange file, whether imported or not.
 
-use super::Confirmed;
-use crate::collect::trimmed;
-use crate::model::joined;
-use crate::{Entry, Mark, State};
+use super::ConfirmedTranslations;
+use crate::exchange::clip_texts::trimmed;
+use crate::exchange::model::{State, joined};
+use crate::exchange::{Entry, Mark};
 use lipz_diagnostics::Span;
 use lipz_file::text::trim;
 use std::collections::BTreeMap;
 
-impl Confirmed {
-    /// The texts of a clip after the import; nothing is confirmed yet.
+impl ConfirmedTranslations {
+    /// Returns the texts of a clip after the import, with nothing confirmed.
     pub(super) fn new(
         locale: &str,
         sources: &[String],
         own: Option<&[String]>,
         imported: &BTreeMap<usize, String>,
-    ) -> Confirmed {
+    ) -> ConfirmedTranslations {
         let count = sources.len();
         let mut texts = own.map_or_else(|| vec![String::new(); count], <[String]>::to_vec);
         texts.resize(count, String::new());
         for (at, text) in imported {
             texts.get_mut(*at).into_iter().for_each(|slot| slot.clone_from(text));
         }
-        Confirmed {
+        ConfirmedTranslations {
             locale: locale.to_owned(),
             sources: sources.to_vec(),
             texts,
@@ -32,13 +32,13 @@ impl Confirmed {
     }
 }
 
-/// What texts that were imported all the same, although their source is another one today, were made from; `None` if there
-/// are none.
+/// Returns the source texts of translations that were imported although their source has changed; `None` if there are
+/// none.
 pub(super) fn of_older(
-    mut older: Confirmed,
+    mut older: ConfirmedTranslations,
     entries: &[&Entry],
     imported: &BTreeMap<usize, String>,
-) -> Option<Confirmed> {
+) -> Option<ConfirmedTranslations> {
     for entry in entries {
         let Some(source) = &entry.source else { continue };
         let sources: Vec<(usize, String)> = match entry.segment {
@@ -61,8 +61,8 @@ pub(super) fn of_older(
     older.states.iter().any(Option::is_some).then_some(older)
 }
 
-/// What the entries of the clip in the locale confirm; `None` if that is nothing.
-pub(super) fn of_entries(mut confirmed: Confirmed, entries: &[&Entry]) -> Option<Confirmed> {
+/// Returns the confirmations by the entries of the clip in the locale; `None` if there are none.
+pub(super) fn of_entries(mut confirmed: ConfirmedTranslations, entries: &[&Entry]) -> Option<ConfirmedTranslations> {
     for entry in entries.iter().filter(|entry| entry.state >= State::Translated) {
         let parts: Vec<(usize, String)> = match entry.segment {
             Some(number) => vec![(number.saturating_sub(1), trim(&entry.text.text).to_owned())],
@@ -89,7 +89,7 @@ pub(super) fn of_entries(mut confirmed: Confirmed, entries: &[&Entry]) -> Option
     confirmed.states.iter().any(Option::is_some).then_some(confirmed)
 }
 
-/// Where the entries have source texts that are others than those of today.
+/// Returns the positions of source texts in the entries that differ from the current ones.
 pub(super) fn other_sources(sources: &[String], entries: &[&Entry]) -> Vec<(usize, Span)> {
     let now = joined(sources);
     let is_other = |entry: &&&Entry| {
@@ -103,7 +103,7 @@ fn mark_of(parts: &[(usize, String)]) -> Mark {
     Mark::of(&joined(&parts.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>()))
 }
 
-/// Whether the file says that the translation was made from this text.
+/// Whether the file states that the translation was made from this text.
 fn is_made_from(entry: &Entry, now: &str) -> bool {
     match (&entry.source, entry.source_mark) {
         (Some(source), _) if entry.segment.is_some() => trim(&source.text) == now,

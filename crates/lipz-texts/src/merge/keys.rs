@@ -1,13 +1,13 @@
-//! Entries of clips that the project does not have.
+//! Entries of clips that are missing from the project.
 
-use crate::Entry;
+use crate::exchange::Entry;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
 use std::collections::{BTreeSet, HashSet};
 
-/// Diagnostics that say what was probably meant: finding that out takes long with many clips.
+/// The most diagnostics with a suggestion, because finding one takes long with many clips.
 const SUGGESTIONS: usize = 20;
 
-/// A diagnostic for each clip of the entries that is not among `keys`, with the number of the file.
+/// Returns a diagnostic, with the number of the file, for each clip of the entries that is not in `keys`.
 pub fn unknown_keys(entries: &[Entry], keys: &BTreeSet<&str>) -> Vec<(usize, Diagnostic)> {
     let mut told: HashSet<(usize, &str)> = HashSet::new();
     let unknown = entries.iter().filter(|entry| !keys.contains(entry.key.text.as_str()));
@@ -18,8 +18,11 @@ pub fn unknown_keys(entries: &[Entry], keys: &BTreeSet<&str>) -> Vec<(usize, Dia
         let near =
             (found.len() < SUGGESTIONS).then(|| suggest::nearest(&entry.key.text, keys.iter().copied())).flatten();
         diagnostic = match near {
-            Some(near) => diagnostic.help(format!("was it renamed? did you mean {}?", escape::quoted(near))),
-            None => diagnostic.help("was it renamed or deleted after the export? its key is the path of its Lipz file"),
+            Some(near) => diagnostic
+                .help(format!("correct the key if the clip was renamed; did you mean {}?", escape::quoted(near))),
+            None => {
+                diagnostic.help("correct the key, the path of the Lipz file, if the clip was renamed after the export")
+            }
         };
         found.push((entry.file, diagnostic));
     }

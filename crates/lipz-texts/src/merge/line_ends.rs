@@ -1,13 +1,13 @@
-//! Line ends in cells of tables: spreadsheets and version control make CRLF of LF.
+//! Line ends in cells of tables: spreadsheets and version control convert LF to CRLF.
 
-use crate::{Entry, Words};
+use crate::exchange::entry::{Entry, Words};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Line ends of texts that Windows wrote.
+/// The line end of texts written by Windows.
 const CRLF: &str = "\r\n";
 
-/// The entry with the line ends that the project has: without CR, unless one of its own texts has one.
+/// Returns the entry with the project's line ends: without CR, unless one of the project's texts contains CR.
 pub(super) fn of_project<'e>(entry: &'e Entry, texts: &[&[String]]) -> Cow<'e, Entry> {
     let has_crlf = |words: &Words| words.text.contains(CRLF);
     let is_other = entry.is_of_table && (has_crlf(&entry.text) || entry.source.as_deref().is_some_and(has_crlf));

@@ -1,4 +1,4 @@
-//! Writing segments into a Lipz file: every other character stays.
+//! Insertion of segments into a Lipz file without changing any other character.
 
 use lipz_diagnostics::Span;
 use lipz_file::format::{LineEnding, Style, format, rewrite};
@@ -7,21 +7,21 @@ use lipz_file::{Document, Element, JsonString, Value, literal, parse};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
-/// New texts of a clip in a locale.
-pub(super) struct Text {
+/// The new texts of a clip in a locale.
+pub(super) struct NewTexts {
     pub(super) locale: String,
-    /// Segments, from 0, with what they get.
+    /// The changed segments, from 0, with their texts.
     pub(super) segments: BTreeMap<usize, String>,
-    /// How many segments the clip has.
+    /// The number of segments of the clip.
     pub(super) count: usize,
 }
 
-/// The file with new texts. A file in its canonical layout stays in it; in any other one, all that does not change keeps
-/// its spelling, down to escapes in the same text. `strings` are the texts of the clip by their locales.
+/// Returns the file with new texts. A file in the canonical layout keeps that layout. In any other file, all unchanged
+/// parts keep their spelling, down to escapes in the same text. `strings` are the texts of the clip by locale.
 pub(super) fn splice(
     file: &str,
     clip: &Document<'_>,
-    texts: &[Text],
+    texts: &[NewTexts],
     style: Style<'_>,
     strings: &HashMap<String, &JsonString<'_>>,
 ) -> String {
@@ -53,7 +53,7 @@ pub(super) fn splice(
     mark.to_owned() + &whole
 }
 
-/// What replaces which bytes.
+/// Returns the replaced spans, with their replacements.
 fn changes_of(string: &JsonString<'_>, new: &BTreeMap<usize, String>) -> Vec<(Span, String)> {
     let mut changes = Vec::new();
     for (at, range) in segments(&string.text).enumerate() {
@@ -71,8 +71,8 @@ fn changes_of(string: &JsonString<'_>, new: &BTreeMap<usize, String>) -> Vec<(Sp
     changes
 }
 
-/// Adds a text in a new locale, behind the last text.
-fn add(document: &mut Document<'_>, new: &Text) {
+/// Adds a text in a new locale after the last text.
+fn add(document: &mut Document<'_>, new: &NewTexts) {
     let segment = |at: usize| new.segments.get(&at).map_or("", String::as_str);
     let text = (0..new.count).map(segment).collect::<Vec<_>>().join(&DELIMITER.to_string());
     let name = JsonString::from(Cow::Owned(format!("text_{}", new.locale)));
@@ -81,7 +81,7 @@ fn add(document: &mut Document<'_>, new: &Text) {
     document.elements.insert(last.map_or(document.elements.len(), |at| at + 1), element);
 }
 
-/// The text with changes, which ascend and do not overlap.
+/// Returns the text with changes, which ascend and do not overlap.
 fn apply(text: &str, changes: &[(Span, String)]) -> String {
     let mut changed = String::with_capacity(text.len());
     let mut done = 0;

@@ -1,14 +1,15 @@
 //! A line of the record: path, source locale, translations and source text, with tabs between them.
 //!
-//! `voices/mayor.lipz⇥en-us⇥de-de:1a2b3c4d,5e6f7a8br fr-fr:-,0a1b2c3d⇥Mayor? | Mayor!` says that the German texts with these
-//! marks, the second of them reviewed, and the French one of the second segment were made from that English text.
+//! `voices/mayor.lipz⇥en-us⇥de-de:1a2b3c4d,5e6f7a8br fr-fr:-,0a1b2c3d⇥Mayor? | Mayor!` states that the German texts
+//! with these marks, the second of them reviewed, and the French text of the second segment were made from that English
+//! text.
 
-use super::{Made, Version};
-use crate::State;
-use crate::collect::trimmed;
+use super::version::{AcceptedMark, Version};
+use crate::exchange::State;
+use crate::exchange::clip_texts::trimmed;
 use std::fmt;
 
-/// What stands for a segment of which nothing is known.
+/// The mark of a segment without information.
 const NOTHING: &str = "-";
 
 pub(super) struct Line {
@@ -17,7 +18,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// What a line says; `None` if it says nothing.
+    /// Parses a line; `None` if it is invalid.
     pub(super) fn parse(line: &str) -> Option<Line> {
         let mut parts = line.splitn(4, '\t');
         let (file, source_locale, translations, source) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
@@ -28,7 +29,7 @@ impl Line {
         };
         for translation in translations.split(' ') {
             let (locale, marks) = translation.split_once(':')?;
-            let made: Option<Vec<Option<Made>>> = marks.split(',').map(made).collect();
+            let made: Option<Vec<Option<AcceptedMark>>> = marks.split(',').map(made).collect();
             let made = made.filter(|made| made.len() == version.sources.len())?;
             version.made.insert(locale.to_owned(), made);
         }
@@ -37,8 +38,8 @@ impl Line {
     }
 }
 
-/// What is known of a segment; `None` if that cannot be read.
-fn made(text: &str) -> Option<Option<Made>> {
+/// Parses the information about a segment; `None` if it is invalid.
+fn made(text: &str) -> Option<Option<AcceptedMark>> {
     if text == NOTHING {
         return Some(None);
     }
@@ -48,10 +49,10 @@ fn made(text: &str) -> Option<Option<Made>> {
         "f" => (text.get(..8)?, State::Final),
         _ => return None,
     };
-    Some(Some(Made { mark: mark.parse().ok()?, state }))
+    Some(Some(AcceptedMark { mark: mark.parse().ok()?, state }))
 }
 
-/// Writes the line of a version, whose texts are `source`.
+/// Writes the line of a version, whose source texts are `source`.
 pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, source: &str) -> fmt::Result {
     escaped(f, file)?;
     write!(f, "\t{}", version.source_locale)?;
@@ -61,7 +62,7 @@ pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, s
             f.write_str(if at == 0 { "" } else { "," })?;
             match made {
                 None => f.write_str(NOTHING)?,
-                Some(Made { mark, state }) => {
+                Some(AcceptedMark { mark, state }) => {
                     write!(f, "{mark}")?;
                     f.write_str(match state {
                         State::Initial | State::Translated => "",
@@ -77,7 +78,7 @@ pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, s
     f.write_str("\n")
 }
 
-/// Characters that would end a part or a line, and how they are spelled.
+/// The characters that would end a part or a line, and their escapes.
 const ESCAPES: [(char, char); 4] = [('\\', '\\'), ('\t', 't'), ('\n', 'n'), ('\r', 'r')];
 
 fn escaped(f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {

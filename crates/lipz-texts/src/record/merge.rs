@@ -1,14 +1,15 @@
-//! What several lines say about the same source texts, in as few lines as can be: records that say the same are the same
-//! file, whatever was merged in which order.
+//! Merging of lines about the same source texts into as few lines as possible. Records with the same content produce
+//! the same file, in any order of merges.
 
-use super::{Made, Version};
-use crate::{Mark, State};
+use super::version::{AcceptedMark, Version};
+use crate::exchange::{Mark, State};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::mem;
 
-/// Puts versions with the same source texts together, in the order of these. Of two states of a translation, the further
-/// one counts; of several translations, all: those of a segment in the order of their marks, each in a version of its own.
+/// Merges versions with the same source texts, and sorts them by these. If a translation has two states, the further
+/// one counts. If there are several translations, all count: those of each segment are sorted by mark, each in its own
+/// version.
 pub(super) fn merge(versions: &mut Vec<Version>) {
     versions.retain(|version| version.made.values().flatten().any(Option::is_some));
     versions.sort_by(|a, b| a.texts().cmp(&b.texts()));
@@ -33,16 +34,16 @@ impl Version {
         (&self.source_locale, &self.sources)
     }
 
-    /// Without locales of which it knows nothing.
+    /// Drops locales without information.
     fn without_nothing(mut self) -> Version {
         self.made.retain(|_, made| made.iter().any(Option::is_some));
         self
     }
 
-    /// The versions that say what this one and others of the same texts do.
-    fn with(mut self, others: Vec<BTreeMap<String, Vec<Option<Made>>>>) -> Vec<Version> {
-        // Mostly they are about different locales.
-        let mut same: BTreeMap<String, Vec<Vec<Option<Made>>>> = BTreeMap::new();
+    /// Returns versions with the content of this one and others of the same texts.
+    fn with(mut self, others: Vec<BTreeMap<String, Vec<Option<AcceptedMark>>>>) -> Vec<Version> {
+        // Usually they have different locales.
+        let mut same: BTreeMap<String, Vec<Vec<Option<AcceptedMark>>>> = BTreeMap::new();
         for (locale, made) in others.into_iter().flatten() {
             match self.made.entry(locale) {
                 Entry::Vacant(own) => drop(own.insert(made)),
@@ -70,13 +71,13 @@ impl Version {
     }
 }
 
-/// What is known of the segments of a translation, each once, in as few rows as can be: in each the next one of every segment.
-fn laid_out(all: impl Iterator<Item = Vec<Option<Made>>>) -> Vec<Vec<Option<Made>>> {
+/// Arranges the distinct marks of each segment in as few rows as possible: each row has the next one of every segment.
+fn laid_out(all: impl Iterator<Item = Vec<Option<AcceptedMark>>>) -> Vec<Vec<Option<AcceptedMark>>> {
     let mut known: Vec<BTreeMap<Mark, State>> = Vec::new();
     for made in all {
         known.resize_with(known.len().max(made.len()), BTreeMap::new);
         for (segment, made) in known.iter_mut().zip(made) {
-            if let Some(Made { mark, state }) = made {
+            if let Some(AcceptedMark { mark, state }) = made {
                 let known = segment.entry(mark).or_insert(state);
                 *known = state.max(*known);
             }
@@ -84,6 +85,8 @@ fn laid_out(all: impl Iterator<Item = Vec<Option<Made>>>) -> Vec<Vec<Option<Made
     }
     let count = known.iter().map(BTreeMap::len).max().unwrap_or_default();
     let mut segments: Vec<_> = known.into_iter().map(BTreeMap::into_iter).collect();
-    let row = |_| segments.iter_mut().map(|segment| segment.next().map(|(mark, state)| Made { mark, state })).collect();
+    let row = |_| {
+        segments.iter_mut().map(|segment| segment.next().map(|(mark, state)| AcceptedMark { mark, state })).collect()
+    };
     (0..count).map(row).collect()
 }

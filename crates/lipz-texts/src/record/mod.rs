@@ -1,31 +1,32 @@
-//! What each translation was made from: a text file that belongs to the Lipz files, and that version control merges.
+//! The source text of each translation, in a text file that accompanies the Lipz files and merges in version control.
 
 mod line;
 mod merge;
 mod moved;
 mod standing;
 mod unit;
+mod version;
 
-pub use moved::Texts;
 pub use standing::Standing;
 
-use crate::State;
-use crate::{Mark, model::joined};
+use crate::exchange::Mark;
+use crate::exchange::model::{State, joined};
 use line::Line;
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use merge::merge;
 use standing::Fact;
 use std::collections::BTreeMap;
 use std::fmt;
+use version::{AcceptedMark, Version};
 
-/// What the file begins with, for people.
+/// The start of the file, for people.
 const HEAD: &str = "\
 # lipz texts: the source text that each translation was made from, with the marks of the translations.
 # Keep this file with the Lipz files, and let git merge it by lines: `lipz-texts.txt merge=union` in .gitattributes.
 ";
 
-/// The source texts that translations were made from. Several lines may say something about the same translation: each of
-/// them is true, so the lines of two branches together are what both have accepted. Records that say the same are the same
+/// The source texts of translations. Several lines may refer to the same translation: all of them are true, so merging
+/// the lines of two branches yields everything that both have accepted. Records with the same content produce the same
 /// file.
 ///
 /// ```
@@ -41,30 +42,12 @@ const HEAD: &str = "\
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct TextRecord {
-    /// By the paths of Lipz files, as the record names them.
+    /// By the paths of Lipz files in the record.
     files: BTreeMap<String, Vec<Version>>,
 }
 
-/// The source texts of a clip at some time, and the translations that were made from them then.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-struct Version {
-    source_locale: String,
-    /// The texts of its segments.
-    sources: Vec<String>,
-    /// By locale, what is known of the translation of each segment.
-    made: BTreeMap<String, Vec<Option<Made>>>,
-}
-
-/// A translation of a segment that somebody has accepted.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Made {
-    /// Of its text.
-    mark: Mark,
-    state: State,
-}
-
 impl TextRecord {
-    /// Reads a record, and reports lines that say nothing; `None` if it is another file.
+    /// Parses a record, and reports invalid lines; `None` if it is a different kind of file.
     pub fn parse(text: &str) -> Option<(TextRecord, Vec<Diagnostic>)> {
         let body = text.strip_prefix('\u{feff}').unwrap_or(text);
         if !body.is_empty() && !body.starts_with("# lipz texts") && !body.starts_with("<<<<<<<") {
@@ -81,10 +64,10 @@ impl TextRecord {
                     let diagnostic = Diagnostic::at(
                         Code::TextRecordLine,
                         Span::new(start, start + content.len()),
-                        "the line says nothing about a translation",
+                        "the line is not a record of a translation",
                     );
                     diagnostics
-                        .push(diagnostic.help("remove it: the next import or `lipz accept` writes the file anew"));
+                        .push(diagnostic.help("remove it; the next import or `lipz approve` writes the file again"));
                 }
             }
             start += whole.len();
@@ -97,22 +80,22 @@ impl TextRecord {
         Some((record, diagnostics))
     }
 
-    /// Whether it says nothing.
+    /// Whether the record is empty.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
     }
 
-    /// The files of which it knows something.
+    /// Returns the files in the record.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.files.keys().map(String::as_str)
     }
 
-    /// Whether it knows something of a file.
+    /// Whether the record contains a file.
     pub fn has(&self, file: &str) -> bool {
         self.files.contains_key(file)
     }
 
-    /// The locales of which translations were made.
+    /// Returns the source locales of translations.
     pub fn source_locales(&self) -> Vec<&str> {
         let all = self.files.values().flatten().map(|version| version.source_locale.as_str());
         let mut all: Vec<&str> = all.collect();
@@ -121,23 +104,23 @@ impl TextRecord {
         all
     }
 
-    /// The locales of which translations of this file were made.
+    /// Returns the source locales of this file's translations.
     pub(crate) fn source_locales_of(&self, file: &str) -> Vec<&str> {
         let versions = self.files.get(file).map_or(&[][..], Vec::as_slice);
         let mut all: Vec<&str> = versions.iter().map(|version| version.source_locale.as_str()).collect();
-        all.dedup(); // versions are sorted by them
+        all.dedup(); // versions are sorted by source locale
         all
     }
 
-    /// Forgets a file.
+    /// Removes a file.
     pub fn forget(&mut self, file: &str) {
         self.files.remove(file);
     }
 
-    /// Notes that translations were made from the source texts of today: those of the segments that have a state here. What
-    /// is known of other segments stays, as far as it is about the texts of today.
+    /// Records that translations were made from the current source texts, for the segments that have a state here.
+    /// Information about other segments stays, as far as it concerns the current texts.
     ///
-    /// `file` is the path of the Lipz file, `sources` and `texts` are the texts of its segments in both locales.
+    /// `file` is the path of the Lipz file; `sources` and `texts` are the texts of its segments in both locales.
     pub fn accept<S: AsRef<str>, T: AsRef<str>>(
         &mut self,
         file: &str,
@@ -149,14 +132,14 @@ impl TextRecord {
     ) {
         let facts = self.facts(file, source_locale, locale, sources, texts);
         let mut current = vec![None; sources.len()];
-        let mut older: BTreeMap<usize, Vec<(usize, Made)>> = BTreeMap::new();
+        let mut older: BTreeMap<usize, Vec<(usize, AcceptedMark)>> = BTreeMap::new();
         for (at, (fact, text)) in facts.into_iter().zip(texts).enumerate() {
             let mark = Mark::of(text.as_ref());
             let state = accepted.get(at).copied().flatten().filter(|_| !text.as_ref().is_empty());
             match (state, fact) {
                 (Some(state), _) | (None, Fact::Current(state)) => {
                     if let Some(slot) = current.get_mut(at) {
-                        *slot = Some(Made { mark, state });
+                        *slot = Some(AcceptedMark { mark, state });
                     }
                 }
                 (None, Fact::Stale { version, segment, made, .. }) => {
@@ -196,7 +179,7 @@ impl TextRecord {
     }
 }
 
-/// The file: a line for the source texts of each clip, in the order of the paths.
+/// Prints the file: a line for the source texts of each clip, sorted by path.
 impl fmt::Display for TextRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(HEAD)?;

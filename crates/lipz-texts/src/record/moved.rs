@@ -1,17 +1,15 @@
-//! Lipz files that were renamed: what is known of them goes along.
+//! Renamed Lipz files, whose records follow them.
 
 use super::TextRecord;
-use crate::{Mark, model::joined};
-use std::collections::{BTreeMap, HashMap};
-
-/// The texts of a clip, by locale.
-pub type Texts = BTreeMap<String, Vec<String>>;
+use crate::exchange::model::joined;
+use crate::exchange::{ClipTexts, Mark};
+use std::collections::HashMap;
 
 impl TextRecord {
-    /// Finds out which of the `lost` files, which are no more, the `new` ones are, of which nothing is known, and gives them
-    /// their lines. They are the same if their texts are: the source text and a translation, or, if only one lost file has
-    /// it, a translation alone. Returns the old and the new paths.
-    pub fn follow(&mut self, lost: &[String], new: &[(String, Texts)]) -> Vec<(String, String)> {
+    /// Matches the `lost` files, which were deleted, with the `new` files, which are not in the record, and moves the
+    /// lines of lost files. Files match if their texts do: the source text and a translation, or a translation alone if
+    /// only one lost file has it. Returns the old and the new paths.
+    pub fn follow(&mut self, lost: &[String], new: &[(String, ClipTexts)]) -> Vec<(String, String)> {
         let mut by_translation: HashMap<(String, Vec<Mark>), Vec<usize>> = HashMap::new();
         for (number, versions) in
             lost.iter().enumerate().filter_map(|(number, lost)| Some((number, self.files.get(lost)?)))
@@ -48,7 +46,7 @@ impl TextRecord {
     }
 
     /// Whether a version of a file has the source texts of a clip.
-    fn has_source(&self, file: &str, texts: &Texts) -> bool {
+    fn has_source(&self, file: &str, texts: &ClipTexts) -> bool {
         let versions = self.files.get(file).into_iter().flatten();
         let is_source =
             |locale: &str, sources: &[String]| texts.get(locale).is_some_and(|texts| joined(texts) == joined(sources));

@@ -1,54 +1,55 @@
-//! What the record says of the translations of a clip, as its texts are today.
+//! The state of a clip's current translations according to the record.
 
-use super::{Made, TextRecord};
-use crate::{Mark, State};
+use super::TextRecord;
+use super::version::AcceptedMark;
+use crate::exchange::{Mark, State};
 use std::collections::{HashMap, HashSet};
 
-/// How a translation stands to the source text of today.
+/// The relation of a translation to the current source text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Standing {
-    /// It was made from this source text, or changed since while the source text stayed.
+    /// The translation was made from this source text, or changed later while the source text stayed the same.
     Current(State),
     /// The source text has changed since.
     Stale {
-        /// The source text that it was made from.
+        /// The source text of the translation.
         made_from: String,
-        /// Whether the translation has changed, too: nobody has said that both belong together.
+        /// Whether the translation has changed as well, without being accepted.
         is_changed: bool,
     },
-    /// Nothing is known of it.
+    /// The record has no information about it.
     Unknown,
 }
 
-/// The same, with what the record has about it.
+/// The same, with its source in the record.
 pub(super) enum Fact<'r> {
     Current(State),
     Stale {
-        /// Where it stands among the versions of the file.
+        /// The index in the versions of the file.
         version: usize,
-        /// Among the segments of the version.
+        /// The index in the segments of the version.
         segment: usize,
-        made: Made,
+        made: AcceptedMark,
         source: &'r str,
         is_changed: bool,
     },
     Unknown,
 }
 
-/// A fact of the record about a locale of a file.
+/// An entry of the record about a locale of a file.
 #[derive(Clone, Copy)]
-struct Known<'r> {
+struct AcceptedFact<'r> {
     version: usize,
     segment: usize,
-    made: Made,
+    made: AcceptedMark,
     source: &'r str,
 }
 
 impl TextRecord {
-    /// How the translations of a clip's segments stand; `Unknown` for those without a text.
+    /// Returns the standing of each segment's translation; `Unknown` for those without a text.
     ///
-    /// A segment may have moved within its clip: what counts is the pair of its texts. `file` is the path of the Lipz
-    /// file, `sources` and `texts` are the texts of its segments in both locales.
+    /// A segment may have moved within its clip, so pairs of texts are compared. `file` is the path of the Lipz file;
+    /// `sources` and `texts` are the texts of its segments in both locales.
     pub fn standings<S: AsRef<str>, T: AsRef<str>>(
         &self,
         file: &str,
@@ -66,7 +67,7 @@ impl TextRecord {
         facts.into_iter().map(standing).collect()
     }
 
-    /// What is known of each of the texts.
+    /// Returns the information about each of the texts.
     pub(super) fn facts<S: AsRef<str>, T: AsRef<str>>(
         &self,
         file: &str,
@@ -80,7 +81,7 @@ impl TextRecord {
         let source = |at: usize| sources.get(at).map_or("", AsRef::as_ref);
         let has_text = |at: usize| texts.get(at).is_some_and(|text| !text.as_ref().is_empty());
         let mut pairs: HashMap<(Mark, &str), State> = HashMap::new();
-        let mut by_mark: HashMap<Mark, Vec<&Known<'_>>> = HashMap::new();
+        let mut by_mark: HashMap<Mark, Vec<&AcceptedFact<'_>>> = HashMap::new();
         for fact in &known {
             let state = pairs.entry((fact.made.mark, fact.source)).or_insert(fact.made.state);
             *state = fact.made.state.max(*state);
@@ -89,8 +90,9 @@ impl TextRecord {
         let known_sources: HashSet<&str> = known.iter().map(|fact| fact.source).collect();
         let own_sources: HashSet<&str> = sources.iter().map(AsRef::as_ref).collect();
         let own_marks: HashSet<Mark> = marks.iter().copied().collect();
-        let is_elsewhere = |fact: &Known<'_>| own_marks.contains(&fact.made.mark) || own_sources.contains(fact.source);
-        let mut first_of: HashMap<usize, &Known<'_>> = HashMap::new();
+        let is_elsewhere =
+            |fact: &AcceptedFact<'_>| own_marks.contains(&fact.made.mark) || own_sources.contains(fact.source);
+        let mut first_of: HashMap<usize, &AcceptedFact<'_>> = HashMap::new();
         for fact in &known {
             first_of.entry(fact.segment).or_insert(fact);
         }
@@ -114,22 +116,22 @@ impl TextRecord {
         marks.iter().enumerate().map(|(at, mark)| one(at, *mark)).collect()
     }
 
-    fn known(&self, file: &str, source_locale: &str, locale: &str) -> Vec<Known<'_>> {
+    fn known(&self, file: &str, source_locale: &str, locale: &str) -> Vec<AcceptedFact<'_>> {
         let versions = self.files.get(file).map_or(&[][..], Vec::as_slice).iter().enumerate();
         let mut known = Vec::new();
         for (version, texts) in versions.filter(|(_, version)| version.source_locale == source_locale) {
             let made = texts.made.get(locale).map_or(&[][..], Vec::as_slice);
             for (segment, (made, source)) in made.iter().zip(&texts.sources).enumerate() {
-                known.extend(made.map(|made| Known { version, segment, made, source }));
+                known.extend(made.map(|made| AcceptedFact { version, segment, made, source }));
             }
         }
         known
     }
 }
 
-impl<'r> Known<'r> {
+impl<'r> AcceptedFact<'r> {
     fn stale(&self, is_changed: bool) -> Fact<'r> {
-        let Known { version, segment, made, source } = *self;
+        let AcceptedFact { version, segment, made, source } = *self;
         Fact::Stale { version, segment, made, source, is_changed }
     }
 }

@@ -1,4 +1,7 @@
+//! Tests of merging the records of two branches.
+
 use super::*;
+use crate::exchange::ClipTexts;
 use proptest::prelude::*;
 
 const DONE: Option<State> = Some(State::Translated);
@@ -45,7 +48,7 @@ fn segments_move_and_one_of_them_is_stale() {
     assert_eq!(moved, [Standing::Unknown, Standing::Current(State::Translated), Standing::Current(State::Final)]);
     let (sources, texts) = (["One!", "Two"], ["Eins", "Zwei"]);
     assert_eq!(standings(&record, &sources, &texts), [stale("One", false), Standing::Current(State::Final)]);
-    // What is accepted of another segment leaves that as it is.
+    // Accepting a different segment leaves that one unchanged.
     record.accept("a.lipz", "en-us", "de-de", &sources, &texts, &[None, DONE]);
     assert_eq!(standings(&record, &sources, &texts), [stale("One", false), Standing::Current(State::Translated)]);
     let text = record.to_string();
@@ -92,7 +95,7 @@ fn damaged_files() {
 #[test]
 fn renamed_files_keep_what_is_known() {
     let texts = |source: &str, text: &str| {
-        Texts::from([("en-us".to_owned(), vec![source.to_owned()]), ("de-de".to_owned(), vec![text.to_owned()])])
+        ClipTexts::from([("en-us".to_owned(), vec![source.to_owned()]), ("de-de".to_owned(), vec![text.to_owned()])])
     };
     let mut record = accepted(&[("Hi.", "Hallo.")]);
     record.accept("b.lipz", "en-us", "de-de", &["Yes."], &["Ja."], &[DONE]);
@@ -105,13 +108,13 @@ fn renamed_files_keep_what_is_known() {
     assert_eq!(pairs, [("a.lipz", "x.lipz"), ("c.lipz", "y.lipz")]);
     let known = record.standings("x.lipz", "en-us", "de-de", &["Hello."], &["Hallo."]);
     assert_eq!(known, [stale("Hi.", false)], "its source changed with its name");
-    // Two lost files with the same translation: which one?
+    // Two lost files with the same translation are ambiguous.
     let mut record = accepted(&[("Hi.", "Ja.")]);
     record.accept("b.lipz", "en-us", "de-de", &["Yes."], &["Ja."], &[DONE]);
     assert_eq!(record.follow(&lost, &[("x.lipz".to_owned(), texts("Sure.", "Ja."))]), []);
 }
 
-/// Records of few files, texts and states, so that they often say something about the same.
+/// Returns records with few files, texts and states, so that they often concern the same ones.
 fn records() -> impl Strategy<Value = TextRecord> {
     let texts = || prop::collection::vec(0..3u8, 2);
     let states = prop::collection::vec(prop::option::of(1..4usize), 2);
@@ -129,13 +132,13 @@ fn records() -> impl Strategy<Value = TextRecord> {
     })
 }
 
-/// What a record says about all texts that records of the test have.
+/// Returns the record's states of all texts that occur in the test.
 fn current(record: &TextRecord) -> BTreeMap<String, State> {
     let mut current = BTreeMap::new();
     for (file, locale) in ["0", "1"].into_iter().flat_map(|file| ["de-de", "fr-fr"].map(|locale| (file, locale))) {
         for (source, text) in (0..3).flat_map(|source| (0..3).map(move |text| (source, text))) {
             let (sources, texts) = ([format!("s{source}")], [format!("t{text}")]);
-            // Only what was accepted together, not what is inferred from that.
+            // Only explicitly accepted pairs count, not those inferred from them.
             let fact = record.files.get(file).into_iter().flatten().any(|version| {
                 let made = version.made.get(locale).into_iter().flatten().zip(&version.sources);
                 made.filter_map(|(made, source)| Some((made.as_ref()?.mark, source)))
@@ -168,7 +171,7 @@ proptest! {
         }
         prop_assert_eq!(&current(&both), &expected);
         prop_assert_eq!(TextRecord::parse(&both.to_string()), Some((both.clone(), Vec::new())));
-        // The same lines in any order, and any number of times, are the same file.
+        // The same lines in any order and number produce the same file.
         let other_way = theirs_text.lines().chain(ours_text.lines().rev()).chain(theirs_text.lines());
         let (again, _) = TextRecord::parse(&(other_way.collect::<Vec<_>>().join("\n") + "\n")).unwrap();
         prop_assert_eq!(again.to_string(), both.to_string());

@@ -1,10 +1,11 @@
-//! The record at work: units get their states, and imports come into the record.
+//! Use of the record: units get their states from it, and imports are stored in it.
 
 use super::{Standing, TextRecord};
-use crate::{Confirmed, State, Unit};
+use crate::exchange::model::{State, Unit};
+use crate::merge::ConfirmedTranslations;
 
 impl TextRecord {
-    /// Says of the translations of a unit, which are in these locales, how far they are and what they were made from.
+    /// Sets the states and the source texts of a unit's translations, which are in these locales.
     pub fn describe(&self, file: &str, source_locale: &str, locales: &[String], unit: &mut Unit) {
         let sources: Vec<&str> = unit.segments.iter().map(|segment| segment.source.as_str()).collect();
         for (locale, translation) in locales.iter().zip(&mut unit.translations) {
@@ -32,9 +33,10 @@ impl TextRecord {
         }
     }
 
-    /// Takes over what an import confirms; how many texts were made from something else, or from nothing that was known, before.
-    pub fn confirm(&mut self, file: &str, source_locale: &str, confirmed: &Confirmed) -> usize {
-        let Confirmed { locale, sources, texts, states, is_looked_at } = confirmed;
+    /// Stores the confirmations of an import. Returns the number of texts whose source text was different or unknown
+    /// before.
+    pub fn confirm(&mut self, file: &str, source_locale: &str, confirmed: &ConfirmedTranslations) -> usize {
+        let ConfirmedTranslations { locale, sources, texts, states, is_looked_at } = confirmed;
         let before = self.standings(file, source_locale, locale, sources, texts);
         let mut count = 0;
         let accepted: Vec<Option<State>> = (before.iter().zip(states).zip(is_looked_at))

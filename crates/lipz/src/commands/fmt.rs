@@ -1,13 +1,11 @@
-//! `lipz fmt`: Lipz files in their canonical layout.
+//! `lipz fmt`: formats Lipz files in their canonical layout.
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
-use crate::shared::project_flags::parse_locale;
-use crate::shared::rewriting::{Rewriting, diff, files, is_standard_input, reads_standard_input};
+use crate::shared::rewrite_mode::{RewriteMode, diff, files, is_standard_input, reads_standard_input};
 use crate::shared::settings_file::{Project, SettingsFile};
-use crate::shared::sources::PROJECT;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
@@ -18,59 +16,47 @@ use std::path::PathBuf;
 
 /// Format Lipz files in their canonical layout, without changing their meaning.
 ///
-/// One element per line: visemes, texts, events, viseme_type, fps, then elements unknown to the format.
-/// Spaces at the ends of segments align the `|` of all elements. Files that are not JSON are reported and
-/// left unchanged.
+/// Writes one element per line: visemes, texts, events, viseme_type, fps, then other elements. Spaces at the ends of segments
+/// align each `|`. Files that are not JSON are reported and left unchanged.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz fmt voices
   lipz fmt --check voices
   lipz fmt - < mayor.lipz")]
 pub(crate) struct Fmt {
-    /// Folders, files or glob patterns; `-` formats standard input to standard output [default: those of
-    /// lipz.toml]
+    /// Folders, files or patterns; `-` formats standard input [default: those of lipz.toml]
     #[arg(value_name = "SOURCES")]
     sources: Vec<PathBuf>,
 
     #[command(flatten)]
     file: SettingsFile,
 
-    /// Read hidden files and folders, too: those whose names start with a dot
-    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true",
-          help_heading = PROJECT)]
-    hidden: Option<bool>,
-
-    /// List the files that would change, and write nothing; exit code 1 if there are any
+    /// List the files that would change, and write nothing; exit code 1 if any
     #[arg(long)]
     check: bool,
 
-    /// Show what would change as a unified diff, and write nothing; exit code 1 if anything would
+    /// Show the changes as a unified diff, and write nothing; exit code 1 if any
     #[arg(long)]
     diff: bool,
 
-    /// The locale whose text comes first [default: the project's, else that of the first text]
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = PROJECT)]
-    default_locale: Option<String>,
-
-    /// Threads to use [default: one per core]
+    /// Number of threads [default: one per core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    jobs: Option<u16>,
 
-    /// Show no progress and no summary, only diagnostics, files and differences
+    /// Hide progress and summary, but not diagnostics, files and differences
     #[arg(short, long)]
     quiet: bool,
 }
 
 impl Run for Fmt {
     fn prints_result(&self) -> bool {
-        self.rewriting() != Rewriting::InPlace || is_standard_input(&self.sources)
+        self.rewriting() != RewriteMode::InPlace || is_standard_input(&self.sources)
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
-        settings.options = std::mem::take(&mut settings.options).threads(self.threads.map(usize::from));
-        settings.hidden = self.hidden.unwrap_or(settings.hidden);
-        let default_locale = self.default_locale.as_deref().or(settings.options.get_default_locale());
+        settings.options = std::mem::take(&mut settings.options).threads(self.jobs.map(usize::from));
+        let default_locale = settings.options.get_default_locale();
         if reads_standard_input(&settings.sources, reporter)? {
             return standard_input(self, default_locale, reporter);
         }
@@ -109,8 +95,8 @@ impl Run for Fmt {
         let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
         match self.rewriting() {
             _ if self.quiet || inputs.is_empty() => {}
-            Rewriting::InPlace => shown.push_str(&summary("formatted")),
-            Rewriting::Nothing | Rewriting::Diff => reporter.remark(&summary("would change")),
+            RewriteMode::InPlace => shown.push_str(&summary("formatted")),
+            RewriteMode::Nothing | RewriteMode::Diff => reporter.remark(&summary("would change")),
         }
         if self.prints_result() {
             reporter.print(&shown)?;
@@ -118,33 +104,33 @@ impl Run for Fmt {
             reporter.summary(&shown)?;
         }
         let checked =
-            if self.rewriting() != Rewriting::InPlace && changed > 0 { Outcome::Errors } else { Outcome::Clean };
+            if self.rewriting() != RewriteMode::InPlace && changed > 0 { Outcome::Errors } else { Outcome::Clean };
         Ok(outcome.max(checked))
     }
 }
 
 impl Fmt {
-    fn rewriting(&self) -> Rewriting {
+    fn rewriting(&self) -> RewriteMode {
         match (self.diff, self.check) {
-            (true, _) => Rewriting::Diff,
-            (false, true) => Rewriting::Nothing,
-            (false, false) => Rewriting::InPlace,
+            (true, _) => RewriteMode::Diff,
+            (false, true) => RewriteMode::Nothing,
+            (false, false) => RewriteMode::InPlace,
         }
     }
 }
 
-/// Formats what comes from standard input.
-fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut Reporter) -> Ended {
+/// Formats standard input.
+fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut Reporter) -> CommandResult {
     let formatted = stdio::lipz_bytes()
         .and_then(|before| formatted(&stdio::input_name(), &before, default_locale).map(|after| (before, after)));
     match formatted {
         Ok((before, after)) => {
             match arguments.rewriting() {
-                Rewriting::InPlace => reporter.print(&after)?,
-                Rewriting::Diff => reporter.print(&diff(&stdio::input_name(), &before, &after))?,
-                Rewriting::Nothing => {}
+                RewriteMode::InPlace => reporter.print(&after)?,
+                RewriteMode::Diff => reporter.print(&diff(&stdio::input_name(), &before, &after))?,
+                RewriteMode::Nothing => {}
             }
-            let differs = arguments.rewriting() != Rewriting::InPlace && after.as_bytes() != before;
+            let differs = arguments.rewriting() != RewriteMode::InPlace && after.as_bytes() != before;
             Ok(if differs { Outcome::Errors } else { Outcome::Clean })
         }
         Err(report) => {
@@ -154,7 +140,7 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut 
     }
 }
 
-/// The file in canonical layout, or why it cannot be read.
+/// Returns the file in canonical layout.
 fn formatted(name: &str, bytes: &[u8], default_locale: Option<&str>) -> Result<String, Report> {
     let parsed = lipz_file::parse(bytes);
     let Some(document) = parsed.document else { return Err(Report::from_bytes(name, bytes, parsed.diagnostics)) };

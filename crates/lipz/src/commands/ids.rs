@@ -1,6 +1,6 @@
 //! `lipz ids`: clip ids and locales as source code for programs.
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_or_sources::packed;
@@ -8,7 +8,6 @@ use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::output_file;
 use crate::shared::sources::Sources;
 use crate::shared::stack;
-use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
 use lipz_compiler::ids::{Language, generate};
@@ -20,10 +19,10 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// Write the ids of clips as constants, so that a misspelt key does not compile.
+/// Write clip IDs as constants for programs.
 ///
-/// SOURCES are Lipz files, which are checked and packed in memory, or one bank (.lipzbank) or set (.lipzset). A file that has
-/// these ids already is left alone, so that nothing is compiled again for it.
+/// Constants let the compiler detect misspelt keys. SOURCES are Lipz files, which are packed in memory, or a bank or set. An
+/// up-to-date file keeps its time, so that build systems do not compile it again.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz ids dialogue.lipzbank --lang c -o dialogue_ids.h
@@ -34,18 +33,15 @@ pub(crate) struct Ids {
     #[command(flatten)]
     sources: Sources,
 
-    #[command(flatten)]
-    texts: TextBanks,
-
-    /// The language to write
+    /// Language to write
     #[arg(short, long, value_name = "LANGUAGE")]
     lang: LanguageName,
 
-    /// The file to write [default: standard output]
+    /// File to write [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// What C names start with [default: LIPZ_ID_], or the C# namespace [default: Lipz]
+    /// Prefix of C names [default: LIPZ_ID_], or C# namespace [default: Lipz]
     #[arg(long, value_name = "NAME")]
     prefix: Option<String>,
 }
@@ -76,19 +72,19 @@ impl Run for Ids {
         self.output.is_none()
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let language = Language::from(self.lang);
         if let Some(prefix) = self.prefix.as_ref().filter(|prefix| !language.accepts_prefix(prefix)) {
             let name = language.name();
             let (message, tip) = match language.default_prefix() {
                 Some(default) if language == Language::C => (
                     format!("`{prefix}` is not a prefix for C"),
-                    format!("use letters, digits and _ that make no name of lipz.h or of C; the default is {default}"),
+                    format!("use letters, digits and _, but not a name of lipz.h or C; the default is {default}"),
                 ),
                 Some(default) => {
-                    (format!("`{prefix}` is not a prefix for {name}"), format!("the default is {default}"))
+                    (format!("`{prefix}` is not a prefix for {name}"), format!("use a namespace, such as {default}"))
                 }
-                None => ("`--prefix` is for C and C#".to_owned(), format!("{name} has names of its own")),
+                None => (format!("`--prefix` has no effect on {name}"), "use it only for C and C#".to_owned()),
             };
             return Err(reporter.usage(message, &tip));
         }
@@ -97,7 +93,8 @@ impl Run for Ids {
         }
         match self.sources.paths() {
             [bank] if is_bank_file(bank) => {
-                let files = DialogueFiles::open(bank, reporter)?.with_texts(&self.texts.texts, reporter)?;
+                self.sources.refuse_with_bank(bank, reporter)?;
+                let files = DialogueFiles::open(bank, reporter)?;
                 write(&files.name, &files, self, reporter)
             }
             sources => of_sources(sources, self, reporter),
@@ -105,7 +102,7 @@ impl Run for Ids {
     }
 }
 
-/// Whether a path is that of a bank or a set, or of a stack of banks: by its name, or whatever it is called, by how it begins.
+/// Whether the file is a bank, a set or a stack of banks, judging by its extension or its first bytes.
 fn is_bank_file(path: &Path) -> bool {
     let first = stack::paths(path).into_iter().next().unwrap_or_default();
     let path = first.as_path();
@@ -120,18 +117,18 @@ fn is_bank_file(path: &Path) -> bool {
     is_named && !path.is_dir() || begins()
 }
 
-/// The ids of the bank that would be packed.
-fn of_sources(sources: &[PathBuf], arguments: &Ids, reporter: &mut Reporter) -> Ended {
+/// Returns the ids of the bank that these sources would be packed into.
+fn of_sources(sources: &[PathBuf], arguments: &Ids, reporter: &mut Reporter) -> CommandResult {
     let project = arguments.sources.project(reporter)?;
     let file = packed(&project.settings, arguments.sources.is_quiet(), reporter)?;
     let source = sources.first().map(|path| console::path(path)).unwrap_or_default();
-    let files = DialogueFiles::one(file).with_texts(&arguments.texts.texts, reporter)?;
+    let files = DialogueFiles::one(file);
     write(&source, &files, arguments, reporter)
 }
 
-fn write(source: &str, named: &DialogueFiles, arguments: &Ids, reporter: &mut Reporter) -> Ended {
+fn write(source: &str, named: &DialogueFiles, arguments: &Ids, reporter: &mut Reporter) -> CommandResult {
     if let Some(output) = &arguments.output {
-        named.refuse_output(("a bank that is read", "the file of ids"), output, reporter)?;
+        named.refuse_output(("the bank", "the output"), output, reporter)?;
     }
     let files = named.verified(reporter)?;
     let dialogue = named.dialogue(&files, reporter)?;
@@ -141,7 +138,7 @@ fn write(source: &str, named: &DialogueFiles, arguments: &Ids, reporter: &mut Re
         reporter.print(&text)?;
         return Ok(Outcome::Clean);
     };
-    // Build systems go by the time of the file: whatever includes it is compiled again only if ids have changed.
+    // Build systems compare file times: rewriting an unchanged file would recompile every file that includes it.
     let is_there = fs::read(output).is_ok_and(|bytes| bytes == text.as_bytes());
     if !is_there {
         output_file::write(output, text.as_bytes(), reporter)?;

@@ -1,18 +1,18 @@
-//! `lipz init`: a project that packs, with settings that explain themselves.
+//! `lipz init`: creates a project that packs, with commented settings.
 
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::formats::unreadable;
 use crate::shared::output_file;
 use crate::shared::text_record::RECORD_NAME;
-use crate::{Abort, Ended, Outcome, console};
+use crate::{Abort, CommandResult, Outcome, console};
 use clap::Args;
-use lipz_compiler::settings::{FILE_NAME, Settings, template};
+use lipz_compiler::settings::{FILE_NAME, Settings, short_template, template};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// A first clip, in canonical layout: a mouth shape per frame, a text, and an event.
+/// A first clip in canonical layout: one viseme per frame, a text, and an event.
 const FIRST_CLIP: &str = r#"{
   "visemes" :    "--EEELLOOOWW----|LEESASSMEEEEESS--",
   "text_en-us" : "Hello.          |Let us begin.",
@@ -27,30 +27,33 @@ const BANK: &str = "dialogue.lipzbank";
 const IGNORED: &str = ".gitignore";
 const ATTRIBUTES: &str = ".gitattributes";
 
-/// Begin a project: a lipz.toml with every setting, explained, a first clip, a .gitignore for the bank, and a .gitattributes by which
-/// git merges the record of translations.
+/// Create a project: lipz.toml, a first clip, and entries for git.
 ///
-/// Where there are Lipz files already, no clip is written, nor with --audio: what is recorded will be the first. Files of git that
-/// exist get a line more.
+/// No clip is written with --audio, or if the folder already has Lipz files. The entries for git ignore the bank and merge
+/// the record of translations. Existing .gitignore and .gitattributes files get one more line.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz init
   lipz init game --audio recordings
   lipz init game/dialogue")]
 pub(crate) struct Init {
-    /// The folder of the project; it is created if needed
+    /// Folder of the project; created if needed
     #[arg(value_name = "FOLDER", default_value = ".")]
     folder: PathBuf,
 
-    /// Make a folder for recordings, which lipz.toml names
+    /// Create this folder for recordings
     #[arg(long, value_name = "FOLDER")]
     audio: Option<PathBuf>,
 
-    /// Replace a file that exists
+    /// Write every setting into lipz.toml, explained and commented out
     #[arg(long)]
-    force: bool,
+    full: bool,
 
-    /// Show no summary
+    /// Replace an existing lipz.toml
+    #[arg(long)]
+    overwrite: bool,
+
+    /// Hide the summary
     #[arg(short, long)]
     quiet: bool,
 }
@@ -60,19 +63,19 @@ impl Run for Init {
         false
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let is_here = self.folder.as_os_str() == ".";
         let file = if is_here { PathBuf::from(FILE_NAME) } else { self.folder.join(FILE_NAME) };
         let shown = console::path(&file);
-        if !self.force && file.symlink_metadata().is_ok() {
-            let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
-            let diagnostic =
-                diagnostic.note("nothing was written").help("edit it, or replace it by a fresh one with --force");
+        if !self.overwrite && file.symlink_metadata().is_ok() {
+            let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` already exists"));
+            let diagnostic = diagnostic.note("nothing was written").help("edit it, or replace it with --overwrite");
             return Err(reporter.refuse(vec![Report::about(shown, diagnostic)]));
         }
         let bank = format!("\"{BANK}\"");
         let audio = self.audio.as_ref().map(|folder| lipz_file::literal(&folder.to_string_lossy()));
-        let mut set = vec![("", "output", bank.as_str())];
+        // Show newcomers nods, breaths and a pose for each word.
+        let mut set = vec![("", "output", bank.as_str()), ("face", "keys", "\"words\"")];
         let is_new = !has_clips(&self.folder);
         if is_new {
             set.extend([("", "sources", "[\"voices\"]"), ("", "default-locale", "\"en-us\"")]);
@@ -86,36 +89,37 @@ impl Run for Init {
                 fs::create_dir_all(folder).map_err(|error| reporter.fail(unreadable(folder, &error)))?;
             }
         }
-        // The bank is made again from the Lipz files.
+        // The bank can be rebuilt from the Lipz files.
         let is_bank = |known: &str| known == BANK || known == "*.lipzbank";
         add_line(&self.folder.join(IGNORED), &format!("/{BANK}"), is_bank, reporter)?;
-        // The lines of two branches together say what both have accepted.
+        // A merge keeps the lines of both branches, and with them the approvals of both.
         let is_merged = |known: &str| known.split_whitespace().next() == Some(RECORD_NAME);
         add_line(&self.folder.join(ATTRIBUTES), &format!("{RECORD_NAME} merge=union"), is_merged, reporter)?;
-        output_file::write(&file, template(&set).as_bytes(), reporter)?;
+        let text = if self.full { template(&set) } else { short_template(&set) };
+        output_file::write(&file, text.as_bytes(), reporter)?;
         if self.quiet {
             return Ok(Outcome::Clean);
         }
         let takes = self.audio.iter().map(|folder| console::path(&self.folder.join(folder))).next().unwrap_or_default();
-        let first_take = format!("record a line as {takes}/KEY.wav, and `lipz new KEY TEXT` makes its clip");
+        let first_take = format!("record a line as {takes}/KEY.wav, and make its clip with `lipz new KEY TEXT`");
         let next = match is_new {
             true if self.audio.is_some() => &first_take,
-            true => "with a first clip in voices: `lipz pack` there packs it, `lipz new KEY TEXT` makes another one",
-            false => "`lipz check` in its folder checks all Lipz files there and below",
+            true => "run `lipz pack` there to pack the first clip, or `lipz new KEY TEXT` to add one",
+            false => "run `lipz check` there to check all Lipz files in the folder",
         };
-        reporter.summary(&format!("{shown} written: {next}\n"))?;
+        reporter.summary(&format!("{shown} written\nnext: {next}\n"))?;
         Ok(Outcome::Clean)
     }
 }
 
-/// Whether there are Lipz files in the folder or below it.
+/// Whether the folder contains Lipz files, at any depth.
 fn has_clips(folder: &Path) -> bool {
     let mut settings = Settings::default();
     settings.sources = vec![folder.to_owned()];
     folder.is_dir() && !settings.discover_with_reports().0.is_empty()
 }
 
-/// Adds a line to a file of git, unless it has that line or one that `says_so`.
+/// Adds a line to a git file, unless it already contains that line or one that matches `says_so`.
 fn add_line(file: &Path, line: &str, says_so: impl Fn(&str) -> bool, reporter: &mut Reporter) -> Result<(), Abort> {
     let mut text = match fs::read_to_string(file) {
         Ok(text) => text,

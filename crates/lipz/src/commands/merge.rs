@@ -1,11 +1,10 @@
-//! `lipz merge`: one bank of a base and its layers.
+//! `lipz merge`: merges a base and its layers into one bank.
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::set_file::SetFile;
-use crate::shared::text_banks::TextBanks;
 use crate::shared::{output_file, patterns, stack, stdio};
 use crate::{Outcome, console};
 use clap::Args;
@@ -14,27 +13,25 @@ use lipz_compiler::Stack;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
-/// Make one bank of a base, the layers over it and its text banks, or of a set.
+/// Make one bank from a base, its patches and text banks, or from a set.
 ///
-/// The bank is that of the changed sources, byte for byte, as if it had been packed in one go.
+/// The result has the same bytes as a bank that was packed from the patched sources at once.
 #[derive(Args, Debug)]
-#[command(override_usage = "lipz merge <BASE> <LAYER>... --output <BANK> [OPTIONS]")]
+#[command(override_usage = "lipz merge <BANK> <PATCH|TEXTS>... --output <BANK> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz merge dialogue.lipzbank patch-1.1.lipzbank patch-1.2.lipzbank -o whole.lipzbank
+  lipz merge dialogue.lipzbank dialogue.*.lipztexts -o whole.lipzbank
   lipz merge dialogue.lipzset patch-1.1.lipzbank -o whole.lipzbank")]
 pub(crate) struct Merge {
-    /// The base, a bank or a set, then its layers, each over those before it
+    /// Base (a bank or a set), then its patches and text banks in the order of their stack
     #[arg(value_name = "BANK", required = true, num_args = 1..)]
     banks: Vec<PathBuf>,
 
-    /// The bank to write; `-` writes it to standard output
+    /// Bank to write; `-` is standard output
     #[arg(short, long, value_name = "BANK")]
     output: PathBuf,
 
-    #[command(flatten)]
-    texts: TextBanks,
-
-    /// Show no summary
+    /// Hide the summary
     #[arg(short, long)]
     quiet: bool,
 }
@@ -44,20 +41,23 @@ impl Run for Merge {
         stdio::is_meant(&self.output)
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let banks: Vec<PathBuf> = patterns::files(&self.banks).iter().flat_map(|path| stack::paths(path)).collect();
         let is_set = matches!(banks.as_slice(), [path] if SetFile::open(path, reporter)?.is_some());
-        if banks.len() < 2 && !is_set && self.texts.texts.is_empty() {
-            return Err(reporter.usage("one bank is merged with nothing", "name the base, then its layers"));
+        if banks.len() < 2 && !is_set {
+            return Err(reporter.usage("only one bank is named", "name the base, then its patches and text banks"));
         }
         let is_printed = stdio::is_meant(&self.output);
         if is_printed && io::stdout().is_terminal() {
-            return Err(reporter.usage("a bank is not for a terminal", "name a file, or send standard output to one"));
+            return Err(reporter.usage(
+                "a bank cannot be printed on a terminal",
+                "name a file, or redirect standard output to a file",
+            ));
         }
         output_file::refuse_source(&self.output, reporter)?;
-        let named = DialogueFiles::open_all(&banks, reporter)?.with_texts(&self.texts.texts, reporter)?;
+        let named = DialogueFiles::open_all(&banks, reporter)?;
         if !is_printed {
-            named.refuse_output(("a bank to be merged", "the output"), &self.output, reporter)?;
+            named.refuse_output(("an input bank", "the output"), &self.output, reporter)?;
         }
         let files = named.verified(reporter)?;
         let dialogue = named.dialogue(&files, reporter)?;
@@ -78,7 +78,7 @@ impl Run for Merge {
     }
 }
 
-/// The number of banks, those of a set among them.
+/// Returns the number of banks, including those of a set.
 fn count_banks(dialogue: &Dialogue<'_>) -> usize {
     (0..dialogue.file_count()).filter(|number| dialogue.bank(*number).is_some()).count()
 }

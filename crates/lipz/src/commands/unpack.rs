@@ -1,11 +1,10 @@
-//! `lipz unpack`: a bank to source files.
+//! `lipz unpack`: restores source files from a bank.
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
-use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::unpack;
@@ -14,31 +13,28 @@ use std::path::PathBuf;
 
 /// Write the clips of a bank or a set as Lipz files.
 ///
-/// Nothing is written outside the folder, and nothing at all if a key cannot be a file name. If the run
-/// is interrupted, the files written so far remain, and all of them are complete.
+/// lipz writes only inside the folder. It does not write any file if a key cannot be a file name. If you interrupt the run,
+/// the files written so far remain, and are complete.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz unpack <BANK> --output <FOLDER> [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz unpack dialogue.lipzbank -o voices
   lipz unpack dialogue.lipzset -o voices
-  lipz unpack dialogue.lipzbank --texts dialogue.*.lipztexts -o voices")]
+  lipz unpack 'dialogue.lipzbank+dialogue.*.lipztexts' -o voices")]
 pub(crate) struct Unpack {
-    /// The bank to read, or a set by its index; `-` reads a bank from standard input
+    /// Bank or set, also with patches and text banks (BANK+PATCH+TEXTS); `-` is a bank on standard input
     #[arg(value_name = "BANK")]
     pub(crate) bank: PathBuf,
 
-    #[command(flatten)]
-    texts: TextBanks,
-
-    /// The folder to write into; it is created if needed
+    /// Folder to write into; created if needed
     #[arg(short, long, value_name = "FOLDER")]
     pub(crate) output: PathBuf,
 
-    /// Replace files that exist; reports which of their texts and other elements the bank does not have
+    /// Replace existing files, and report the elements that the bank does not contain
     #[arg(long)]
-    pub(crate) force: bool,
+    pub(crate) overwrite: bool,
 
-    /// Show no progress and no summary
+    /// Hide progress and summary
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }
@@ -48,8 +44,8 @@ impl Run for Unpack {
         false
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
-        let named = DialogueFiles::open(&self.bank, reporter)?.with_texts(&self.texts.texts, reporter)?;
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        let named = DialogueFiles::open(&self.bank, reporter)?;
         let opened = named.verified(reporter)?;
         let dialogue = named.dialogue(&opened, reporter)?;
         let bar = console::progress_bar(dialogue.clip_count(), self.quiet);
@@ -59,7 +55,7 @@ impl Run for Unpack {
                 bar.inc(count);
                 point();
             };
-            unpack(&dialogue, &self.output, self.force, files.waiting(), &progress)
+            unpack(&dialogue, &self.output, self.overwrite, files.waiting(), &progress)
         });
         bar.finish_and_clear();
         match unpacked {
@@ -71,9 +67,9 @@ impl Run for Unpack {
                 let form = match unpacked.is_exact {
                     true => "",
                     false if dialogue.locales().next().is_none() => {
-                        " (no texts: those of a split bank are in its text banks, --texts)"
+                        " (without texts; add the text banks of a split bank: BANK+TEXTS)"
                     }
-                    false => " (display forms: the bank has no source section)",
+                    false => " (display texts, because the bank does not contain source records)",
                 };
                 let files = console::counted(unpacked.files, "file");
                 reporter.summary(&format!("{files} unpacked into {}{form}\n", console::path(&self.output)))?;

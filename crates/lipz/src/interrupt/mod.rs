@@ -1,5 +1,5 @@
-//! Ctrl-C and requests to end: they are obeyed at once, but not between the start and the end of
-//! writing a file, so that no half-written one is left behind.
+//! Ctrl-C and other requests to end. They take effect immediately, except while a file is being written, so that no
+//! half-written file is left behind.
 
 #[cfg(unix)]
 mod unix;
@@ -14,50 +14,50 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[cfg(unix)]
 use unix::on_request;
 
-/// The exit code of an interrupted run: 128 and the number of the signal that Ctrl-C sends.
+/// The exit code of an interrupted run: 128 plus the number of the signal that Ctrl-C sends.
 const EXIT_CODE: i32 = 128 + 2;
 
 /// Held while files are written.
 static WRITING: Mutex<()> = Mutex::new(());
-/// Whether the run was asked to end.
+/// Whether the process has been asked to end.
 static IS_ASKED: AtomicBool = AtomicBool::new(false);
 
-/// Files of the command that are written and not yet replaced: temporary ones, which nobody may leave behind.
+/// Written temporary files of the command that have not yet replaced their targets. They must not be left behind.
 static WAITING: Mutex<Option<Arc<Replacements>>> = Mutex::new(None);
 
-/// Replaces many files, in groups. What waits is given up when the process is asked to end.
+/// Replaces many files in groups. Pending replacements are discarded when the process is asked to end.
 pub(crate) struct Files(Arc<Replacements>);
 
 impl Files {
-    /// None yet. A command has one of these at a time.
+    /// Creates an empty list. A command has only one of these at a time.
     pub(crate) fn new() -> Files {
         let files = Arc::new(Replacements::default());
         *WAITING.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&files));
         Files(files)
     }
 
-    /// As [`Replacements::replace`].
+    /// See [`Replacements::replace`].
     pub(crate) fn replace(&self, path: &Path, bytes: &[u8]) -> Result<(), Report> {
         whole(|| self.0.replace(path, bytes))
     }
 
-    /// As [`Replacements::rewrite`].
+    /// See [`Replacements::rewrite`].
     pub(crate) fn rewrite(&self, path: &Path, before: &[u8], after: &[u8]) -> Result<(), Report> {
         whole(|| self.0.rewrite(path, before, after))
     }
 
-    /// What waits, for a [`whole_files`] run that writes all of its files.
+    /// Returns the pending replacements, for a [`whole_files`] run that writes all of its files.
     pub(crate) fn waiting(&self) -> &Replacements {
         &self.0
     }
 
-    /// As [`Replacements::finish`].
+    /// See [`Replacements::finish`].
     pub(crate) fn finish(&self) -> Vec<Report> {
         whole(|| self.0.finish())
     }
 }
 
-/// What still waits is given up, as after an error: no temporary file is left.
+/// Discards pending replacements, as after an error, so that no temporary file is left.
 impl Drop for Files {
     fn drop(&mut self) {
         self.0.abandon();
@@ -68,7 +68,7 @@ impl Drop for Files {
     }
 }
 
-/// Ends the process when it is asked to; waits for files that are being written.
+/// Ends the process on request, after files that are being written.
 pub(crate) fn listen() {
     on_request(|| {
         IS_ASKED.store(true, Ordering::SeqCst);
@@ -79,18 +79,18 @@ pub(crate) fn listen() {
 
 #[cfg(not(unix))]
 fn on_request(end: impl FnMut() + Send + 'static) {
-    // Where the system refuses a handler, Ctrl-C ends the process by itself.
+    // If the system refuses a handler, Ctrl-C ends the process directly.
     let _ = ctrlc::set_handler(end);
 }
 
-/// Runs `write`, which leaves no file half-written when it returns; ends the process after it if that was asked for
-/// meanwhile.
+/// Runs `write`, which must not leave a half-written file. Afterwards, ends the process if that was requested in
+/// between.
 pub(crate) fn whole<R>(write: impl FnOnce() -> R) -> R {
     whole_files(|_| write())
 }
 
-/// The same with many files, which `write` writes one after another: it calls what it is given between two of them, and
-/// there the process may end. Nobody else can: while one thread writes, others have no say.
+/// Runs `write`, which writes many files in sequence. It calls its argument between two files, and only there may the
+/// process end: while one thread writes, other threads cannot end the process.
 pub(crate) fn whole_files<R>(write: impl FnOnce(&dyn Fn()) -> R) -> R {
     let _held = writing();
     let written = write(&end_if_asked);
@@ -105,11 +105,11 @@ fn end_if_asked() {
 }
 
 fn writing() -> MutexGuard<'static, ()> {
-    // A run that panicked while it wrote has removed its temporary file on the way out.
+    // A run that panicked while writing has already removed its temporary file.
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the process. Who calls it holds `WRITING`, so that nobody else writes or ends it, too.
+/// Ends the process. Callers hold `WRITING`, so that no other thread writes or ends the process as well.
 fn end() -> ! {
     if let Some(files) = WAITING.lock().unwrap_or_else(PoisonError::into_inner).take() {
         files.abandon();

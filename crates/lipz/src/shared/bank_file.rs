@@ -1,4 +1,4 @@
-//! Bank files on disk, and what to say when they are not banks.
+//! Bank files on disk, and messages about files that are not banks.
 
 use crate::Abort;
 use crate::console;
@@ -12,38 +12,43 @@ use std::io;
 use std::mem::offset_of;
 use std::path::{Path, PathBuf};
 
-/// The most bytes that a bank has: its offsets have 32 bits.
+/// The maximum length of a bank, because its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
 
 const NAME_A_BANK: &str = "name a .lipzbank file; `lipz pack` packs one from Lipz files";
 
-/// Not all commands read texts.
-const NAME_TEXTS: &str = "name the bank that it belongs to; commands that read texts take this file with --texts";
+/// The help where a text bank is named instead of a bank.
+const NAME_TEXTS: &str = "name the bank that it belongs to before it: BANK+TEXTS";
 
-const NAME_SET_FIRST: &str = "name the index of a set first, before the banks that were packed over it";
+const NAME_SET_FIRST: &str = "name the index of the set first, before its patches";
 
-const LINK_AGAIN: &str = "copy all files of the set again, or link it again: lipz link";
+const LINK_AGAIN: &str = "copy all files of the set again, or link it again: lipz shard link";
 
-/// The bytes of a bank, and how messages name it.
+/// The bytes of a bank, and its name in messages.
 pub(crate) struct BankFile {
     pub(crate) name: String,
-    /// Where it is; empty for standard input and for a bank that was made in memory.
+    /// The path; empty for standard input and for a bank in memory.
     path: PathBuf,
     bytes: FileBytes,
 }
 
 impl BankFile {
-    /// Where the file is; nowhere for standard input and for a bank that was made in memory.
+    /// Returns the path of the file; `None` for standard input and for a bank in memory.
     pub(crate) fn path(&self) -> Option<&Path> {
         Some(self.path.as_path()).filter(|path| !path.as_os_str().is_empty())
     }
 
-    /// The bytes of the file.
+    /// Returns the bytes of the file.
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
-    /// Reads the file at `path`, or standard input. Reports why that is not possible.
+    /// Whether it has the header of a text bank.
+    pub(crate) fn is_text_bank(&self) -> bool {
+        Bank::open(self.bytes()).is_err_and(|error| error.kind() == ErrorKind::TextsOnly)
+    }
+
+    /// Reads the file at `path`, or standard input. Reports errors.
     pub(crate) fn read(path: &Path, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         if stdio::is_meant(path) {
             let bytes = stdio::read(LONGEST_BANK + 1).map(FileBytes::from);
@@ -52,9 +57,9 @@ impl BankFile {
         BankFile::of_bytes(console::path(path), path, FileBytes::read(path), CHECK_SPELLING, reporter)
     }
 
-    /// Reads the file at `path`, a bank of the set with this name. Reports why that is not possible.
+    /// Reads the file at `path`, a bank of the set with this name. Reports errors.
     pub(crate) fn of_set(path: &Path, set: &str, reporter: &mut Reporter) -> Result<BankFile, Abort> {
-        let help = format!("`{set}` names it: copy a set with all of its banks, or link it again");
+        let help = format!("copy all banks of `{set}`, or link the set again");
         BankFile::of_bytes(console::path(path), path, FileBytes::read(path), &help, reporter)
     }
 
@@ -74,12 +79,12 @@ impl BankFile {
         }
     }
 
-    /// A bank that was made in memory.
+    /// Creates a bank in memory.
     pub(crate) fn made(name: String, bytes: Vec<u8>) -> BankFile {
         BankFile { name, path: PathBuf::new(), bytes: bytes.into() }
     }
 
-    /// The bank, verified. Reports what is wrong with it.
+    /// Returns the verified bank. Reports damage.
     pub(crate) fn bank(&self, reporter: &mut Reporter) -> Result<Bank<'_>, Abort> {
         let opened = Bank::open(&self.bytes).map_err(|error| (Code::BankRefused, error));
         let verified = opened.and_then(|bank| verified(bank).map_err(|error| (Code::BankDamaged, error)));
@@ -89,17 +94,17 @@ impl BankFile {
     }
 }
 
-/// The bank, verified with what it says about banks below it.
+/// Verifies the bank, including its statements about banks below it.
 fn verified(bank: Bank<'_>) -> Result<Bank<'_>, Error> {
     let bank = bank.verify()?;
     bank.verified_layer()?;
     Ok(bank)
 }
 
-/// The help for a file that you named, and that is not there.
+/// The help for a missing file that the user named.
 const CHECK_SPELLING: &str = "check the spelling of the path";
 
-/// The diagnostic for a file that cannot be read; `help` is for one that is not there.
+/// Returns the diagnostic for an unreadable file; `help` applies to a missing one.
 fn unreadable(shown: &str, error: &io::Error, help: &str) -> Diagnostic {
     let diagnostic = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
     match error.kind() {
@@ -109,15 +114,15 @@ fn unreadable(shown: &str, error: &io::Error, help: &str) -> Diagnostic {
     }
 }
 
-/// The diagnostic for a file that does not open or verify as a bank.
+/// Returns the diagnostic for a file that fails to open or verify as a bank.
 pub(crate) fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
     let kind = error.kind();
     let place = format!("bank error {}, at byte {} of {}", kind as u8, error.offset_bytes(), bytes.len());
     let diagnostic = Diagnostic::new(code, kind.message()).note(place);
-    let update = "update lipz, or pack the bank again with this one";
+    let update = "update lipz, or pack the bank again with this version";
     match kind {
         ErrorKind::UnsupportedVersion => diagnostic
-            .note(format!("the bank has {}, this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
+            .note(format!("the bank has format {}, but this lipz reads {FORMAT_MAJOR}.{FORMAT_MINOR}", version(bytes)))
             .help(update),
         ErrorKind::SectionUnknown => diagnostic.help(update),
         ErrorKind::NotABank if bytes.starts_with(&SET_MAGIC) => diagnostic.help(NAME_SET_FIRST),
@@ -131,7 +136,7 @@ pub(crate) fn refused(code: Code, error: Error, bytes: &[u8]) -> Diagnostic {
     }
 }
 
-/// The format version in the header, `2.0`.
+/// Returns the format version from the header: `2.0`.
 fn version(bytes: &[u8]) -> String {
     let number = |at: usize| match bytes.get(at..at + 2) {
         Some(&[low, high]) => u16::from_le_bytes([low, high]).to_string(),

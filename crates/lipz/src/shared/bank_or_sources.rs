@@ -1,4 +1,4 @@
-//! Arguments that name a bank or the Lipz files that one is made of.
+//! Arguments that name a bank, or the Lipz files of one.
 
 use crate::Abort;
 use crate::reporter::Reporter;
@@ -7,56 +7,50 @@ use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::inputs::{find, with_inputs};
 use crate::shared::settings_file::Project;
 use crate::shared::sources::ProjectArguments;
-use crate::shared::text_banks::TextBanks;
+use crate::shared::stack;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Input, is_pattern};
 use lipz_diagnostics::reports::have_errors;
-use lipz_sync::Recorded;
+use lipz_sync::RecordingCounts;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// The dialogue that a command looks at as a whole.
 #[derive(Args, Debug)]
 pub(crate) struct DialogueArguments {
-    /// A bank or a set, or a folder, file or pattern of Lipz files; `-` is a bank on standard input [default: the
-    /// Lipz files of lipz.toml]
+    /// Bank or set, also with patches and text banks (BANK+PATCH+TEXTS), or Lipz files [default: those of lipz.toml]
+    ///
+    /// `-` is a bank on standard input.
     #[arg(value_name = "BANK")]
     bank: Option<PathBuf>,
-
-    #[command(flatten)]
-    texts: TextBanks,
 
     #[command(flatten)]
     arguments: ProjectArguments,
 }
 
 impl DialogueArguments {
-    /// The files of the bank or set with its text banks, or the Lipz files packed in memory. Reports what is wrong with them.
+    /// Returns the files of the bank or set with its text banks, or the Lipz files packed in memory. Reports their
+    /// problems.
     pub(crate) fn files(&self, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
-        let files = bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)?;
-        files.with_texts(&self.texts.texts, reporter)
+        self.bank_without_options(reporter)?;
+        bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)
     }
 
-    /// Whether text banks are named.
-    pub(crate) fn has_texts(&self) -> bool {
-        !self.texts.texts.is_empty()
-    }
-
-    /// The same, and of Lipz files, how much of them is recorded, if their project has recordings.
+    /// Also returns how many of the Lipz files are recorded, if their project has recordings.
     pub(crate) fn files_and_recorded(
         &self,
         reporter: &mut Reporter,
-    ) -> Result<(DialogueFiles, Option<Recorded>), Abort> {
+    ) -> Result<(DialogueFiles, Option<RecordingCounts>), Abort> {
         if self.is_bank() {
             return Ok((self.files(reporter)?, None));
         }
         let project = self.project(reporter)?;
         let files = self.files_of(&project, reporter)?;
         let (inputs, _) = find(&project.settings);
-        let (recorded, reports) = Recorded::count_with_reports(&project.settings, &inputs);
+        let (recorded, reports) = RecordingCounts::count_with_reports(&project.settings, &inputs);
         if have_errors(&reports) {
             let outcome = Outcome::from_reports(&reports);
             return Err(reporter.abort(reports, outcome));
@@ -65,53 +59,62 @@ impl DialogueArguments {
         Ok((files, recorded))
     }
 
-    /// The project to which the bank or the Lipz files belong.
+    /// Returns the project of the bank or the Lipz files.
     pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         self.arguments.project(self.bank.as_slice(), reporter)
     }
 
-    /// [`files`](Self::files), with settings that are read already.
+    /// Like [`files`](Self::files), with settings that have been read before.
     pub(crate) fn files_of(&self, project: &Project, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
         self.files_with_clip(project, None, reporter)
     }
 
-    /// The same for somebody who looks at one clip: warnings about other files are none of theirs.
+    /// Returns the files for a command about one clip, without warnings about the other files.
     pub(crate) fn files_with_clip(
         &self,
         project: &Project,
         key: Option<&str>,
         reporter: &mut Reporter,
     ) -> Result<DialogueFiles, Abort> {
-        let files = match &self.bank {
-            Some(bank) if self.is_bank() => DialogueFiles::open(bank, reporter)?,
-            _ => DialogueFiles::one(packed_for(&project.settings, self.arguments.quiet, key, reporter)?),
-        };
-        files.with_texts(&self.texts.texts, reporter)
+        match &self.bank {
+            Some(bank) if self.is_bank() => {
+                self.arguments.refuse_with_bank(bank, reporter)?;
+                DialogueFiles::open(bank, reporter)
+            }
+            _ => packed_for(&project.settings, self.arguments.quiet, key, reporter).map(DialogueFiles::one),
+        }
     }
 
-    /// The path of the bank, if it is one.
+    /// Returns the path of the bank, if it is one.
     pub(crate) fn bank_path(&self) -> Option<&Path> {
         self.bank.as_deref().filter(|_| self.is_bank())
     }
 
-    /// Whether it is a bank, and not Lipz files.
+    /// The same. Refuses options that would not change it.
+    pub(crate) fn bank_without_options(&self, reporter: &mut Reporter) -> Result<Option<&Path>, Abort> {
+        let bank = self.bank_path();
+        bank.map_or(Ok(()), |bank| self.arguments.refuse_with_bank(bank, reporter))?;
+        Ok(bank)
+    }
+
+    /// Whether it is a bank instead of Lipz files.
     pub(crate) fn is_bank(&self) -> bool {
         self.bank.as_ref().is_some_and(|bank| !names_lipz_files(bank))
     }
 
-    /// Whether a file or a pattern of Lipz files is named, and no folder.
+    /// Whether the arguments name a file or a pattern of Lipz files, and not a folder.
     pub(crate) fn names_file(&self) -> bool {
         self.bank.as_ref().is_some_and(|path| names_lipz_files(path) && !path.is_dir())
     }
 
-    /// Whether to show no progress.
+    /// Whether to hide the progress.
     pub(crate) fn is_quiet(&self) -> bool {
         self.arguments.quiet
     }
 }
 
-/// The bank or set at `path`, or the Lipz files there, packed in memory; without a path, those of `lipz.toml`.
-/// Reports what is wrong with them.
+/// Returns the bank or set at `path`, or its Lipz files packed in memory; without a path, those of `lipz.toml`. Reports
+/// their problems.
 pub(crate) fn bank_or_sources(
     path: Option<&Path>,
     arguments: &ProjectArguments,
@@ -127,15 +130,15 @@ pub(crate) fn bank_or_sources(
     }
 }
 
-/// The bank of a project's Lipz files, packed in memory. Reports what is wrong with them.
+/// Returns the bank of a project's Lipz files, packed in memory. Reports their problems.
 pub(crate) fn packed(settings: &Settings, quiet: bool, reporter: &mut Reporter) -> Result<BankFile, Abort> {
     packed_for(settings, quiet, None, reporter)
 }
 
-/// The same; of warnings, only those about the clip with this key, if it is one clip that somebody looks at.
+/// Like `packed`. With a key, reports only the warnings about that clip.
 fn packed_for(settings: &Settings, quiet: bool, key: Option<&str>, reporter: &mut Reporter) -> Result<BankFile, Abort> {
     let sources: Vec<_> = settings.sources.iter().map(|path| console::path(path)).collect();
-    #[allow(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime only")]
+    #[allow(clippy::redundant_closure_for_method_calls, reason = "the method has only one lifetime")]
     let mut run = with_inputs(settings, None, quiet, |compiler, inputs| compiler.compile(inputs));
     let outcome = run.outcome();
     match run.compiled.bank.take() {
@@ -151,8 +154,9 @@ fn packed_for(settings: &Settings, quiet: bool, key: Option<&str>, reporter: &mu
     }
 }
 
-/// Whether a path is that of Lipz files: a folder, a pattern, a file `.lipz`.
+/// Whether a path names Lipz files: a folder, a pattern, or a file `.lipz`. In a stack, a pattern can name text banks.
 pub(crate) fn names_lipz_files(path: &Path) -> bool {
     let is_lipz = |extension: &OsStr| extension.eq_ignore_ascii_case(EXTENSION);
-    path.is_dir() || path.extension().is_some_and(is_lipz) || is_pattern(path)
+    let is_stack = || matches!(stack::paths(path).as_slice(), [bank, _, ..] if !is_pattern(bank));
+    path.is_dir() || path.extension().is_some_and(is_lipz) || is_pattern(path) && !is_stack()
 }

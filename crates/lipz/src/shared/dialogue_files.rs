@@ -1,4 +1,4 @@
-//! The files that you name as a bank: one bank, or a base with patches, a set, and text banks next to them.
+//! The files that a command line names as a bank: a bank, or a base with patches, a set, and text banks next to them.
 
 use crate::Abort;
 use crate::console;
@@ -13,18 +13,18 @@ use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// The bytes of a dialogue's files, in their order.
+/// The contents of a dialogue's files, in order.
 pub(crate) struct DialogueFiles {
-    /// How messages name the dialogue.
+    /// The name of the dialogue in messages.
     pub(crate) name: String,
     files: Vec<BankFile>,
-    /// The first text bank among them.
-    texts_start: usize,
+    /// Whether text banks are allowed among them.
+    may_have_texts: bool,
 }
 
 impl DialogueFiles {
-    /// Reads the files that `path` names: a bank, the index of a set, or several of the form `base+patch`. Reports which of
-    /// them cannot be read.
+    /// Reads the files that `path` names: a bank, the index of a set, or several of the form `base+patch+texts`.
+    /// Reports unreadable files.
     pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
         let mut opened = DialogueFiles::of(&stack::paths(path), reporter)?;
         if let [file] = opened.files.as_slice() {
@@ -35,49 +35,47 @@ impl DialogueFiles {
         Ok(opened)
     }
 
-    /// The same of several paths, each of which may name several files.
+    /// Reads the files that several paths name, each of which can name several files.
     pub(crate) fn open_all(paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
         let paths: Vec<PathBuf> = paths.iter().flat_map(|path| stack::paths(path)).collect();
         DialogueFiles::of(&paths, reporter)
     }
 
+    /// Reads the files like `open_all`, but refuses text banks.
+    pub(crate) fn open_banks(paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
+        let files = DialogueFiles::open_all(paths, reporter)?;
+        Ok(DialogueFiles { may_have_texts: false, ..files })
+    }
+
     fn of(paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
         let mut files = Vec::new();
-        for (number, path) in paths.iter().enumerate() {
+        for (number, path) in patterns::files(paths).iter().enumerate() {
             match if number == 0 { SetFile::open(path, reporter)? } else { None } {
                 Some(set) => files.extend(set.into_files(reporter)?),
                 None => files.push(BankFile::read(path, reporter)?),
             }
         }
         let name = files.first().map_or(String::new(), |file| file.name.clone());
-        Ok(DialogueFiles { name, texts_start: files.len(), files })
+        Ok(DialogueFiles { name, files, may_have_texts: true })
     }
 
-    /// A bank that was made in memory, or was read before.
+    /// Creates a dialogue from a bank that was made in memory or read before.
     pub(crate) fn one(file: BankFile) -> DialogueFiles {
-        DialogueFiles { name: file.name.clone(), files: vec![file], texts_start: 1 }
+        DialogueFiles { name: file.name.clone(), files: vec![file], may_have_texts: false }
     }
 
-    /// The same, under the name that the user knows: of a bank of a set, that of the index.
+    /// Returns the files under the name that the user knows: for a bank of a set, that of the index.
     pub(crate) fn named(self, name: &str) -> DialogueFiles {
         DialogueFiles { name: name.to_owned(), ..self }
     }
 
-    /// The same with text banks. Reports which of them cannot be read.
-    pub(crate) fn with_texts(mut self, paths: &[PathBuf], reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
-        for path in patterns::files(paths) {
-            self.files.push(BankFile::read(&path, reporter)?);
-        }
-        Ok(self)
-    }
-
-    /// The files, opened and verified. Reports the first that is damaged, or is not what it is named as.
+    /// Opens and verifies the files. Reports the first that is damaged or of the wrong kind.
     pub(crate) fn verified(&self, reporter: &mut Reporter) -> Result<Vec<DialogueFile<'_>>, Abort> {
         let mut files: Vec<DialogueFile<'_>> = Vec::new();
         for (number, file) in self.files.iter().enumerate() {
-            let opened = match number < self.texts_start {
-                true => bank(file, &files, number),
-                false => texts(file, &files, number),
+            let opened = match self.is_texts(file, number) {
+                false => bank(file, &files, number),
+                true => texts(file, &files, number),
             };
             files.push(opened.map_err(|report| reporter.refuse(vec![report]))?);
         }
@@ -85,7 +83,7 @@ impl DialogueFiles {
         Ok(files)
     }
 
-    /// The dialogue of these files. Reports which of them does not fit those before it.
+    /// Returns the dialogue of these files. Reports the file that does not match those before it.
     pub(crate) fn dialogue<'f>(
         &self,
         files: &'f [DialogueFile<'f>],
@@ -97,7 +95,7 @@ impl DialogueFiles {
         let is_again = |file: &DialogueFile<'_>| file.kind() == FileKind::Patch && !patches.insert(file.checksum());
         match files.iter().position(is_again) {
             Some(number) => {
-                let diagnostic = Diagnostic::new(Code::LayerMisfit, "the layer is in the stack twice");
+                let diagnostic = Diagnostic::new(Code::LayerMisfit, "the stack contains this patch twice");
                 let report = Report::about(names[number], diagnostic.help("name each bank once"));
                 Err(reporter.refuse(vec![report]))
             }
@@ -105,7 +103,7 @@ impl DialogueFiles {
         }
     }
 
-    /// Refuses an output that is one of the files, also one that only the index of a set names.
+    /// Refuses an output that is one of the files, including those that only the index of a set names.
     pub(crate) fn refuse_output(
         &self,
         (file, output): (&str, &str),
@@ -118,7 +116,12 @@ impl DialogueFiles {
         Ok(())
     }
 
-    /// The bytes, if it is one bank.
+    /// Whether to read a file as a text bank. The first one is always a bank.
+    fn is_texts(&self, file: &BankFile, number: usize) -> bool {
+        self.may_have_texts && number > 0 && file.is_text_bank()
+    }
+
+    /// Returns the bytes of a single bank.
     pub(crate) fn bytes(&self) -> Option<&[u8]> {
         match self.files.as_slice() {
             [file] => Some(file.bytes()),
@@ -126,29 +129,30 @@ impl DialogueFiles {
         }
     }
 
-    /// Refuses text banks for a locale that there is already.
+    /// Refuses a second text bank for a locale.
     fn refuse_twice(&self, files: &[DialogueFile<'_>], reporter: &mut Reporter) -> Result<(), Abort> {
-        let (banks, texts) = files.split_at(self.texts_start.min(files.len()));
-        let Some(bank) = banks.iter().find_map(DialogueFile::bank).filter(|_| !texts.is_empty()) else { return Ok(()) };
+        let texts: Vec<_> =
+            self.files.iter().enumerate().filter(|(number, file)| self.is_texts(file, *number)).collect();
+        let Some(bank) = files.iter().find_map(DialogueFile::bank).filter(|_| !texts.is_empty()) else { return Ok(()) };
         let own = bank.locales().map(|locale| bank.locale_tag(locale).to_owned());
-        let of_texts = self.files.iter().skip(self.texts_start).flat_map(|file| tags_of(file, banks));
+        let of_texts = texts.into_iter().flat_map(|(number, file)| tags_of(file, &files[..number]));
         let own: BTreeSet<String> = own.collect();
         let mut seen = BTreeSet::new();
         for tag in of_texts {
             let shown = escape::text(&tag).into_owned();
             let message = match (own.contains(&tag), seen.insert(tag)) {
-                (true, _) => format!("the bank itself has the texts in `{shown}`"),
+                (true, _) => format!("the bank itself already contains the texts in `{shown}`"),
                 (false, false) => format!("the texts in `{shown}` are named twice"),
                 (false, true) => continue,
             };
-            let tip = "name one text bank for each locale that the bank itself does not have";
+            let tip = "name one text bank for each locale that the bank itself does not contain";
             return Err(reporter.usage(message, tip));
         }
         Ok(())
     }
 }
 
-/// The locales of a text bank of one of these banks.
+/// Returns the locales of a text bank of one of these banks.
 pub(crate) fn tags_of(file: &BankFile, banks: &[DialogueFile<'_>]) -> Vec<String> {
     let mut banks = banks.iter().filter_map(DialogueFile::bank).copied();
     let with_texts = banks.find_map(|mut bank| bank.open_texts_unverified(file.bytes()).ok().map(|()| bank));
@@ -156,19 +160,19 @@ pub(crate) fn tags_of(file: &BankFile, banks: &[DialogueFile<'_>]) -> Vec<String
     tags.collect()
 }
 
-/// A file that is to be a bank or the index of a set, verified.
+/// Opens and verifies a file as a bank or the index of a set.
 fn bank<'f>(file: &'f BankFile, files: &[DialogueFile<'f>], number: usize) -> Result<DialogueFile<'f>, Report> {
     let bytes = file.bytes();
     let because = |code: Code| move |error: Error| about(file, code, error);
     let is_set = number == 0 && SetFile::is_index(bytes);
     let opened = if is_set { None } else { Some(Bank::open(bytes).map_err(because(Code::BankRefused))?) };
-    // What a patch says about the banks below it is looked at last.
+    // Check a patch's statements about the banks below it last.
     let damage = |error| opened.and_then(|bank| bank.verify().err()).unwrap_or(error);
     let opened = DialogueFile::open(bytes, number).map_err(|error| because(Code::BankDamaged)(damage(error)))?;
     verify(opened, files, number).map_err(because(Code::BankDamaged))
 }
 
-/// A file that is to be a text bank, verified.
+/// Opens and verifies a file as a text bank.
 pub(crate) fn texts<'f>(
     file: &'f BankFile,
     files: &[DialogueFile<'f>],
@@ -178,7 +182,7 @@ pub(crate) fn texts<'f>(
     let opened = DialogueFile::open(bytes, number).map_err(|error| about(file, Code::BankRefused, error))?;
     if opened.kind() != FileKind::Texts {
         let diagnostic = Diagnostic::new(Code::BankRefused, "the file is not a text bank");
-        let help = "name the .lipztexts files that `lipz pack --split-locales` writes next to a bank";
+        let help = "name the .lipztexts files that `lipz pack --config split-locales=true` writes next to a bank";
         return Err(Report::about(file.name.as_str(), diagnostic.help(help)));
     }
     verify(opened, files, number).map_err(|error| {

@@ -1,18 +1,18 @@
-//! A command line for each format of another tool, as help shows it.
+//! A sample command line for each format of other tools, for the help.
 
-/// Which way files go.
+/// The direction of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Direction {
     Import,
     Export,
 }
 
-/// The arguments behind `lipz import FORMAT` and `lipz export FORMAT`.
+/// The arguments after `lipz import visemes FORMAT` and `lipz export visemes FORMAT`.
 const EXAMPLES: &[(&str, &str, Option<&str>)] = &[
     ("rhubarb-tsv", "recorded/*.tsv -o voices", Some("voices -o recorded")),
     ("rhubarb-json", "recorded/*.json -o voices", Some("voices -o recorded")),
     ("rhubarb-xml", "recorded/*.xml -o voices", None),
-    ("moho", "recorded/*.dat --file-fps 24 -o voices", Some("voices -o switches")),
+    ("moho", "recorded/*.dat --file-rate 24 -o voices", Some("voices -o switches")),
     ("papagayo", "projects/*.pgo --locale en-us -o voices", None),
     ("papagayo-ng", "projects/*.pg2 --locale en-us -o voices", None),
     ("pamela", "recorded/*.pam -o voices", Some("voices -o recorded")),
@@ -23,18 +23,18 @@ const EXAMPLES: &[(&str, &str, Option<&str>)] = &[
     ("azure", "speech/*.json -o voices", None),
     ("cartesia", "speech/*.json -o voices", None),
     ("live-link", "takes/*.csv --fps 30 -o voices", None),
-    ("ovr", "dumps/*.csv --file-fps 60 --fps 30 -o voices", None),
+    ("ovr", "dumps/*.csv --file-rate 60 --fps 30 -o voices", None),
     ("textgrid", "aligned/*.TextGrid --fps 30 -o voices", Some("voices -o aligned")),
     ("lipz-txt", "audio/*.lipz.txt -o voices", None),
     ("lipz-editor", "old/*.json --locale en-us -o voices", None),
 ];
 
-/// The example of the format with this name.
+/// Returns the example for the format with this name.
 pub(super) fn example(format: &str, direction: Direction) -> Option<String> {
     let (_, import, export) = EXAMPLES.iter().find(|(name, ..)| *name == format)?;
     Some(match direction {
-        Direction::Import => format!("lipz import {format} {import}"),
-        Direction::Export => format!("lipz export {format} {}", (*export)?),
+        Direction::Import => format!("lipz import visemes {format} {import}"),
+        Direction::Export => format!("lipz export visemes {format} {}", (*export)?),
     })
 }
 

@@ -1,4 +1,4 @@
-//! Formats of other tools: their names on the command line, mapping tables, files.
+//! Formats of other tools: their names on the command line, mapping tables, and files.
 
 use crate::Abort;
 use crate::console;
@@ -13,14 +13,14 @@ use lipz_interop::{Encoding, Format, Map, find_map, formats, maps, to_utf8};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Reads the name of a format on the command line.
+/// Returns a parser for format names on the command line.
 pub(crate) fn parser(is_meant: fn(&Format) -> bool) -> impl TypedValueParser<Value = &'static Format> {
     let names = formats::ALL.iter().filter(|format| is_meant(format)).map(|format| format.name);
     PossibleValuesParser::new(names.collect::<Vec<_>>())
-        .try_map(|name| formats::find(&name).ok_or("there is no such format"))
+        .try_map(|name| formats::find(&name).ok_or("the format does not exist"))
 }
 
-/// The formats with an example for each, as help shows them.
+/// Returns the formats with an example each, for the help.
 pub(crate) fn examples(direction: Direction, is_meant: impl Fn(&Format) -> bool) -> String {
     let mut text = String::from("Formats, with Examples:\n");
     for format in formats::ALL.iter().filter(|format| is_meant(format)) {
@@ -30,7 +30,16 @@ pub(crate) fn examples(direction: Direction, is_meant: impl Fn(&Format) -> bool)
     text
 }
 
-/// A mapping table that the command line names.
+/// Returns the names of the formats with one example, for the short help.
+pub(crate) fn names(direction: Direction, is_meant: impl Fn(&Format) -> bool) -> String {
+    let meant: Vec<&Format> = formats::ALL.iter().filter(|format| is_meant(format)).collect();
+    let names = meant.iter().map(|format| format.name).collect::<Vec<_>>().join(", ");
+    let line = meant.first().and_then(|format| example(format.name, direction)).unwrap_or_default();
+    let names = textwrap::fill(&names, textwrap::Options::new(98).initial_indent("  ").subsequent_indent("  "));
+    format!("Formats:\n{names}\n\nExample:\n  {line}")
+}
+
+/// A mapping table from the command line.
 pub(crate) enum MapChoice {
     BuiltIn(&'static Map),
     OfFile(Box<Map>),
@@ -45,7 +54,7 @@ impl MapChoice {
     }
 }
 
-/// The mapping table of this name, or in this file.
+/// Returns the mapping table with this name, or in this file.
 pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abort> {
     let path = Path::new(named);
     if let Some(map) = find_map(named).filter(|_| !path.is_file()) {
@@ -54,7 +63,8 @@ pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abo
     if !path.exists() {
         let message = format!("{} is neither a mapping table nor a file", escape::quoted(named));
         let known = suggest::nearest(named, maps().iter().map(|map| map.name.as_str()));
-        let help = known.map_or("`lipz maps` lists the tables".to_owned(), |known| format!("did you mean `{known}`?"));
+        let help = known
+            .map_or("list the tables with `lipz print maps`".to_owned(), |known| format!("did you mean `{known}`?"));
         return Err(reporter.fail(Report::about("", Diagnostic::new(Code::MapRefused, message).help(help))));
     }
     let bytes = fs::read(path).map_err(|error| {
@@ -70,36 +80,36 @@ pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abo
     }
 }
 
-/// Reads the name of an encoding on the command line.
+/// Parses the name of an encoding from the command line.
 pub(crate) fn encoding(name: &str) -> Result<&'static Encoding, String> {
     Encoding::for_label(name.as_bytes())
-        .ok_or_else(|| "it is not an encoding of the web's standard, such as windows-1251".into())
+        .ok_or_else(|| "expected an encoding of the WHATWG standard, such as windows-1251".into())
 }
 
-/// A rate of the command line as Lipz files spell it.
+/// Converts a rate from the command line to the spelling in Lipz files.
 pub(crate) fn rate(fps: Fps) -> Rate {
     Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true }
 }
 
 /// A file of another tool.
-pub(crate) struct Source {
-    /// The file's name without its extension; below a root, the path from there.
+pub(crate) struct ToolFile {
+    /// The file's name without its extension; below a root, its path relative to the root.
     pub(crate) key: String,
-    /// The bytes; those of a text as UTF-8, if that can be.
+    /// The bytes, converted to UTF-8 if they are text.
     pub(crate) bytes: Vec<u8>,
-    /// What was found while it was read.
+    /// The problems of reading it.
     pub(crate) diagnostics: Vec<Diagnostic>,
     name: String,
 }
 
-impl Source {
+impl ToolFile {
     /// Reads a file, or standard input.
     pub(crate) fn read(
         path: &Path,
         format: &Format,
         root: Option<&Path>,
         encoding: Option<&'static Encoding>,
-    ) -> Result<Source, Report> {
+    ) -> Result<ToolFile, Report> {
         let (key, bytes, name) = if stdio::is_meant(path) {
             (stdio::input_key(None), stdio::lipz_bytes()?, stdio::input_name())
         } else {
@@ -111,15 +121,15 @@ impl Source {
             true => bytes,
             false => to_utf8(&bytes, encoding, format.is_legacy, &mut diagnostics).into_owned(),
         };
-        Ok(Source { key, bytes, diagnostics, name })
+        Ok(ToolFile { key, bytes, diagnostics, name })
     }
 
-    /// The name of the file without folders and extension.
+    /// Returns the name of the file without folders and extension.
     pub(crate) fn stem(&self) -> &str {
         self.key.rsplit('/').next().unwrap_or(&self.key)
     }
 
-    /// What was found in the file, if anything was.
+    /// Returns the report about the file, if there are diagnostics.
     pub(crate) fn report(&self, format: &Format, diagnostics: Vec<Diagnostic>) -> Option<Report> {
         if diagnostics.is_empty() {
             return None;
@@ -131,7 +141,7 @@ impl Source {
     }
 }
 
-/// The report that a file cannot be read.
+/// Returns the report about an unreadable file.
 pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
     let name = console::path(path);
     let diagnostic = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
@@ -143,7 +153,7 @@ pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
     Report::about(name, diagnostic)
 }
 
-/// The key of a file: its name without extension, or its path below the root.
+/// Returns the key of a file: its name without extension, or its path below the root.
 pub(crate) fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Result<String, Report> {
     let Some(root) = root else { return Ok(stem(path, extension)) };
     let (shown, shown_root) = (console::path(path), console::path(root));
@@ -151,7 +161,7 @@ pub(crate) fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Re
         let diagnostic = Diagnostic::new(Code::RefusedKey, format!("`{shown}` is not below the root `{shown_root}`"));
         return Err(Report::about(
             shown,
-            diagnostic.help("spell root and files alike, both relative or both absolute"),
+            diagnostic.help("write root and files both as relative or both as absolute paths"),
         ));
     };
     let folders = inside.parent().into_iter().flat_map(Path::components);
@@ -160,7 +170,7 @@ pub(crate) fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Re
     Ok(parts.join("/"))
 }
 
-/// The name of a file without the extension of its format, or else without its last one.
+/// Returns the name of a file without the extension of its format, or else without its last one.
 pub(crate) fn stem(path: &Path, extension: &str) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let stem = name.len().checked_sub(extension.len() + 1).filter(|&stem| stem > 0);
@@ -171,28 +181,28 @@ pub(crate) fn stem(path: &Path, extension: &str) -> String {
     name.get(..stem).unwrap_or(&name).to_owned()
 }
 
-/// A name from a file as a part of a file name: letters and digits of any script, `-` for everything else.
+/// Converts a name from a file for use in a file name: letters and digits of any script, `-` for everything else.
 pub(crate) fn file_name(name: &str) -> String {
     let safe: String = name.trim().chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).collect();
     if safe.is_empty() { "unnamed".to_owned() } else { safe }
 }
 
-/// Where the clip with this key is written.
+/// Returns the path for the clip with this key.
 pub(crate) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
     folder.join(format!("{key}.{extension}"))
 }
 
-/// The diagnostic for an output file that exists.
+/// Returns the diagnostic for an existing output file.
 pub(crate) fn in_the_way(path: &Path) -> Option<Report> {
     path.symlink_metadata().ok()?;
     let shown = console::path(path);
-    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` exists already"));
+    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` already exists"));
     let diagnostic =
-        diagnostic.note("nothing was written").help("write into another folder, or replace files with --force");
+        diagnostic.note("nothing was written").help("write into another folder, or replace files with --overwrite");
     Some(Report::about(shown, diagnostic))
 }
 
-/// Whether nothing is wrong with where files go: otherwise none is written.
+/// Whether there are no errors. Otherwise, no file is written.
 pub(crate) fn may_write(reports: &[Report]) -> bool {
     let mut found = reports.iter().flat_map(|report| &report.diagnostics);
     found.all(|found| {

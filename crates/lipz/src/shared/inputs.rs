@@ -1,4 +1,4 @@
-//! The Lipz files of a project, found and worked on.
+//! Finding and processing the Lipz files of a project.
 
 use crate::reporter::{Abort, Reporter};
 use crate::shared::stdio;
@@ -7,43 +7,43 @@ use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Compiler, Input, key};
 use lipz_diagnostics::reports::{count, have_errors};
 use lipz_diagnostics::{Code, Report, Severity};
-use lipz_sync::KnownRecordings;
+use lipz_sync::FactsCache;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-/// Finds the inputs of a project and hands them to `work`, with a progress bar; if some cannot be found,
-/// they are only checked. Recordings that are `known` are not read again. What discovery found is added to the reports; a run without inputs has none of
-/// its own.
+/// Finds the inputs of a project and passes them to `work`, with a progress bar. If some cannot be found, they are only
+/// checked. Recordings that are `known` are not read again. The reports include those of the discovery; a run without
+/// inputs has no others.
 pub(crate) fn with_inputs<B>(
     settings: &Settings,
-    known: Option<&mut KnownRecordings>,
+    known: Option<&mut FactsCache>,
     quiet: bool,
     work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled<B>,
-) -> Worked<'static, B> {
+) -> RunResult<'static, B> {
     let start = Instant::now();
     let (inputs, reports) = find(settings);
-    with_found(settings, Found { inputs: inputs.into(), reports, took: start.elapsed() }, known, quiet, work)
+    with_found(settings, FoundInputs { inputs: inputs.into(), reports, took: start.elapsed() }, known, quiet, work)
 }
 
-/// The inputs of a project that were found before.
-pub(crate) struct Found<'i> {
+/// Inputs of a project, found earlier.
+pub(crate) struct FoundInputs<'i> {
     pub(crate) inputs: Cow<'i, [Input]>,
     pub(crate) reports: Vec<Report>,
     pub(crate) took: Duration,
 }
 
-/// The same with inputs that were found before.
+/// Like `with_inputs`, with inputs that were found earlier.
 pub(crate) fn with_found<'i, B>(
     settings: &Settings,
-    found: Found<'i>,
-    known: Option<&mut KnownRecordings>,
+    found: FoundInputs<'i>,
+    known: Option<&mut FactsCache>,
     quiet: bool,
     work: impl FnOnce(&Compiler<'_>, &[Input]) -> Compiled<B>,
-) -> Worked<'i, B> {
+) -> RunResult<'i, B> {
     let start = Instant::now();
-    let Found { inputs, mut reports, took } = found;
-    let (recordings, unread) = known.unwrap_or(&mut KnownRecordings::default()).in_bank_with_reports(settings, &inputs);
+    let FoundInputs { inputs, mut reports, took } = found;
+    let (recordings, unread) = known.unwrap_or(&mut FactsCache::default()).in_bank_with_reports(settings, &inputs);
     reports.extend(unread);
     let word_times = lipz_sync::word_times(settings, &inputs).unwrap_or_else(|report| {
         reports.push(report);
@@ -61,10 +61,10 @@ pub(crate) fn with_found<'i, B>(
     bar.finish_and_clear();
     reports.append(&mut compiled.reports);
     reports.sort_by(|a, b| a.source.path.cmp(&b.source.path));
-    Worked { inputs, reports, compiled, discover }
+    RunResult { inputs, reports, compiled, discover }
 }
 
-/// The inputs of a project, one of which may be standard input, and what is wrong with the others.
+/// Returns the inputs of a project, which may include standard input, and reports about the unusable ones.
 pub(crate) fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
     let (standard, paths) = settings.sources.iter().cloned().partition::<Vec<_>, _>(|path| stdio::is_meant(path));
     let mut on_disk = settings.clone();
@@ -79,8 +79,7 @@ pub(crate) fn find(settings: &Settings) -> (Vec<Input>, Vec<Report>) {
     (inputs, reports)
 }
 
-/// The inputs of a project for a command that cannot do with some of them. Of what was found on the way, warnings are
-/// left.
+/// Returns the inputs of a project for a command that needs all of them, with the warnings of the discovery.
 pub(crate) fn find_all(settings: &Settings, reporter: &mut Reporter) -> Result<(Vec<Input>, Vec<Report>), Abort> {
     let (inputs, mut reports) = find(settings);
     key::check(&inputs, &mut reports);
@@ -91,17 +90,17 @@ pub(crate) fn find_all(settings: &Settings, reporter: &mut Reporter) -> Result<(
     Ok((inputs, reports))
 }
 
-/// The result of a run over source files.
-pub(crate) struct Worked<'i, B = Vec<u8>> {
+/// The result of a run on source files.
+pub(crate) struct RunResult<'i, B = Vec<u8>> {
     pub(crate) inputs: Cow<'i, [Input]>,
     pub(crate) reports: Vec<Report>,
     pub(crate) compiled: Compiled<B>,
     pub(crate) discover: Duration,
 }
 
-impl<B> Worked<'_, B> {
-    /// How the run ends, by its diagnostics: with errors and without a single input, or a way to write the
-    /// bank, the tool could not run.
+impl<B> RunResult<'_, B> {
+    /// Returns the outcome of the run from its diagnostics: failed, if there are errors and either no inputs or no way
+    /// to write the bank.
     pub(crate) fn outcome(&self) -> Outcome {
         let mut found = self.reports.iter().flat_map(|report| &report.diagnostics);
         match count(&self.reports, Severity::Error) {

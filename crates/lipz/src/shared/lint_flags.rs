@@ -1,16 +1,21 @@
-//! `--allow`, `--warn` and `--deny`: levels of lints, in the order in which they are written.
+//! `--allow`, `--warn` and `--deny`: levels of lints, in the order of the command line.
 
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches};
 use lipz_compiler::Options;
 use lipz_compiler::settings::lint::{LEVELS, Selection, refusal, suggestion};
 use lipz_diagnostics::Severity;
 
-/// Levels by the lints that get them; later ones win.
+/// Levels with the lints that they apply to. Later ones take precedence.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LintFlags(Vec<(Selection, Option<Severity>)>);
 
 impl LintFlags {
-    /// Sets the levels over those of the project.
+    /// Whether the command line sets a level.
+    pub(crate) fn is_used(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// Overrides the levels of the project.
     pub(crate) fn apply(&self, options: &mut Options) {
         for (selection, level) in &self.0 {
             selection.codes().into_iter().for_each(|code| options.overrule(code, *level));
@@ -18,7 +23,7 @@ impl LintFlags {
     }
 }
 
-/// By hand, because the derived arguments do not tell their order across flags.
+/// Implemented by hand, because derived arguments do not record their order across flags.
 impl FromArgMatches for LintFlags {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let mut flags = LintFlags::default();
@@ -60,8 +65,8 @@ impl Args for LintFlags {
 
 fn parse(text: &str, level: Option<Severity>) -> Result<Selection, String> {
     let selection = Selection::named(text).ok_or_else(|| match suggestion(text) {
-        Some(known) => format!("there is no such lint; did you mean `{known}`?"),
-        None => "there is no such lint; diagnostics show their code in brackets: LZ0702".to_owned(),
+        Some(known) => format!("the lint does not exist; did you mean `{known}`?"),
+        None => "the lint does not exist; diagnostics show their code in brackets: LZ0702".to_owned(),
     })?;
     match &selection {
         Selection::One(code) => match refusal(*code, level) {

@@ -1,4 +1,4 @@
-//! Files that commands write: whole, or not at all, and never over sources.
+//! Output files: written completely or not at all, and never over sources.
 
 use crate::Abort;
 use crate::reporter::Reporter;
@@ -7,20 +7,21 @@ use lipz_compiler::settings::FILE_NAME;
 use lipz_compiler::{key, replace_file};
 use std::path::{Path, PathBuf};
 
-/// Refuses an output with the name of a Lipz file or of settings: a slip of the hand would replace a clip by a bank.
+/// Refuses an output with the name of a Lipz file or of settings, so that a typing error does not replace a clip by a
+/// bank.
 pub(crate) fn refuse_source(path: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
     if path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(FILE_NAME)) {
         let message = format!("`{}` is the name of a settings file, not of an output", console::path(path));
-        return Err(reporter.usage(message, "give the output another name"));
+        return Err(reporter.usage(message, "give the output a different name"));
     }
     if path.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case(key::EXTENSION)) {
         return Ok(());
     }
     let message = format!("`{}` is the name of a Lipz file, not of an output", console::path(path));
-    Err(reporter.usage(message, "give the output another extension"))
+    Err(reporter.usage(message, "give the output a different extension"))
 }
 
-/// Refuses outputs that are one file, or that would replace what is only read: each comes with what it is.
+/// Refuses outputs that are the same file, or that would replace an input. Each path comes with its description.
 pub(crate) fn refuse_same(files: &[(&str, &Path)], reporter: &mut Reporter) -> Result<(), Abort> {
     let places: Vec<PathBuf> = files.iter().map(|(_, path)| place(path)).collect();
     for (index, (what, path)) in files.iter().enumerate() {
@@ -28,13 +29,13 @@ pub(crate) fn refuse_same(files: &[(&str, &Path)], reporter: &mut Reporter) -> R
             continue;
         };
         let other = files.get(other).map_or("", |(what, _)| what);
-        let message = format!("{what} and {other} are one file: `{}`", console::path(path));
-        return Err(reporter.usage(message, "give each a name of its own"));
+        let message = format!("{what} and {other} are the same file: `{}`", console::path(path));
+        return Err(reporter.usage(message, "give them different paths"));
     }
     Ok(())
 }
 
-/// Where a file really is, or would be.
+/// Returns the actual path of a file, which may not exist yet.
 fn place(path: &Path) -> PathBuf {
     let folder = || {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -43,7 +44,7 @@ fn place(path: &Path) -> PathBuf {
     path.canonicalize().ok().or_else(folder).unwrap_or_else(|| path.to_owned())
 }
 
-/// Replaces the file at `path`, also when the run is interrupted meanwhile. Reports why that is not possible.
+/// Replaces the file at `path` completely, even if the run is interrupted. Reports errors.
 pub(crate) fn write(path: &Path, bytes: &[u8], reporter: &mut Reporter) -> Result<(), Abort> {
     interrupt::whole(|| replace_file(path, bytes)).map_err(|report| reporter.fail(report))
 }

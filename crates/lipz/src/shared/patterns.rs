@@ -1,18 +1,18 @@
-//! Patterns of files, such as `recorded/*.tsv`: not every shell puts the names in their place.
+//! File patterns such as `recorded/*.tsv`, because not every shell expands them.
 
 use lipz_compiler::is_pattern;
 use std::path::{Path, PathBuf};
 
-/// The files that are named; in place of a pattern those that match it, in the order of their names.
+/// Returns the named files, with each pattern replaced by the matching files, sorted by name.
 ///
-/// A pattern that nothing matches stays: whoever reads the file reports that there is none.
+/// A pattern without matches stays, so that reading it reports a missing file.
 pub(crate) fn files(named: &[PathBuf]) -> Vec<PathBuf> {
     named.iter().flat_map(|path| matching(path).unwrap_or_else(|| vec![path.clone()])).collect()
 }
 
 fn matching(path: &Path) -> Option<Vec<PathBuf>> {
     let pattern = path.to_str().filter(|_| is_pattern(path))?;
-    // A folder that cannot be looked into is reported like a file that cannot be read.
+    // An unreadable folder is reported like an unreadable file.
     let found = glob::glob(pattern).ok()?.map(|found| found.unwrap_or_else(|error| error.path().to_owned()));
     Some(found.collect()).filter(|found: &Vec<PathBuf>| !found.is_empty())
 }

@@ -8,7 +8,7 @@ use lipz_interop::{Encoding, Script};
 use std::fs;
 use std::path::Path;
 
-/// The script in a file. Reports what is wrong with it.
+/// Reads the script in a file. Reports its problems.
 pub(crate) fn read(path: &Path, encoding: Option<&'static Encoding>, reporter: &mut Reporter) -> Result<Script, Abort> {
     let shown = console::path(path);
     let bytes = fs::read(path).map_err(|error| {

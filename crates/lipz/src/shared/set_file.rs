@@ -19,7 +19,7 @@ pub(crate) struct SetFile {
 }
 
 impl SetFile {
-    /// The set whose index is the file at `path`, verified; `None` if that is something else. Reports what is wrong with it.
+    /// Returns the verified set whose index is at `path`, or `None` if the file is not an index. Reports its problems.
     pub(crate) fn open(path: &Path, reporter: &mut Reporter) -> Result<Option<SetFile>, Abort> {
         if stdio::is_meant(path) || !begins_as_set(path) {
             return Ok(None);
@@ -29,17 +29,17 @@ impl SetFile {
         Ok(Some(set))
     }
 
-    /// Whether bytes begin as an index.
+    /// Whether bytes start with the header of an index.
     pub(crate) fn is_index(bytes: &[u8]) -> bool {
         bytes.starts_with(&SET_MAGIC)
     }
 
-    /// How messages name it.
+    /// Returns its name in messages.
     pub(crate) fn name(&self) -> &str {
         &self.file.name
     }
 
-    /// The index, which `open` has verified.
+    /// Returns the index, which `open` has verified.
     pub(crate) fn index(&self, reporter: &mut Reporter) -> Result<SetIndex<'_>, Abort> {
         self.checked(SetIndex::open(self.file.bytes()), reporter)
     }
@@ -52,26 +52,26 @@ impl SetFile {
         })
     }
 
-    /// The bank with this number, read and not yet verified. Reports that it is not the one that the index names.
+    /// Returns the bank with this number, unverified. Reports an error if it does not match the index.
     pub(crate) fn bank(&self, number: usize, reporter: &mut Reporter) -> Result<BankFile, Abort> {
         let index = self.index(reporter)?;
         let name = index.bank_at(number).map_or("", |bank| bank.file_name);
         let file = BankFile::of_set(&self.path.with_file_name(name), self.name(), reporter)?;
-        // What is wrong with a file that is no bank, is reported when it is verified.
+        // A file that is not a bank is reported when it is verified.
         if let Ok(bank) = Bank::open(file.bytes()) {
             index.check_bank(number, &bank).map_err(|error| SetFile::refuse(&file, error, reporter))?;
         }
         Ok(file)
     }
 
-    /// The bank with this number, verified, with each of its clips in the place where it is looked for. Reports what is wrong.
+    /// Verifies the bank with this number, and that each of its clips is where the index implies. Reports errors.
     pub(crate) fn verify_bank(&self, number: usize, file: &BankFile, reporter: &mut Reporter) -> Result<(), Abort> {
         let bank = file.bank(reporter)?;
         let verified = self.index(reporter)?.verify_bank(number, &bank);
         verified.map_err(|error| SetFile::refuse(file, error, reporter))
     }
 
-    /// The index and all banks, read and not yet verified.
+    /// Returns the index and all banks, unverified.
     pub(crate) fn into_files(self, reporter: &mut Reporter) -> Result<Vec<BankFile>, Abort> {
         let count = self.index(reporter)?.bank_count();
         let banks = (0..count).map(|number| self.bank(number, reporter)).collect::<Result<Vec<_>, _>>()?;

@@ -1,108 +1,175 @@
-//! The settings file of a project: found, read, and named by messages.
+//! The settings file of a project: its path, its contents, and its name in messages.
 
 use crate::Abort;
 use crate::Outcome;
 use crate::reporter::Reporter;
 use crate::shared::sources::PROJECT;
 use crate::shared::stdio;
-use clap::Args;
+use clap::{ArgAction, Args};
 use lipz_compiler::settings::{FILE_NAME, Settings};
 use lipz_diagnostics::Code;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// Which settings file applies.
 #[derive(Args, Debug)]
 pub(crate) struct SettingsFile {
-    /// Settings file [default: lipz.toml beside or above the first source, else the current folder]
-    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
-    config: Option<PathBuf>,
+    /// Settings file, or one setting: text.lines=2
+    ///
+    /// The file is otherwise the lipz.toml next to or above the first source, or that of the current folder. Give the
+    /// option again for each setting; it replaces that of the file. `lipz print settings` lists all settings.
+    #[arg(long, value_name = "FILE|KEY=VALUE", action = ArgAction::Append, help_heading = PROJECT)]
+    config: Vec<OsString>,
 
-    /// Use no settings file
-    #[arg(long, conflicts_with = "config", help_heading = PROJECT)]
+    /// Ignore lipz.toml
+    #[arg(long, help_heading = PROJECT)]
     no_config: bool,
 
-    /// What `-` reads is the text of this file: diagnostics name it, its lipz.toml holds
+    /// File name of standard input, for diagnostics and to find lipz.toml
     #[arg(long, value_name = "FILE", help_heading = PROJECT)]
     stdin_filename: Option<PathBuf>,
 }
 
-/// What a run works with: the settings file, with the command line's arguments over it.
+/// The name of the command line's settings in messages.
+const CONFIG: &str = "--config";
+
+/// The input of a run: the settings file, overridden by the command line's arguments.
 pub(crate) struct Project {
     /// The settings.
     pub(crate) settings: Settings,
-    /// The file that they come from.
+    /// The path of the settings file.
     pub(crate) file: Option<PathBuf>,
     /// Whether the command line names the file.
     is_named: bool,
+    /// The sources that the command line names.
+    own_sources: Vec<PathBuf>,
 }
 
 impl Project {
-    /// A project that an editor has found.
+    /// Creates a project from settings that an editor has found.
     pub(crate) fn found_by_editor(settings: Settings, file: Option<PathBuf>) -> Project {
-        Project { settings, file, is_named: false }
+        Project { settings, file, is_named: false, own_sources: Vec::new() }
     }
 
-    /// The settings file, if it was found in another folder than the current one.
+    /// Returns the settings file, if it is not in the current folder.
     pub(crate) fn found(&self) -> Option<&Path> {
         self.file.as_deref().filter(|file| !self.is_named && *file != Path::new(FILE_NAME))
+    }
+
+    /// Sets the keys of files from the command line to those that they have in the whole project.
+    pub(crate) fn keep_keys(&mut self) {
+        let real = |path: &PathBuf| {
+            let there = path.ancestors().find(|path| path.exists()).filter(|path| !path.as_os_str().is_empty());
+            there.unwrap_or(Path::new(".")).canonicalize().ok()
+        };
+        let named: Option<Vec<PathBuf>> = self.settings.sources.iter().map(real).collect();
+        let is_above = |source: &&PathBuf| {
+            let folder = real(source);
+            folder.zip(named.as_ref()).is_some_and(|(folder, named)| named.iter().all(|path| path.starts_with(&folder)))
+        };
+        let above = || self.own_sources.iter().find(|source| source.is_dir() && is_above(source)).cloned();
+        self.settings.root = self.settings.root.take().or_else(above);
     }
 }
 
 impl SettingsFile {
-    /// The project to which these sources belong; those of its settings file if there are none. What is
-    /// wrong with it is printed, and how the run ends is returned.
+    /// Returns the project of these sources, or of its settings file if there are none. Prints its problems and returns
+    /// how the run ends.
     pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
+        self.project_reading(sources, sources, reporter)
+    }
+
+    /// Returns the project for a command that does not read the sources but other files.
+    pub(crate) fn project_reading(
+        &self,
+        files: &[PathBuf],
+        sources: &[PathBuf],
+        reporter: &mut Reporter,
+    ) -> Result<Project, Abort> {
         if let Some(file) = &self.stdin_filename {
-            if !sources.iter().any(|source| stdio::is_meant(source)) {
-                let tip = "name `-` among the sources, or leave out `--stdin-filename`";
-                return Err(reporter.usage("standard input is not read, so it is no text of a file".to_owned(), tip));
+            if !files.iter().any(|file| stdio::is_meant(file)) {
+                let tip = "name `-` among the files, or leave out `--stdin-filename`";
+                return Err(reporter.usage("`--stdin-filename` needs standard input, which is not read", tip));
             }
             stdio::is_text_of(file.clone());
+        }
+        let (files, assignments) = self.config();
+        if files.len() + usize::from(self.no_config) > 1 {
+            let tip = "name one settings file; settings have the form KEY=VALUE: --config text.lines=2";
+            return Err(
+                reporter.usage("`--config` names a second settings file, or one that `--no-config` ignores", tip)
+            );
         }
         let file = self.find(sources);
         let mut settings = match &file {
             Some(file) => read(file, reporter)?,
             None => Settings::default(),
         };
+        let warnings = settings.assign(assignments, CONFIG).map_err(|report| reporter.fail(report))?;
+        reporter.add(warnings);
         if let Some(file) = &self.stdin_filename {
-            // Its key is that which the file has in the project.
+            // The file has the same key as in the project.
             let source = settings.sources.iter().find(|source| file.starts_with(source));
             settings.root = settings.root.take().or_else(|| source.cloned());
         }
+        let own_sources = settings.sources.clone();
         if !sources.is_empty() {
             settings.sources = sources.to_vec();
         }
         if settings.sources.is_empty() {
-            let tip = format!("name a folder of Lipz files, or create a {FILE_NAME} that does: lipz init");
-            return Err(reporter
-                .usage(format!("no sources are named, and there is no {FILE_NAME} in this folder or above it"), &tip));
+            let tip = format!("name a folder of Lipz files, or create a {FILE_NAME} with `lipz init`");
+            return Err(reporter.usage(
+                format!("no sources are named, and neither this folder nor one above it has a {FILE_NAME}"),
+                &tip,
+            ));
         }
-        Ok(Project { settings, file, is_named: self.config.is_some() })
+        Ok(Project { settings, file, is_named: !files.is_empty(), own_sources })
     }
 
-    /// The settings file that applies, or would apply if it were created in the current folder; `None` if
-    /// none is wanted.
+    /// Returns the settings file that applies, or would apply if it were created in the current folder; `None` if the
+    /// arguments exclude it.
     pub(crate) fn place(&self, sources: &[PathBuf]) -> Option<PathBuf> {
         let file = || self.find(sources).unwrap_or_else(|| FILE_NAME.into());
         (!self.no_config).then(file)
     }
 
-    /// The settings file: the one that is named, otherwise that of the sources.
+    /// Returns the settings file that the arguments name, or else that of the sources.
     fn find(&self, sources: &[PathBuf]) -> Option<PathBuf> {
         if self.no_config {
             return None;
         }
-        // Standard input is where its file is.
+        // Standard input counts as being in the folder of its file.
         let place = |source: &PathBuf| match &self.stdin_filename {
             Some(file) if stdio::is_meant(source) => file.clone(),
             _ => source.clone(),
         };
         let places: Vec<PathBuf> = sources.iter().map(place).collect();
-        self.config.clone().or_else(|| Settings::find_of(&places))
+        self.config().0.into_iter().next().or_else(|| Settings::find_of(&places))
+    }
+
+    /// Returns the settings files and the settings of `--config`. A value with `=` is a setting, unless a file has that
+    /// name.
+    fn config(&self) -> (Vec<PathBuf>, Vec<&str>) {
+        let is_assignment =
+            |value: &&OsString| value.to_str().is_some_and(|text| text.contains('=')) && !Path::new(value).exists();
+        let (assignments, files): (Vec<_>, Vec<_>) = self.config.iter().partition(is_assignment);
+        let assignments = assignments.into_iter().filter_map(|value| value.to_str()).collect();
+        (files.into_iter().map(PathBuf::from).collect(), assignments)
+    }
+
+    /// Returns the names of the settings that the command line sets.
+    pub(crate) fn assigned(&self) -> Vec<&str> {
+        let assignments = self.config().1.into_iter();
+        assignments.map(|text| text.split_once('=').map_or(text, |(key, _)| key).trim()).collect()
+    }
+
+    /// Whether the command line names settings.
+    pub(crate) fn is_used(&self) -> bool {
+        !self.config.is_empty()
     }
 }
 
-/// The settings in `file`; its diagnostics are printed.
+/// Reads the settings in `file`, and prints their diagnostics.
 fn read(file: &Path, reporter: &mut Reporter) -> Result<Settings, Abort> {
     let (settings, report) = Settings::read_with_report(file);
     let has_errors = report.has_errors();

@@ -1,12 +1,12 @@
-//! Several files in the place of one: a base and the patches over it.
+//! Several files instead of one: a base and its patches.
 
 use std::path::{Path, PathBuf};
 
-/// What stands between the names of a base and its layers.
+/// The separator between the names of a base and its layers.
 const BETWEEN: char = '+';
 
-/// The files that a path names: one, or those of a stack, `base.lipzbank+patch.lipzbank`. Files and folders whose own names
-/// have a `+` are found, too.
+/// Returns the files that a path names: one, or those of a stack, `base.lipzbank+patch.lipzbank`. Names of files and
+/// folders may contain a `+` themselves.
 pub(crate) fn paths(path: &Path) -> Vec<PathBuf> {
     let parts: Vec<&str> = path.to_str().map_or_else(Vec::new, |path| path.split(BETWEEN).collect());
     if parts.len() < 2 || parts.contains(&"") || path.exists() {
@@ -15,11 +15,11 @@ pub(crate) fn paths(path: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     let mut rest = parts.as_slice();
     while !rest.is_empty() {
-        // The shortest name of a file that is there; what is not there has no `+` in its name.
+        // Take the shortest name of an existing file. A missing file has no `+` in its name.
         let mut joined = (1..=rest.len()).map(|count| (count, PathBuf::from(rest[..count].join("+"))));
         let there = joined.find(|(_, path)| path.is_file());
         let (count, file) = there.unwrap_or_else(|| {
-            // A slip in a name, in a folder that has a `+` in its own.
+            // The name may be misspelled, in a folder with a `+` in its own name.
             let whole = PathBuf::from(rest.join("+"));
             let folder = whole.parent().filter(|folder| folder.is_dir());
             let has_plus = folder.and_then(Path::to_str).is_some_and(|folder| folder.contains(BETWEEN));

@@ -1,4 +1,4 @@
-//! The record of what translations were made from, as a file of the project.
+//! The record of the source texts of translations, a file of the project.
 
 use crate::shared::settings_file::Project;
 use crate::{console, interrupt};
@@ -9,30 +9,31 @@ use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
 use std::{env, fs, io};
 
-/// Its name.
+/// The name of its file.
 pub(crate) const RECORD_NAME: &str = "lipz-texts.txt";
 
-/// The record of a project, and where it is.
+/// The record of a project, and its path.
 pub(crate) struct RecordFile {
     pub(crate) record: TextRecord,
-    /// Old and new paths of Lipz files that were renamed since it was written.
+    /// Old and new paths of Lipz files that were renamed since the last write.
     pub(crate) renamed: Vec<(String, String)>,
-    /// Files that it knows and that are no more.
+    /// Recorded files that do not exist.
     pub(crate) lost: Vec<String>,
     path: PathBuf,
-    /// The folder that paths in it start from, and the one that all others do, from the root.
+    /// The folder of the record and the current folder, both from the root. Recorded paths are relative to the first,
+    /// all others to the second.
     folder: PathBuf,
     current: PathBuf,
-    /// What is in it; `None` if there is none.
+    /// Its contents; `None` if the file does not exist.
     before: Option<Vec<u8>>,
 }
 
 impl RecordFile {
-    /// Reads the record of a project, and finds out which files of it were renamed. An empty one if there is none; lines that
-    /// say nothing are reported.
+    /// Reads the record of a project, or creates an empty one, and detects which of its files were renamed. Reports
+    /// invalid lines.
     ///
     /// # Errors
-    /// If it cannot be read, or is another file.
+    /// If it cannot be read, or the file is not a record.
     pub(crate) fn open(project: &Project, inputs: &[Input]) -> Result<(RecordFile, Option<Report>), Report> {
         let path = place(project);
         let before = match fs::read(&path) {
@@ -46,8 +47,8 @@ impl RecordFile {
         };
         let text = String::from_utf8_lossy(before.as_deref().unwrap_or_default());
         let Some((record, odd_lines)) = TextRecord::parse(&text) else {
-            let message = format!("`{}` is not a record of translations, and is left alone", console::path(&path));
-            let help = "give it another name: lipz keeps there what each translation was made from";
+            let message = format!("`{}` is not a record of translations", console::path(&path));
+            let help = "rename it, so that lipz can record the source texts of translations in a file with this name";
             return Err(Report::failure(console::path(&path), Code::OutputFailed, message, help));
         };
         let report =
@@ -59,11 +60,11 @@ impl RecordFile {
         Ok((file, report))
     }
 
-    /// What the record calls a Lipz file: its path below the folder of the record.
+    /// Returns the name of a Lipz file in the record: its path relative to the folder of the record.
     pub(crate) fn name(&self, input: &Input) -> String {
         let path = match &input.content {
             Content::File(path) => from_root(&self.current, path),
-            // The text of a file that is not saved yet.
+            // The text of an unsaved file.
             Content::Bytes { name, .. } => from_root(&self.current, Path::new(name)),
         };
         let below = path.strip_prefix(&self.folder).unwrap_or(&path);
@@ -71,30 +72,30 @@ impl RecordFile {
         parts.collect::<Vec<_>>().join("/")
     }
 
-    /// All that [`name`](RecordFile::name) depends on besides the Lipz file.
+    /// Returns everything that [`name`](RecordFile::name) depends on besides the Lipz file.
     pub(crate) fn folders(&self) -> Vec<u8> {
         [&self.folder, &self.current].map(|folder| folder.as_os_str().as_encoded_bytes()).join(&0)
     }
 
-    /// What is in the file; nothing if there is none.
+    /// Returns the contents of the file, or nothing if it does not exist.
     pub(crate) fn bytes(&self) -> &[u8] {
         self.before.as_deref().unwrap_or_default()
     }
 
-    /// Whether there is a file.
+    /// Whether the file exists.
     pub(crate) fn exists(&self) -> bool {
         self.before.is_some()
     }
 
-    /// Its path, for people.
+    /// Returns its path for people.
     pub(crate) fn shown(&self) -> String {
         console::path(&self.path)
     }
 
-    /// Writes it if it says something new; whether it does.
+    /// Writes the record if it has changed. Returns whether it has.
     ///
     /// # Errors
-    /// If it cannot be written, or somebody else has changed it meanwhile.
+    /// If it cannot be written, or if another program has changed it in the meantime.
     pub(crate) fn write(&self) -> Result<bool, Report> {
         let text = self.record.to_string();
         if self.before.as_deref() == Some(text.as_bytes()) || (self.before.is_none() && self.record.is_empty()) {
@@ -107,16 +108,16 @@ impl RecordFile {
         Ok(true)
     }
 
-    /// What to say about a record that did not exist before.
+    /// Returns a message about a new record.
     pub(crate) fn introduction(&self) -> String {
         format!(
-            "{} is new: it says which source texts translations were made from. Keep it with the Lipz files; git merges it \
-             by lines with `{RECORD_NAME} merge=union` in .gitattributes.\n",
+            "{} is new. It records the source texts of translations. Keep it with the Lipz files. git merges \
+             it by lines if .gitattributes contains `{RECORD_NAME} merge=union`.\n",
             self.shown()
         )
     }
 
-    /// Files that are no more are looked for among those that it does not know.
+    /// Detects renamed files: searches for missing files among those that are not in the record.
     fn follow(&mut self, inputs: &[Input], options: &Options) {
         if self.record.is_empty() {
             return;
@@ -145,8 +146,8 @@ impl RecordFile {
     }
 }
 
-/// Where the record of a project is: beside its settings, or in the folder of its sources or the nearest one above that has
-/// one.
+/// Returns the path of a project's record: next to the settings, or in the folder of the sources or the nearest parent
+/// folder that has one.
 fn place(project: &Project) -> PathBuf {
     if let Some(settings) = &project.file {
         return settings.with_file_name(RECORD_NAME);
@@ -158,7 +159,7 @@ fn place(project: &Project) -> PathBuf {
     existing.unwrap_or_else(|| folder.join(RECORD_NAME))
 }
 
-/// A path from the root, without `.` and `..`.
+/// Returns a path from the root, without `.` and `..`.
 pub(crate) fn from_root(current: &Path, path: &Path) -> PathBuf {
     let mut whole = PathBuf::new();
     for part in current.join(path).components() {

@@ -95,7 +95,7 @@ test("what is edited is drawn, undone, and saved as the file is laid out", { tim
   assert.deepEqual(page.complaints, []);
 });
 
-test("a file that somebody else has changed is not overwritten", { timeout: TIMEOUT_MS }, async (t) => {
+test("a file that has changed on disk is not overwritten", { timeout: TIMEOUT_MS }, async (t) => {
   const project = await Project.small();
   const page = await opened(t, project);
   await page.value('document.getElementById("shapes").focus()');
@@ -196,7 +196,7 @@ test("what is typed stays while files change", { timeout: TIMEOUT_MS }, async (t
 });
 
 test("codes are those of the file, whatever the bank has", { timeout: TIMEOUT_MS }, async (t) => {
-  const page = await opened(t, await Project.small(), ["--viseme-type", "toonboom"]);
+  const page = await opened(t, await Project.small(), ["--config", "viseme-type=toonboom"]);
   await page.value('document.getElementById("shapes").focus()');
   await page.key("G");
   await page.key("O");
@@ -220,7 +220,7 @@ test("texts are searched, too, and settings with mistakes are told", { timeout: 
   await page.until('document.getElementById("notice").hidden');
   await page.value('document.getElementById("search").value = ""');
   await project.remove(FILE);
-  await page.until(`${text("notice")}.includes("no clip act1/mayor")`);
+  await page.until(`${text("notice")}.includes("act1/mayor no longer exists")`);
   await page.type("otto");
   await page.click('[data-key="act1/otto"]');
   await page.until(`${text("key")} === "act1/otto" && document.getElementById("notice").hidden`);
@@ -301,7 +301,7 @@ test("what must not be written cannot be edited", { timeout: TIMEOUT_MS }, async
 test("an exported page plays from a disk, without a server", { timeout: TIMEOUT_MS }, async (t) => {
   const project = await Project.small();
   t.after(() => project.end());
-  const { status, stderr } = spawnSync(process.env.LIPZ, ["preview", "--export", "site"], { cwd: project.folder, encoding: "utf8" });
+  const { status, stderr } = spawnSync(process.env.LIPZ, ["preview", "--output", "site"], { cwd: project.folder, encoding: "utf8" });
   assert.equal(status, 1, `one of the clips has an error, which is told: ${stderr}`);
   assert.ok(stderr.includes("LZ0601"), stderr);
   const browser = await Browser.start();

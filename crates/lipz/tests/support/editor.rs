@@ -1,4 +1,4 @@
-//! An editor that talks with `lipz lsp` over its standard input and output, as editors do.
+//! An editor that communicates with `lipz lsp` over standard input and output.
 #![allow(clippy::panic, reason = "a test stops at the first surprise")]
 
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::Duration;
 
-/// How long an answer is waited for: machines that test many things at once are slow.
+/// The time limit for an answer, because busy machines are slow.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 pub(crate) struct Editor {
@@ -20,7 +20,7 @@ pub(crate) struct Editor {
     version: u32,
 }
 
-/// The address of a file.
+/// Returns the URI of a file.
 pub(crate) fn uri(path: &Path) -> String {
     format!("file://{}", path.to_str().unwrap().replace(' ', "%20"))
 }
@@ -44,7 +44,7 @@ impl Editor {
         Editor { server, input, messages, requests: 0, version: 1 }
     }
 
-    /// Starts the server with a folder open, as editors do.
+    /// Starts the server with an open folder.
     pub(crate) fn in_folder(folder: &Path) -> Editor {
         let mut editor = Editor::start();
         let snippets = json!({ "completion": { "completionItem": { "snippetSupport": true } } });
@@ -59,9 +59,9 @@ impl Editor {
         editor
     }
 
-    /// Sends bytes as they are.
+    /// Sends bytes unchanged.
     pub(crate) fn send_bytes(&mut self, bytes: &[u8]) {
-        // A server that has ended does not listen; what it said before tells why.
+        // A server that has ended does not read. Its earlier output shows the reason.
         let _ = self.input.write_all(bytes).and_then(|()| self.input.flush());
     }
 
@@ -95,7 +95,7 @@ impl Editor {
         }
     }
 
-    /// Waits until the diagnostics of a file are such, and gives them.
+    /// Waits until the diagnostics of a file meet a condition, and returns them.
     pub(crate) fn diagnostics(&mut self, path: &Path, mut are_meant: impl FnMut(&[Value]) -> bool) -> Vec<Value> {
         let uri = uri(path);
         let message = self.wait(|message| {
@@ -123,7 +123,7 @@ impl Editor {
         self.tell("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }));
     }
 
-    /// Asks about a place.
+    /// Sends a request about a position.
     pub(crate) fn ask_at(&mut self, method: &str, path: &Path, line: u32, character: u32, more: &Value) -> Value {
         let position = json!({ "line": line, "character": character });
         let mut params = json!({ "textDocument": { "uri": uri(path) }, "position": position });
@@ -131,7 +131,7 @@ impl Editor {
         self.ask(method, &params)
     }
 
-    /// Says goodbye; the exit code.
+    /// Shuts the server down and returns its exit code.
     pub(crate) fn end(mut self) -> i32 {
         assert_eq!(self.ask("shutdown", &Value::Null)["result"], Value::Null);
         self.tell("exit", &Value::Null);
@@ -145,7 +145,7 @@ impl Editor {
     }
 }
 
-/// The next message of the server; `None` when it has ended.
+/// Returns the next message of the server, or `None` after its end.
 fn read(output: &mut impl BufRead) -> Option<Value> {
     let mut length = 0;
     loop {

@@ -1,25 +1,25 @@
-//! Banks changed on purpose, so that all but the change is right.
+//! Deliberately changed banks that are otherwise correct.
 
 use super::Scene;
 use lipz_bank::ClipId;
 use lipz_layout::{CHECKED_FROM, ClipRecord, KeyRecord, Tag, checksum, fingerprint};
 use std::fs;
 
-/// Where a section is in the bank, by its directory entry.
+/// Returns the range of a section in the bank, from its directory entry.
 pub(crate) fn section(bank: &[u8], tag: Tag) -> std::ops::Range<usize> {
     let at = bank.windows(4).position(|window| window == tag.0).unwrap();
     let number = |at: usize| u32::from_le_bytes(bank[at..at + 4].try_into().unwrap()) as usize;
     number(at + 4)..number(at + 4) + number(at + 8)
 }
 
-/// Makes the checksum right again.
+/// Corrects the checksum.
 pub(crate) fn seal(bank: &mut [u8]) {
     let sum = checksum(&bank[CHECKED_FROM..]);
     bank[8..16].copy_from_slice(&sum.to_le_bytes());
 }
 
-/// A bank that verifies, of one clip with a key of ten bytes that no file may have. With one clip,
-/// every id has the slot 0.
+/// Returns a valid bank with one clip, whose key of ten bytes is not allowed for files. With a single clip, every id
+/// has slot 0.
 pub(crate) fn bank_with_key(scene: &Scene, key: &str) -> Vec<u8> {
     scene.write("forged/act1/ottos.lipz", r#"{ "text_en-us": "Aye." }"#);
     scene.prepare(&["pack", "forged", "-o", "forged.lipzbank", "--quiet"]);
@@ -35,7 +35,7 @@ pub(crate) fn bank_with_key(scene: &Scene, key: &str) -> Vec<u8> {
     bank
 }
 
-/// The fingerprint of a bank with one clip, of one segment.
+/// Returns the fingerprint of a bank with one clip of one segment.
 fn fingerprint_of(id: u64) -> u64 {
     let key =
         KeyRecord { id: id.into(), key_offset_bytes: 0.into(), key_length_bytes: 0.into(), segment_count: 1.into() };

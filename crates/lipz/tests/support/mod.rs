@@ -1,4 +1,4 @@
-//! Running the command `lipz` and comparing what it prints with files.
+//! Runs the command `lipz` and compares its output with files.
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test stops at the first surprise")]
 
@@ -12,12 +12,12 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// The folder of the repository, from which fixtures are named.
+/// Returns the folder of the repository, to which the paths of fixtures are relative.
 pub(crate) fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap().to_owned()
 }
 
-/// What a run of the command gave.
+/// The result of a run of the command.
 #[derive(Debug)]
 pub(crate) struct Outcome {
     pub(crate) stdout: String,
@@ -26,7 +26,7 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
-    /// What `.expected` files hold: standard error, then the exit code.
+    /// Returns the contents for an `.expected` file: standard error, then the exit code.
     pub(crate) fn expectation(&self) -> String {
         format!("{}exit code: {}\n", self.stderr, self.code)
     }
@@ -42,7 +42,7 @@ impl From<Output> for Outcome {
     }
 }
 
-/// The schema of SARIF 2.1.0, as the standard has it.
+/// Returns the schema of SARIF 2.1.0 from the standard.
 pub(crate) fn sarif_schema() -> jsonschema::Validator {
     let schema = include_str!("../schemas/sarif-2.1.0.json");
     jsonschema::validator_for(&serde_json::from_str(schema).unwrap()).unwrap()
@@ -55,7 +55,7 @@ pub(crate) fn assert_sarif(document: &serde_json::Value) {
     assert!(errors.is_empty(), "{errors:#?}");
 }
 
-/// The commands that `lipz --help` lists.
+/// Returns the commands in `lipz --help`.
 pub(crate) fn commands() -> Vec<String> {
     let help = lipz(&repository(), ["--help"]).stdout;
     let list = help.split("Usage: ").nth(1).unwrap().split("\nOptions:\n").next().unwrap();
@@ -75,8 +75,20 @@ pub(crate) fn lipz<S: AsRef<std::ffi::OsStr>>(folder: &Path, arguments: impl Int
     Outcome::from(output.unwrap())
 }
 
-/// From now on, runs of `lipz` can be interrupted. A process that was started in the background ignores
-/// interrupts, and its children inherit that; but not the handler that this process gets.
+/// Returns the PATH for programs that call `lipz` by its name. The command is in the folder `bin` of the scene because
+/// the path of this checkout may contain spaces.
+#[cfg(unix)]
+pub(crate) fn path_with_lipz(scene: &Scene) -> String {
+    let bin = scene.path().join("bin");
+    fs::create_dir_all(&bin).unwrap();
+    if !bin.join("lipz").exists() {
+        std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_lipz"), bin.join("lipz")).unwrap();
+    }
+    format!("{}:{}", bin.display(), std::env::var("PATH").unwrap())
+}
+
+/// Makes further runs of `lipz` interruptible. A process that was started in the background ignores interrupts, and its
+/// children inherit this, but not the handler that this process installs.
 #[cfg(unix)]
 pub(crate) fn make_interruptible() {
     use signal_hook::{consts::SIGINT, flag};
@@ -102,12 +114,12 @@ pub(crate) fn with_input(folder: &Path, arguments: &[&str], input: &[u8]) -> Out
     child.wait_with_output().unwrap()
 }
 
-/// Whether expected files are written rather than compared.
+/// Whether expected files are written instead of compared.
 pub(crate) fn is_blessing() -> bool {
     std::env::var_os("LIPZ_BLESS").is_some_and(|value| value == "1")
 }
 
-/// Collects differences, so that one run shows those of all fixtures.
+/// Collects differences, so that one run shows the differences of all fixtures.
 #[derive(Default)]
 pub(crate) struct Comparison {
     differences: Vec<String>,
@@ -148,8 +160,8 @@ impl Comparison {
     }
 }
 
-/// The files with this extension in a folder of the repository (not below it), as paths below the
-/// repository, sorted.
+/// Returns the files with this extension in a folder of the repository, without subfolders, as sorted paths relative to
+/// the repository.
 pub(crate) fn files(folder: &str, extension: &str) -> Vec<String> {
     let mut files: Vec<String> = fs::read_dir(repository().join(folder))
         .unwrap()
@@ -161,14 +173,14 @@ pub(crate) fn files(folder: &str, extension: &str) -> Vec<String> {
     files
 }
 
-/// Writes a file below `folder`, with the folders on the way.
+/// Writes a file below `folder`, and creates missing folders.
 pub(crate) fn write(folder: &Path, name: &str, bytes: impl AsRef<[u8]>) {
     let path = folder.join(name);
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     fs::write(path, bytes).unwrap();
 }
 
-/// Everything below `folder`, as sorted paths: to see that nothing was written or left behind.
+/// Returns everything below `folder` as sorted paths, for checks that nothing was written or left behind.
 pub(crate) fn tree(folder: &Path) -> Vec<String> {
     let mut found = Vec::new();
     let mut open = vec![folder.to_owned()];
@@ -185,7 +197,7 @@ pub(crate) fn tree(folder: &Path) -> Vec<String> {
     found
 }
 
-/// A temporary folder in which a test builds inputs that cannot lie in the repository.
+/// A temporary folder in which a test creates inputs that cannot be in the repository.
 pub(crate) struct Scene {
     folder: tempfile::TempDir,
     comparison: Comparison,
@@ -205,21 +217,20 @@ impl Scene {
         write(self.path(), name, bytes);
     }
 
-    /// Runs a command that succeeds.
+    /// Runs a command that must succeed.
     pub(crate) fn prepare(&self, arguments: &[&str]) {
         let outcome = lipz(self.path(), arguments);
         assert_eq!(outcome.code, 0, "{arguments:?}: {}", outcome.stderr);
     }
 
-    /// Runs a command in the folder and compares what it prints with
-    /// `fixtures/bad/generated/NAME.expected`. The folder has another name in every run, so that a message
-    /// that shows it, or the random name of a temporary file, differs.
+    /// Runs a command in the folder and compares its output with `fixtures/bad/generated/NAME.expected`. The folder has
+    /// a different name in every run, so that a message with this name or the random name of a temporary file differs.
     pub(crate) fn expect(&mut self, name: &str, arguments: &[&str]) {
         let outcome = lipz(self.path(), arguments);
         self.expect_outcome(name, &outcome);
     }
 
-    /// The same for a run that was started in another way.
+    /// The same for a run that was started differently.
     pub(crate) fn expect_outcome(&mut self, name: &str, outcome: &Outcome) {
         assert_eq!(outcome.stdout, "", "{name}");
         self.comparison.compare(&format!("fixtures/bad/generated/{name}.expected"), &outcome.expectation());

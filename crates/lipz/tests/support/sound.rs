@@ -1,15 +1,15 @@
-//! Sounds for tests: WAV files.
+//! Recordings for tests: WAV files.
 
 /// Samples per second of [`voice`].
 pub(crate) const RATE_HZ: u32 = 16_000;
 
-/// A WAV file of [`voice_samples`].
+/// Returns a WAV file of [`voice_samples`].
 pub(crate) fn voice(parts: &[(bool, u32)], take: u32) -> Vec<u8> {
     wav(RATE_HZ, &voice_samples(parts, take))
 }
 
-/// What sounds a little like a voice: for each part, whether somebody speaks, and for how many milliseconds. `take`
-/// makes other samples of the same loudness.
+/// Returns samples that resemble a voice. Each part states whether there is speech, and its length in milliseconds.
+/// `take` makes different samples of the same loudness.
 pub(crate) fn voice_samples(parts: &[(bool, u32)], take: u32) -> Vec<i16> {
     let mut samples: Vec<i16> = Vec::new();
     let mut noise = 1 + take;
@@ -17,7 +17,7 @@ pub(crate) fn voice_samples(parts: &[(bool, u32)], take: u32) -> Vec<i16> {
         for at in 0..ms * 16 {
             noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let hiss = ((noise >> 24) as i32 - 128) / 16;
-            // A buzz of 125 Hz with a formant that glides, five syllables a second.
+            // A buzz of 125 Hz with a gliding formant, five syllables per second.
             let formant = 12.0 + 9.0 * (std::f64::consts::TAU * f64::from(at) / 4000.0).sin();
             let phase = f64::from(at % 128) / 128.0;
             let buzz = (1..30)
@@ -31,7 +31,7 @@ pub(crate) fn voice_samples(parts: &[(bool, u32)], take: u32) -> Vec<i16> {
     samples
 }
 
-/// A WAV file of one channel, with `rate_hz` samples a second.
+/// Returns a WAV file of one channel, with `rate_hz` samples per second.
 pub(crate) fn wav(rate_hz: u32, samples: &[i16]) -> Vec<u8> {
     let data_bytes = u32::try_from(samples.len() * 2).unwrap();
     let mut file = b"RIFF".to_vec();

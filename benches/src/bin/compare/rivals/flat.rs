@@ -1,4 +1,4 @@
-//! flatbuffers: tables with offsets. What its compiler would generate is written by hand here.
+//! flatbuffers: tables with offsets. The code that its compiler would generate is written by hand here.
 
 use crate::Failure;
 use crate::corpus::{Corpus, frame_at};
@@ -9,17 +9,17 @@ use flatbuffers::{
 };
 use std::path::Path;
 
-/// A table of clips, in the order of their keys.
+/// A table of clips, ordered by key.
 pub(crate) struct Flatbuffers;
 
-/// The place of field number `index` in a table's list of fields.
+/// Returns the offset of field number `index` in a table's list of fields.
 const fn field(index: VOffsetT) -> VOffsetT {
     4 + 2 * index
 }
 
 type Strings<'f> = Vector<'f, ForwardsUOffset<&'f str>>;
 
-/// Makes a table type, with the check of its fields.
+/// Defines a table type, with the check of its fields.
 macro_rules! table {
     ($name:ident { $($getter:ident: $type:ty = $field:literal),* $(,)? }) => {
         #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ macro_rules! table {
             type Inner = $name<'f>;
 
             unsafe fn follow(bytes: &'f [u8], place: usize) -> Self::Inner {
-                // SAFETY: the caller's promise.
+                // SAFETY: guaranteed by the caller.
                 $name(unsafe { Table::new(bytes, place) })
             }
         }
@@ -48,7 +48,7 @@ macro_rules! table {
                 #[inline]
                 #[allow(dead_code, reason = "fields that nothing asks for are in the file, too")]
                 fn $getter(self) -> Option<<$type as Follow<'f>>::Inner> {
-                    // SAFETY: the field has this type in what `build` writes.
+                    // SAFETY: `build` writes the field with this type.
                     unsafe { self.0.get::<$type>(field($field), None) }
                 }
             )*
@@ -91,12 +91,12 @@ impl Rival for Flatbuffers {
     }
 
     fn open(file: &'static File) -> Result<Bank<'static>, Failure> {
-        // SAFETY: the file is what `build` wrote.
+        // SAFETY: `build` wrote the file.
         Ok(unsafe { flatbuffers::root_unchecked::<Bank<'static>>(&file.map) })
     }
 
     fn open_validated(file: &'static File) -> Result<Bank<'static>, Failure> {
-        // The limits of the verifier are against forged files; these files are large.
+        // The verifier has limits against forged files, but these files are large.
         let options = flatbuffers::VerifierOptions {
             max_tables: usize::MAX,
             max_apparent_size: usize::MAX,
@@ -146,7 +146,7 @@ impl Reader for Bank<'static> {
         self.locales()?.iter().position(|locale| locale == tag)
     }
 
-    /// Binary search, as in code that flatbuffers' compiler generates for sorted tables.
+    /// Binary search, as in the code that flatbuffers' compiler generates for sorted tables.
     #[inline]
     fn find(&self, key: &str) -> Option<u32> {
         let clips = self.clips()?;

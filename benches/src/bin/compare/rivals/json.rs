@@ -1,5 +1,4 @@
-//! The Lipz files themselves, as one JSON document: parsed once, or asked in the specification's
-//! own way.
+//! The Lipz files themselves, as one JSON document: parsed once, or queried with the specification's own algorithm.
 
 use crate::Failure;
 use crate::corpus::{Clips, Corpus, display};
@@ -37,7 +36,7 @@ fn build(corpus: &Corpus, path: &Path) -> Result<(), Failure> {
     Ok(std::fs::write(path, format!("{{{}}}", files.join(",")))?)
 }
 
-/// Kept as JSON values, with the function of the specification.
+/// Stored as JSON values, with the function of the specification.
 pub(crate) struct AsSpecified {
     clips: Vec<Value>,
     numbers: HashMap<String, u32>,

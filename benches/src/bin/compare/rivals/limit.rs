@@ -1,6 +1,6 @@
-//! The limit: flat arrays over the map, written for these very clips, with no checks but of bounds. Numbers are as
-//! short as these clips allow, equal event strings are one, and keys are found by a minimal perfect hash that keeps
-//! nothing but pilots: the key itself is compared.
+//! The limit: flat arrays in the map, made for these clips only, with no checks except of bounds. Numbers are as short
+//! as these clips allow, equal event strings are shared, and keys are found by a minimal perfect hash that stores only
+//! pilots. The key itself is compared.
 
 use crate::Failure;
 use crate::corpus::{Corpus, frame_at};
@@ -25,21 +25,21 @@ pub(crate) struct Record {
     frames_offset: U32,
     frame_count: U16,
     segment_count: U16,
-    /// The first of its segments, counted over all clips.
+    /// Its first segment, counted over all clips.
     segments_first: U32,
 }
 
-/// The arrays of the file. Before each array stands its length in bytes.
+/// The arrays of the file. Each is preceded by its length in bytes.
 #[derive(Clone, Copy)]
 pub(crate) struct Arrays {
     pilots: &'static [U32],
-    /// In the order of their numbers, which the index gives.
+    /// Ordered by number, as in the index.
     records: &'static [Record],
     /// First frames of all segments.
     starts: &'static [U16],
     keys: &'static [u8],
     frames: &'static [u8],
-    /// For each locale, where the text of each segment of all clips ends.
+    /// For each locale, the end of each segment's text, for all clips.
     text_ends: &'static [U32],
     texts: &'static [u8],
     /// For each segment, the number of its event string; 0 is the empty one.
@@ -118,7 +118,7 @@ impl Rival for Limit {
         Arrays::from_bytes(&file.map).ok_or_else(|| "the file is cut off".into())
     }
 
-    /// Checks what the unchecked strings rely on, and that the arrays refer to each other.
+    /// Checks the conditions for unchecked strings, and the references between arrays.
     fn open_validated(file: &'static File) -> Result<Arrays, Failure> {
         let arrays = Self::open(file)?;
         if arrays.is_valid() { Ok(arrays) } else { Err("the file is damaged".into()) }
@@ -170,7 +170,7 @@ impl Arrays {
     }
 }
 
-/// Ends ascend, and stand between characters.
+/// Whether ends ascend and are between characters.
 fn ends_are_valid(ends: &[U32], pool: &str) -> bool {
     let mut before = 0;
     ends.iter().all(|end| {
@@ -182,7 +182,7 @@ fn ends_are_valid(ends: &[U32], pool: &str) -> bool {
 
 impl Reader for Arrays {
     type Clip<'r> = &'r Record;
-    /// The ends of the texts of the locale: from the one before its first text.
+    /// The index of the end before the locale's first text.
     type Locale<'r> = usize;
 
     fn locale(&self, tag: &str) -> Option<usize> {
@@ -220,7 +220,7 @@ impl Reader for Arrays {
         let at = locale + self.segment(clip, time_us)?;
         let end = self.text_ends.get(at)?.get() as usize;
         let start = at.checked_sub(1).map_or(Some(0), |before| Some(self.text_ends.get(before)?.get() as usize))?;
-        // SAFETY: the file is what `build` wrote, or was validated.
+        // SAFETY: `build` wrote the file, or it was validated.
         Some(then(unsafe { std::str::from_utf8_unchecked(self.texts.get(start..end)?) }))
     }
 
@@ -229,13 +229,13 @@ impl Reader for Arrays {
         let number = usize::from(self.event_numbers.get(self.segment(clip, time_us)?)?.get());
         let end = self.event_ends.get(number)?.get() as usize;
         let start = if number == 0 { 0 } else { self.event_ends.get(number - 1)?.get() as usize };
-        // SAFETY: the file is what `build` wrote, or was validated.
+        // SAFETY: `build` wrote the file, or it was validated.
         Some(then(unsafe { std::str::from_utf8_unchecked(self.events.get(start..end)?) }))
     }
 }
 
 impl Arrays {
-    /// The segment at a time, counted over all clips.
+    /// Returns the segment at a time, counted over all clips.
     #[inline]
     fn segment(&self, clip: &Record, time_us: u32) -> Option<usize> {
         let frame = frame_at(clip.fps.into(), time_us);
@@ -248,7 +248,7 @@ impl Arrays {
     }
 }
 
-/// The pilots of a minimal perfect hash ("hash, displace"), and the number that each id gets.
+/// Returns the pilots of a minimal perfect hash ("hash, displace"), and the number of each id.
 fn index(ids: &[u64]) -> (Vec<U32>, Vec<usize>) {
     let count = ids.len() as u32;
     let mut buckets = vec![Vec::new(); ids.len().div_ceil(3)];

@@ -7,7 +7,7 @@ use lipz_bank::{Bank, Clip, Locale, Micros};
 use lipz_compiler::{Compiler, Input, Options};
 use std::path::Path;
 
-/// A bank without source records, as a game ships it.
+/// A bank without source records, as shipped with a game.
 pub(crate) struct Lipz;
 
 impl Rival for Lipz {
@@ -31,7 +31,7 @@ impl Rival for Lipz {
     }
 }
 
-/// The same, with a faster UTF-8 check handed to `verify_with`.
+/// The same, with a faster UTF-8 check for `verify_with`.
 pub(crate) struct LipzSimd;
 
 impl Rival for LipzSimd {

@@ -1,4 +1,4 @@
-//! Clips in memory: what is left of a rival that parses its file.
+//! Clips in memory: the result of a rival that parses its file.
 
 use crate::corpus::{Clip, Clips, frame_at};
 use crate::rival::Reader;
@@ -11,7 +11,7 @@ pub(crate) struct Loaded {
 }
 
 impl Loaded {
-    /// Takes in what was parsed.
+    /// Stores parsed clips.
     pub(crate) fn new(clips: Clips) -> Loaded {
         let mut numbers = HashMap::with_capacity(clips.clips.len());
         numbers.extend(clips.clips.iter().zip(0..).map(|(clip, number)| (clip.key.clone(), number)));

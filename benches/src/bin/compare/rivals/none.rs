@@ -1,11 +1,11 @@
-//! No rival: what asking costs by itself.
+//! No rival: the cost of the queries themselves.
 
 use crate::Failure;
 use crate::corpus::Corpus;
 use crate::rival::{File, Reader, Rival};
 use std::path::Path;
 
-/// Answers without looking.
+/// Returns answers without reading data.
 pub(crate) struct Nothing;
 
 impl Rival for Nothing {

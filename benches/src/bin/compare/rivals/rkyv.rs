@@ -31,7 +31,7 @@ impl Rival for Rkyv {
     }
 
     fn open(file: &'static File) -> Result<Self::Reader, Failure> {
-        // SAFETY: the file is what `build` wrote.
+        // SAFETY: `build` wrote the file.
         Ok(unsafe { rkyv::access_unchecked::<ArchivedBank<'static>>(&file.map) })
     }
 

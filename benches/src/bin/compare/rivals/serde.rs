@@ -21,7 +21,7 @@ impl Rival for Postcard {
         Ok(Loaded::new(postcard::from_bytes(&file.map)?))
     }
 
-    /// The parser checks everything that it reads.
+    /// The parser checks all data.
     fn open_validated(file: &'static File) -> Result<Loaded, Failure> {
         Self::open(file)
     }
@@ -43,7 +43,7 @@ impl Rival for Bincode {
         Ok(Loaded::new(clips))
     }
 
-    /// The parser checks everything that it reads.
+    /// The parser checks all data.
     fn open_validated(file: &'static File) -> Result<Loaded, Failure> {
         Self::open(file)
     }

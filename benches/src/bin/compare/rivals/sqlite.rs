@@ -59,14 +59,14 @@ impl Rival for Sqlite {
 
     fn open(file: &'static File) -> Result<Connection, Failure> {
         let database = Connection::open_with_flags(&file.path, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
-        // One transaction for all questions: otherwise each of them locks the file.
+        // One transaction for all queries, because otherwise each of them locks the file.
         database.execute_batch("PRAGMA mmap_size = 1000000000; BEGIN")?;
-        // The first statement reads the schema; opening alone does not.
+        // The first statement reads the schema, which opening alone does not.
         drop(database.prepare_cached(FRAME)?);
         Ok(database)
     }
 
-    /// What SQLite allocates, it counts itself.
+    /// SQLite counts its own allocations.
     fn foreign_heap_bytes() -> usize {
         // SAFETY: the function has no conditions.
         usize::try_from(unsafe { rusqlite::ffi::sqlite3_memory_used() }).unwrap_or_default()
@@ -79,7 +79,7 @@ impl Rival for Sqlite {
     }
 }
 
-/// Statements are prepared once, the first time. A clip is its row: SQLite has no cheaper handle.
+/// Statements are prepared once, on first use. A clip is its row, because SQLite has no cheaper handle.
 impl Reader for Connection {
     type Clip<'r> = u32;
     type Locale<'r> = u32;
@@ -119,7 +119,7 @@ impl Reader for Connection {
     }
 }
 
-/// The frame at a time, if the clip has it.
+/// Returns the frame at a time, if it is in the clip.
 fn frame_of(database: &Connection, clip: u32, time_us: u32) -> Option<i64> {
     let frame = |row: &rusqlite::Row<'_>| {
         let frame = frame_at(row.get(0)?, time_us);

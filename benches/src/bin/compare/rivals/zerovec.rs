@@ -1,4 +1,4 @@
-//! zerovec: sorted keys, vectors of numbers and of strings, as ICU4X keeps its data.
+//! zerovec: sorted keys, vectors of numbers and of strings, like the data of ICU4X.
 
 use crate::Failure;
 use crate::corpus::{Corpus, frame_at};
@@ -8,15 +8,15 @@ use std::path::Path;
 use zerovec::vecs::Index32;
 use zerovec::{VarZeroVec, ZeroVec};
 
-/// The vectors, in postcard's bytes.
+/// The vectors, encoded by postcard.
 pub(crate) struct ZeroVectors;
 
-/// A vector per element. What segments have stands in the order of the segments of all clips.
+/// One vector per element. Data of segments is in the order of the segments of all clips.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Vectors<'d> {
     #[serde(borrow)]
     locales: VarZeroVec<'d, str>,
-    /// In ascending order: found by binary search.
+    /// In ascending order, for a binary search.
     #[serde(borrow)]
     keys: VarZeroVec<'d, str, Index32>,
     #[serde(borrow)]
@@ -25,7 +25,7 @@ pub(crate) struct Vectors<'d> {
     viseme_types: ZeroVec<'d, u8>,
     #[serde(borrow)]
     visemes: VarZeroVec<'d, [u8], Index32>,
-    /// The first segment of each clip, and the number of all.
+    /// The first segment of each clip, and the total number.
     #[serde(borrow)]
     first_segments: ZeroVec<'d, u32>,
     #[serde(borrow)]
@@ -65,7 +65,7 @@ impl Rival for ZeroVectors {
         Ok(std::fs::write(path, postcard::to_stdvec(&vectors)?)?)
     }
 
-    /// Through serde there is no opening without validation.
+    /// serde cannot open without validation.
     fn open(file: &'static File) -> Result<Vectors<'static>, Failure> {
         Ok(postcard::from_bytes(&file.map)?)
     }
@@ -113,7 +113,7 @@ impl Reader for Vectors<'static> {
 }
 
 impl Vectors<'static> {
-    /// The segment at a time, counted over all clips.
+    /// Returns the segment at a time, counted over all clips.
     #[inline]
     fn segment(&self, clip: Clip<'_>, time_us: u32) -> Option<usize> {
         let frame = frame_at(clip.fps, time_us);
@@ -127,7 +127,7 @@ impl Vectors<'static> {
     }
 }
 
-/// A clip, as a program holds it.
+/// A clip, as a program stores it.
 #[derive(Clone, Copy)]
 pub(crate) struct Clip<'v> {
     fps: u32,

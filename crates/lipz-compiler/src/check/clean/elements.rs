@@ -1,12 +1,12 @@
 //! The elements that a clean file can have.
 
-use super::members::Unclean;
+use super::members::UncleanFile;
 use crate::clip::Locales;
 use std::ops::Range;
 
 /// An element of a clean file.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
+pub(super) enum CleanRole {
     Fps,
     VisemeType,
     Visemes,
@@ -15,24 +15,24 @@ pub(super) enum Role {
     Text(u32),
 }
 
-/// An element, and where its value stands, without quotes.
+/// An element with the byte range of its value, without quotes.
 pub(super) struct Element {
-    pub(super) role: Role,
+    pub(super) role: CleanRole,
     pub(super) place: Range<usize>,
-    /// Bytes of it that the clip has.
+    /// Bytes of the value that the clip contains.
     pub(super) held: usize,
 }
 
-/// The role of the element with this name; that of a text only if its locale is known to be clean.
-pub(super) fn role(name: &str, locales: &Locales) -> Result<Role, Unclean> {
+/// Returns the role of the element with this name. A text has a role only if its locale is already known to be clean.
+pub(super) fn role(name: &str, locales: &Locales) -> Result<CleanRole, UncleanFile> {
     if let Some(locale) = name.strip_prefix("text_").and_then(|tag| locales.clean(tag)) {
-        return Ok(Role::Text(locale));
+        return Ok(CleanRole::Text(locale));
     }
     match name {
-        "fps" => Ok(Role::Fps),
-        "viseme_type" => Ok(Role::VisemeType),
-        "visemes" => Ok(Role::Visemes),
-        "events" => Ok(Role::Events),
-        _ => Err(Unclean),
+        "fps" => Ok(CleanRole::Fps),
+        "viseme_type" => Ok(CleanRole::VisemeType),
+        "visemes" => Ok(CleanRole::Visemes),
+        "events" => Ok(CleanRole::Events),
+        _ => Err(UncleanFile),
     }
 }

@@ -1,27 +1,28 @@
-//! What stands between the values of files: usually just what stood there in the file before.
+//! The bytes between the values of a file, which are usually the same as in the previous file.
 
-use super::elements::Role;
-use super::members::{Members, Unclean, control_count};
+use super::elements::CleanRole;
+use super::members::{Members, UncleanFile, control_count};
 
-/// What stood before each value of the last files, by place.
+/// The gap before each value of the previous files, by the number of the value.
 #[derive(Default)]
 pub(super) struct Gaps(Vec<Gap>);
 
-/// What stood before a value: the end of the one before it, a clean name, and white space.
+/// The bytes before a value: the end of the previous value, a clean name, and white space.
 struct Gap {
     spelled: String,
     control_count: usize,
-    role: Role,
+    role: CleanRole,
 }
 
 impl Gaps {
-    /// Goes to the value with this number; its role, or `None` behind the last one. `role` is asked for that of a name.
+    /// Moves to the value with this number and returns its role, or `None` after the last value. Calls `role` with the
+    /// name of an element only if the gap has changed.
     pub(super) fn next(
         &mut self,
         number: usize,
         members: &mut Members<'_>,
-        role: impl FnOnce(&str) -> Result<Role, Unclean>,
-    ) -> Result<Option<Role>, Unclean> {
+        role: impl FnOnce(&str) -> Result<CleanRole, UncleanFile>,
+    ) -> Result<Option<CleanRole>, UncleanFile> {
         let known = self.0.get_mut(number);
         if let Some(gap) = &known
             && members.pass(&gap.spelled, gap.control_count)

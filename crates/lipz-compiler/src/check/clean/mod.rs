@@ -1,10 +1,11 @@
-//! One pass over clean files: from bytes to a clip, without a document in between.
+//! A single pass over clean files, from bytes to a clip without a document in between.
 //!
-//! Nearly every file has no diagnostic, no escape, and only the elements that have been in files since the first version of the
-//! format. Such a file becomes a clip here. Whatever else stands in a file, the pass refuses it, and the full parser and
-//! [`check`](super::check) read the file anew: so all diagnostics are theirs. Where both read a file, they make the same clip;
-//! a test holds them to that.
+//! Most files do not have diagnostics or escapes, and contain only the elements of the first version of the format.
+//! This pass turns such a file into a clip. It refuses all other files, and those on which one of the [`checks`] may
+//! report something. The full parser and [`check`](super::check) then read the file again, so that all diagnostics come
+//! from them. Both ways produce the same clip, which a test compares.
 
+mod clean_file;
 mod elements;
 mod gaps;
 mod members;
@@ -12,37 +13,40 @@ mod strings;
 #[cfg(test)]
 mod tests;
 
+pub(super) use clean_file::CleanFile;
+
+use super::checks;
 use super::emotions::{self, Feeling};
 use super::visemes;
+use crate::clip::source_record::{self, Recorder};
 use crate::clip::{ClipData, Locales};
-use crate::options::GestureKeys;
-use crate::source_record::{self, Recorder};
-use crate::{Options, TextLimits};
-use elements::{Element, Role, role};
+use crate::project::Options;
+use crate::project::options::GestureKeys;
+use elements::{CleanRole, Element, role};
 use gaps::Gaps;
 use lipz_bank::{Fps, VisemeType};
 use lipz_file::{rate, text};
 use lipz_layout::TEXT_MAX_BYTES;
-use members::{Members, Unclean};
+use members::{Members, UncleanFile};
 use std::ops::Range;
 use strings::CleanStrings;
 
-/// What a thread remembers from one clean file to the next.
+/// The data that a thread keeps from one clean file to the next.
 pub(crate) struct CleanFiles<'o> {
     options: &'o Options,
-    /// Whether files can be clean: nothing is asked for that needs a document.
+    /// Whether files can be clean, because no option needs a document.
     is_possible: bool,
     strings: CleanStrings,
     gaps: Gaps,
-    /// The rate that the last file spelled so.
+    /// The last frame rate with its spelling.
     rate: Option<(String, Fps)>,
-    /// For each locale its place in the order of the tags.
+    /// For each locale, its index in the sorted list of tags.
     ranks: Vec<u32>,
-    /// For each locale of a text of the last file the place of that.
+    /// For each locale of the last file's texts, the index of its text.
     places: Vec<usize>,
-    /// The elements of a file, with places in it.
+    /// The elements of a file with their byte ranges.
     elements: Vec<Element>,
-    /// The emotions in the events of a file, with the numbers of their segments.
+    /// The emotions in the events of a file, each with the number of its segment.
     feelings: Vec<(usize, Feeling)>,
 }
 
@@ -61,10 +65,10 @@ impl<'o> CleanFiles<'o> {
         }
     }
 
-    /// Makes `clip` the one of a file, with its source record; false if the full parser has to do that, and `clip` is then of
-    /// no use.
+    /// Fills `clip` with the clip of a file and its source record. Returns false if the full parser has to read the
+    /// file, and `clip` is then unusable.
     pub(crate) fn clip(&mut self, bytes: &[u8], locales: &Locales, clip: &mut ClipData) -> bool {
-        // In so short a file, no text and no number of segments is too large for a bank.
+        // A file this short cannot contain a text or a number of segments that is too large for a bank.
         if !self.is_possible || bytes.len() > TEXT_MAX_BYTES {
             return false;
         }
@@ -72,29 +76,29 @@ impl<'o> CleanFiles<'o> {
         self.read(text, locales, clip).is_ok()
     }
 
-    fn read(&mut self, file: &str, locales: &Locales, clip: &mut ClipData) -> Result<(), Unclean> {
+    fn read(&mut self, file: &str, locales: &Locales, clip: &mut ClipData) -> Result<(), UncleanFile> {
         clip.clear();
         self.elements.clear();
         self.feelings.clear();
         let mut members = Members::of(file)?;
-        // Of all elements, which must have as many.
+        // The number of segments of the first element. All elements must have the same number.
         let mut segment_count = None;
         let (mut has_blank, mut fps, mut viseme_type) = (false, None, None);
         while let Some(role) = self.gaps.next(self.elements.len(), &mut members, |name| role(name, locales))? {
             let (place, held, found) = match role {
-                Role::Fps => {
+                CleanRole::Fps => {
                     let place = members.number()?;
                     only_once(fps.replace(self.rate(&file[place.clone()])?).is_some())?;
                     (place, 0, None)
                 }
-                Role::VisemeType => {
+                CleanRole::VisemeType => {
                     let (place, _) = members.string(|_| Ok(()))?;
-                    let named = file[place.clone()].parse::<VisemeType>().map_err(|_| Unclean)?;
+                    let named = file[place.clone()].parse::<VisemeType>().map_err(|_| UncleanFile)?;
                     only_once(viseme_type.replace(named).is_some())?;
                     let held = place.len();
                     (place, held, None)
                 }
-                Role::Visemes => {
+                CleanRole::Visemes => {
                     only_once(std::mem::replace(&mut clip.has_visemes, true))?;
                     let (place, count) = members.string(|codes| {
                         visemes::add_segment(codes, clip);
@@ -102,15 +106,14 @@ impl<'o> CleanFiles<'o> {
                     })?;
                     (place, clip.frames.len(), Some(count))
                 }
-                Role::Events => {
+                CleanRole::Events => {
                     only_once(std::mem::replace(&mut clip.has_events, true))?;
                     let (place, count) = self.events(&mut members, clip)?;
                     (place, clip.events.text().len(), Some(count))
                 }
-                Role::Text(locale) => {
+                CleanRole::Text(locale) => {
                     let (place, count) = self.displays(&mut members, clip, &mut has_blank)?;
                     let held = clip.runs.text_bytes();
-                    only_if(held > 0)?;
                     clip.end_run(locale, false);
                     (place, held, Some(count))
                 }
@@ -120,35 +123,32 @@ impl<'o> CleanFiles<'o> {
         }
         clip.fps = fps.or(self.options.default_fps);
         clip.viseme_type = viseme_type.or(self.options.default_viseme_type);
-        if !visemes::are_legal(clip) || !clip.texts.is_empty() && visemes::stay_shut(clip) {
-            return Err(Unclean);
-        }
+        only_if(visemes::are_legal(clip))?;
         if !clip.has_visemes {
             clip.starts.resize(segment_count.unwrap_or(1), 0);
         }
         if !self.feelings.is_empty() && !emotions::of_clean_events(clip, &self.feelings, self.options) {
-            return Err(Unclean);
+            return Err(UncleanFile);
         }
         self.order_texts(locales, clip)?;
-        if has_blank {
-            self.compare_blanks(locales, clip)?;
-        }
+        let (elements, options) = (self.elements.as_slice(), self.options);
+        only_if(!checks::may_report(&CleanFile { file, elements, clip, locales, options, has_blank }))?;
         self.record(file, clip);
         Ok(())
     }
 
-    fn rate(&mut self, number: &str) -> Result<Fps, Unclean> {
+    fn rate(&mut self, number: &str) -> Result<Fps, UncleanFile> {
         if let Some((_, fps)) = self.rate.as_ref().filter(|(known, _)| known == number) {
             return Ok(*fps);
         }
-        let rate = rate::parse(number).filter(|rate| rate.is_exact).ok_or(Unclean)?;
-        let fps = Fps::new(rate.numerator, rate.denominator).ok_or(Unclean)?;
+        let rate = rate::parse(number).filter(|rate| rate.is_exact).ok_or(UncleanFile)?;
+        let fps = Fps::new(rate.numerator, rate.denominator).ok_or(UncleanFile)?;
         self.rate = Some((number.to_owned(), fps));
         Ok(fps)
     }
 
-    /// Adds the events of all segments of a string; where that is, and how many they are.
-    fn events(&mut self, members: &mut Members<'_>, clip: &mut ClipData) -> Result<(Range<usize>, usize), Unclean> {
+    /// Adds the events in all segments of a string. Returns its range and the number of segments.
+    fn events(&mut self, members: &mut Members<'_>, clip: &mut ClipData) -> Result<(Range<usize>, usize), UncleanFile> {
         members.string(|segment| {
             let number = clip.events.count();
             let add = |feeling: &Feeling| self.feelings.push((number, feeling.clone()));
@@ -157,17 +157,18 @@ impl<'o> CleanFiles<'o> {
         })
     }
 
-    /// Makes a run of the display texts of all segments of a string; where that is, and how many they are.
+    /// Adds the display texts of all segments of a string as a run. Returns the range of the string and the number of
+    /// segments.
     fn displays(
         &mut self,
         members: &mut Members<'_>,
         clip: &mut ClipData,
         has_blank: &mut bool,
-    ) -> Result<(Range<usize>, usize), Unclean> {
+    ) -> Result<(Range<usize>, usize), UncleanFile> {
         let may_have_meta = members.has_braces && !self.options.literal_braces;
         members.string(|segment| {
             let shown = match may_have_meta {
-                true => self.strings.without_meta(segment, self.options).ok_or(Unclean)?,
+                true => self.strings.without_meta(segment, self.options).ok_or(UncleanFile)?,
                 false => text::trim(segment),
             };
             *has_blank |= shown.is_empty();
@@ -176,8 +177,9 @@ impl<'o> CleanFiles<'o> {
         })
     }
 
-    /// Puts the texts into the order of their tags. Those that are packed must be all there are, and there to be packed.
-    fn order_texts(&mut self, locales: &Locales, clip: &mut ClipData) -> Result<(), Unclean> {
+    /// Sorts the texts by tag. If the options list locales, the file must have a text for each of them, and no other
+    /// texts.
+    fn order_texts(&mut self, locales: &Locales, clip: &mut ClipData) -> Result<(), UncleanFile> {
         let tags = locales.tags();
         if self.ranks.len() != tags.len() {
             let mut order: Vec<u32> = (0..tags.len() as u32).collect();
@@ -188,22 +190,13 @@ impl<'o> CleanFiles<'o> {
         }
         clip.texts.sort_unstable_by_key(|text| self.ranks[text.locale as usize]);
         if clip.texts.array_windows().any(|[one, next]| one.locale == next.locale) {
-            return Err(Unclean);
+            return Err(UncleanFile);
         }
         clip.texts.iter().enumerate().for_each(|(place, text)| self.places[text.locale as usize] = place);
         let Some(packed) = &self.options.locales else { return Ok(()) };
         let is_packed = |locale| packed.contains(locales.tag(locale));
         let are_the_same = clip.texts.len() == packed.len() && clip.texts.iter().all(|text| is_packed(text.locale));
         only_if(are_the_same)
-    }
-
-    /// Refuses a clip that shows nothing in a segment in which the default locale shows something.
-    fn compare_blanks(&self, locales: &Locales, clip: &ClipData) -> Result<(), Unclean> {
-        let default = self.options.default_locale.as_deref().and_then(|tag| locales.get(tag));
-        let Some(spoken) = clip.texts.iter().find(|text| Some(text.locale) == default) else { return Ok(()) };
-        let is_silent = |text, segment| clip.is_blank(text, segment) && !clip.is_blank(spoken, segment);
-        let has_silent = |text| (0..clip.starts.len()).any(|segment| is_silent(text, segment));
-        if clip.texts.iter().any(has_silent) { Err(Unclean) } else { Ok(()) }
     }
 
     /// Makes the source record of the clip.
@@ -215,14 +208,14 @@ impl<'o> CleanFiles<'o> {
         let mut record = Recorder::new(file, self.elements.len(), clip.starts.len(), buffer);
         for Element { role, place, held } in &self.elements {
             let name = match *role {
-                Role::Fps => source_record::FPS,
-                Role::VisemeType => source_record::VISEME_TYPE,
-                Role::Visemes => source_record::VISEMES,
-                Role::Events => source_record::EVENTS,
-                Role::Text(locale) => source_record::FIRST_TEXT + self.places[locale as usize] as u64,
+                CleanRole::Fps => source_record::FPS,
+                CleanRole::VisemeType => source_record::VISEME_TYPE,
+                CleanRole::Visemes => source_record::VISEMES,
+                CleanRole::Events => source_record::EVENTS,
+                CleanRole::Text(locale) => source_record::FIRST_TEXT + self.places[locale as usize] as u64,
             };
             match role {
-                Role::Fps => record.number(name, place.clone()),
+                CleanRole::Fps => record.number(name, place.clone()),
                 _ => record.string(name, place.clone(), *held),
             }
         }
@@ -230,14 +223,16 @@ impl<'o> CleanFiles<'o> {
     }
 }
 
-/// Whether the project asks for nothing that needs a document. All options are named, so that a new one is thought of here.
+/// Whether no option of the project needs a document. The pattern names all options, so that each new option needs a
+/// decision here.
 fn are_possible(options: &Options) -> bool {
     let Options {
-        text_limits,
         viseme_type,
         pseudo,
         gestures,
-        // These the pass goes by.
+        // A check covers these.
+        text_limits: _,
+        // The pass follows these.
         default_fps: _,
         default_viseme_type: _,
         default_locale: _,
@@ -246,7 +241,7 @@ fn are_possible(options: &Options) -> bool {
         literal_braces: _,
         known_names: _,
         emotions: _,
-        // These are about names that were seen before, about diagnostics and curves that clean files do not have, or about the bank.
+        // These concern names from earlier files, the bank, or diagnostics and curves, which clean files do not have.
         extended_locales: _,
         levels: _,
         files_levels: _,
@@ -259,15 +254,15 @@ fn are_possible(options: &Options) -> bool {
         faces: _,
         recordings: _,
     } = options;
-    *text_limits == TextLimits::default() && viseme_type.is_none() && !pseudo && gestures.keys != GestureKeys::Words
+    viseme_type.is_none() && !pseudo && gestures.keys != GestureKeys::Words && !checks::may_report_all(options)
 }
 
 /// Refuses an element that appears again.
-fn only_once(is_again: bool) -> Result<(), Unclean> {
+fn only_once(is_again: bool) -> Result<(), UncleanFile> {
     only_if(!is_again)
 }
 
 /// Refuses a file that is not clean.
-fn only_if(is_clean: bool) -> Result<(), Unclean> {
-    if is_clean { Ok(()) } else { Err(Unclean) }
+fn only_if(is_clean: bool) -> Result<(), UncleanFile> {
+    if is_clean { Ok(()) } else { Err(UncleanFile) }
 }

@@ -1,21 +1,22 @@
-//! Events and meta without diagnostics, each of which is looked at once.
+//! Events and meta without diagnostics, so that each string is checked only once.
 
-use crate::Options;
 use crate::check::emotions::{self, Feeling};
 use crate::check::{events, gestures};
+use crate::project::Options;
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use lipz_file::text;
 use memchr::memchr2;
 
-/// Strings of a kind that are remembered: games repeat few of them often.
+/// The maximum number of strings of a kind to remember, because games repeat few strings often.
 const MOST_KNOWN: usize = 1 << 12;
 
-/// The strings that a thread has found clean: without diagnostics, and without what becomes a curve, but for emotions of events.
+/// The strings that a thread has found clean. They do not have diagnostics, and do not become curves, except for
+/// emotions in events.
 pub(super) struct CleanStrings {
-    /// With the emotions in them.
+    /// Events, with their emotions.
     events: HashMap<Box<str>, Box<[Feeling]>>,
     metas: HashSet<Box<str>>,
-    /// Room for a text without its meta.
+    /// A buffer for a text without its meta.
     shown: String,
 }
 
@@ -24,7 +25,7 @@ impl CleanStrings {
         CleanStrings { events: HashMap::new(), metas: HashSet::new(), shown: String::new() }
     }
 
-    /// Whether the events of a segment are clean; the emotions in them go to `each`.
+    /// Whether the events of a segment are clean. Passes their emotions to `each`.
     pub(super) fn has_events(&mut self, segment: &str, options: &Options, each: impl FnMut(&Feeling)) -> bool {
         if segment.is_empty() {
             return true;
@@ -46,7 +47,8 @@ impl CleanStrings {
         is_clean
     }
 
-    /// What is displayed of a segment with braces; `None` if they are no clean meta: alone, or around others.
+    /// Returns the displayed part of a segment with braces, or `None` if a brace is not part of clean meta: unpaired,
+    /// or nested.
     pub(super) fn without_meta(&mut self, segment: &str, options: &Options) -> Option<&str> {
         self.shown.clear();
         let brace = |text: &str| memchr2(b'{', b'}', text.as_bytes());
@@ -64,14 +66,14 @@ impl CleanStrings {
         Some(text::trim(&self.shown))
     }
 
-    /// Whether meta is clean, given with its braces. Finding out whether a name is that of an emotion takes longer than to read a
-    /// file.
+    /// Whether meta, including its braces, is clean. The result is remembered because the check for names of emotions
+    /// takes longer than reading a file.
     fn has_meta(&mut self, meta: &str, options: &Options) -> bool {
         known_or(&mut self.metas, meta, || !emotions::are_in_text(meta, options))
     }
 }
 
-/// Whether a string is known to be clean, or found to be so and remembered.
+/// Whether a string is clean. Clean strings are remembered.
 fn known_or(known: &mut HashSet<Box<str>>, string: &str, is_clean: impl FnOnce() -> bool) -> bool {
     if known.contains(string) {
         return true;

@@ -1,15 +1,16 @@
-//! A clean file becomes the clip that the full parser and the check make of it; all others are refused.
+//! Clean files become the same clips as with the full parser and the check. All other files are refused.
 
 use super::CleanFiles;
-use crate::check::{self, Spoken};
-use crate::clip::{ClipData, Locales};
-use crate::options::{EmotionCurves, GestureKeys};
-use crate::{Options, source_record};
+use crate::check::{self, ClipSpeech};
+use crate::clip::{ClipData, Locales, source_record};
+use crate::project::Options;
+use crate::project::options::{EmotionCurves, GestureKeys};
 use lipz_bank::{Fps, VisemeType};
+use lipz_diagnostics::{Code, Diagnostic};
 use proptest::prelude::*;
 use std::path::Path;
 
-/// All that is kept of a clip, texts with their tags.
+/// Describes all data of a clip, texts with their tags.
 fn shape(clip: &ClipData, locales: &Locales) -> String {
     let texts = clip.texts.iter().map(|text| (locales.tag(text.locale), clip.whole_run(text), text.hash));
     let texts: Vec<_> = texts.collect();
@@ -20,23 +21,28 @@ fn shape(clip: &ClipData, locales: &Locales) -> String {
     format!("{head:?} {texts:?} {events:?} {curves:?} {:?}", clip.source)
 }
 
-/// What the full parser and the check make of a file; `None` if they report something.
-fn fully(bytes: &[u8], options: &Options, locales: &mut Locales) -> Option<String> {
+/// Describes the clip that the full parser and the check produce from a file.
+///
+/// # Errors
+/// The codes of the diagnostics.
+fn fully(bytes: &[u8], options: &Options, locales: &mut Locales) -> Result<String, Vec<Code>> {
+    let codes = |diagnostics: &[Diagnostic]| diagnostics.iter().map(|diagnostic| diagnostic.code).collect();
     let parsed = lipz_file::parse(bytes);
-    let (document, mut diagnostics) = (parsed.document?, parsed.diagnostics);
+    let Some(document) = parsed.document else { return Err(codes(&parsed.diagnostics)) };
+    let mut diagnostics = parsed.diagnostics;
     let mut clip = ClipData::default();
-    check::check(&document, options, Spoken::default(), locales, &mut clip, &mut diagnostics);
+    check::check(&document, options, ClipSpeech::default(), locales, &mut clip, &mut diagnostics);
     if let Some(packed) = &options.locales {
         clip.keep_texts(packed, locales, options);
     }
     if !options.strip {
         source_record::encode(&document, options, locales, &mut clip);
     }
-    diagnostics.is_empty().then(|| shape(&clip, locales))
+    if diagnostics.is_empty() { Ok(shape(&clip, locales)) } else { Err(codes(&diagnostics)) }
 }
 
-/// Reads files in both ways, one after the other, which must agree where the short one does not refuse a file; returns where it did
-/// not.
+/// Reads files in both ways, one after the other. Unless the clean pass refuses a file, both clips must be equal.
+/// Returns for each file whether the clean pass accepted it.
 fn are_clean<const N: usize>(files: [&[u8]; N], options: &Options) -> [bool; N] {
     let mut locales = Locales::default();
     for tag in ["en-us", "de-de", "fr-fr"] {
@@ -47,20 +53,27 @@ fn are_clean<const N: usize>(files: [&[u8]; N], options: &Options) -> [bool; N] 
         let is_clean = clean_files.clip(bytes, &locales, &mut clip);
         let full = fully(bytes, options, &mut locales);
         if is_clean {
-            assert_eq!(full, Some(shape(&clip, &locales)), "{}", String::from_utf8_lossy(bytes));
+            let file = String::from_utf8_lossy(bytes);
+            match full {
+                Ok(full) => assert_eq!(full, shape(&clip, &locales), "{file}"),
+                Err(codes) => panic!(
+                    "a check reports {codes:?}, and check/clean took the file. The trigger of the check must name such \
+                     files: {file}"
+                ),
+            }
         }
         is_clean
     })
 }
 
-/// The same for a file, which is read again by what is remembered of it.
+/// Whether a file is clean. It is read twice, the second time with the remembered strings.
 fn is_clean(bytes: &[u8], options: &Options) -> bool {
     let [is_clean, is_again] = are_clean([bytes; 2], options);
     assert!(is_again || !is_clean, "{}", String::from_utf8_lossy(bytes));
     is_clean
 }
 
-/// Options of every kind that changes what is clean.
+/// Options of every kind that affects whether a file is clean.
 fn all_options() -> Vec<Options> {
     let usual = Options::new();
     let mut of_values = Options::new();
@@ -177,10 +190,10 @@ fn whatever_could_be_reported_is_refused() {
 #[test]
 fn fixtures_are_read_alike() {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
-    let inputs = crate::discover(&[fixtures], None).unwrap();
+    let inputs = crate::sources::discover(&[fixtures], None).unwrap();
     let (mut count, mut clean_count) = (0, 0);
     for input in inputs {
-        let crate::Content::File(path) = input.content else { continue };
+        let crate::sources::Content::File(path) = input.content else { continue };
         let Ok(bytes) = std::fs::read(path) else { continue };
         for options in all_options() {
             count += 1;
@@ -190,7 +203,7 @@ fn fixtures_are_read_alike() {
     assert!(count > 1000 && clean_count > 100, "{clean_count} of {count}");
 }
 
-/// Strings as people write them, and now and then something that is not clean.
+/// Strings as people write them, and sometimes a part that is not clean.
 fn string() -> impl Strategy<Value = String> {
     let part = prop_oneof![
         8 => "[a-zA-Zü ,.]{0,20}",

@@ -1,19 +1,20 @@
-//! Curves of a file: in order, inside the clip, and of names that programs ask for.
+//! Checks the curves of a file: their order, their range in the clip, and their names.
 
 mod ranges;
 
-use crate::KnownNames;
 use crate::clip::ClipData;
+use crate::project::KnownNames;
 use lipz_bank::face::{Emotion, FaceCurve};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
-use lipz_file::{Raw, curve};
+use lipz_file::{RawJson, curve};
 
-/// Letters that may differ where no curves are registered: who has many of their own has some that are like others.
+/// The maximum number of wrong letters in a misspelt name if the project does not register curves. A project with many
+/// curves of its own has some with similar names.
 const SLIPS: usize = 2;
 
-/// Gives the clip, whose frames are known, the curves of an element with this value.
+/// Adds the curves of an element with this value to the clip, whose frames are known.
 pub(super) fn curves(
-    value: &Raw<'_>,
+    value: &RawJson<'_>,
     known_names: &KnownNames,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -33,37 +34,37 @@ pub(super) fn curves(
     of_file
 }
 
-/// What later checks need of the curves of a file.
+/// The data about a file's curves that later checks need.
 #[derive(Default)]
 pub(super) struct OfFile {
-    /// The curves of emotions, and where they are.
+    /// The names and positions of the curves of emotions.
     pub(super) emotions: Vec<(String, Span)>,
 }
 
-/// The character in front of the name of a curve, with the `.`, and the rest: `mara.`, `fear`.
+/// Splits the name of a curve into the character with its `.`, and the rest: `mara.`, `fear`.
 fn who_and_what(name: &str) -> (&str, &str) {
     name.split_at(name.rfind('.').map_or(0, |dot| dot + 1))
 }
 
-/// What is wrong with the first key behind the clip.
+/// Returns the diagnostic for the first key after the end of the clip.
 fn outside(curve: &curve::Curve<'_>, clip: &ClipData) -> Option<Diagnostic> {
     let frame_count = clip.frames.len();
     let is_outside = |key: &&curve::Key| clip.has_visemes && key.frame as usize > frame_count;
     let key = curve.keys.iter().find(is_outside)?;
     let count = curve.keys.iter().filter(is_outside).count();
-    let message = format!("a key at frame {}, but the clip has {frame_count} frames", key.frame);
+    let message = format!("the key is at frame {}, but the clip has {frame_count} frames", key.frame);
     let diagnostic = Diagnostic::at(Code::CurveRange, key.span, message);
     let diagnostic = match count {
         1 => diagnostic,
-        _ => diagnostic.note(format!("{} more keys of this curve lie behind the clip", count - 1)),
+        _ => diagnostic.note(format!("{} more keys of this curve are after the end of the clip", count - 1)),
     };
-    Some(diagnostic.help(format!("write frames from 0 to {frame_count}, which is the end of the clip")))
+    Some(diagnostic.help(format!("write a frame from 0 to {frame_count}, the end of the clip")))
 }
 
-/// The diagnostic for a name that no program is likely to ask for.
+/// Returns the diagnostic for a name that programs are unlikely to read.
 fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnostic> {
     let name: &str = &curve.name.text;
-    // Curves of others than the speaker have their name in front.
+    // The curves of characters other than the speaker start with the name of the character.
     let (who, what) = who_and_what(name);
     let of_somebody = |name: &str| Emotion::from_name(name).is_some() || FaceCurve::from_name(name).is_some();
     let registered = known_names.curves.as_ref();
@@ -91,17 +92,22 @@ fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnos
     let is_slip = |near: &str| suggest::distance(written, near).is_some_and(|distance| distance <= SLIPS);
     let (message, near) = match (registered, near.filter(|near| is_slip(near))) {
         (None, None) => return None,
-        (None, slip) => (format!("{} is nearly the name of a known curve", escape::quoted(name)), slip),
+        (None, slip) => (format!("{} is similar to the name of a known curve", escape::quoted(name)), slip),
         (Some(_), _) => (format!("{} is not a registered curve", escape::quoted(name)), near),
     };
     let diagnostic = Diagnostic::at(Code::UnknownCurve, curve.name.span(), message);
-    Some(diagnostic.note("known are the emotions, the curves of docs/guides/faces.md, the 52 blend shapes of ARKit and the registered curves").help(
-        match near {
-            Some(near) => format!(
-                "did you mean {}? If it is a curve of your own, register it: `curves` in `[registry]`",
-                escape::quoted(&format!("{who}{near}"))
-            ),
-            None => "if your rig has it, add it to `curves` in `[registry]` of lipz.toml".to_owned(),
-        },
-    ))
+    Some(
+        diagnostic
+            .note(
+                "the known curves are the emotions, the curves of docs/guides/faces.md, the 52 blend shapes \
+        of ARKit and the registered curves",
+            )
+            .help(match near {
+                Some(near) => format!(
+                    "did you mean {}? If not, add the curve to `curves` in `[registry]` of lipz.toml",
+                    escape::quoted(&format!("{who}{near}"))
+                ),
+                None => "add it to `curves` in `[registry]` of lipz.toml if your rig has it".to_owned(),
+            }),
+    )
 }

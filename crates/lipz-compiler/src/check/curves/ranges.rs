@@ -1,4 +1,4 @@
-//! Values of known curves that no face can show.
+//! Values of known curves that a face cannot show.
 
 use super::who_and_what;
 use lipz_bank::curve::CurveValue;
@@ -7,7 +7,7 @@ use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::curve::{self, Curve};
 use std::ops::RangeInclusive;
 
-/// The values of a known curve, in thousandths; `None` for a curve of the project's own.
+/// Returns the range of a known curve in thousandths, or `None` for a curve that the project defines.
 fn range_of(name: &str) -> Option<RangeInclusive<i32>> {
     let what = who_and_what(name).1;
     if Emotion::from_name(what).is_some() {
@@ -26,14 +26,14 @@ fn range_of_face(curve: FaceCurve) -> RangeInclusive<i32> {
     }
 }
 
-/// What is wrong with the first value of a curve that is outside of its range.
+/// Returns the diagnostic for the first value of a curve that is outside its range.
 pub(super) fn outside(curve: &Curve<'_>) -> Option<Diagnostic> {
     let range = range_of(&curve.name.text)?;
     let is_outside = |key: &&curve::Key| !range.contains(&key.value.thousandths());
     let key = curve.keys.iter().find(is_outside)?;
     let more = curve.keys.iter().filter(is_outside).count() - 1;
     let [least, most] = [*range.start(), *range.end()].map(CurveValue::from_thousandths);
-    let message = format!("{} {} is outside of {least} to {most}", curve.name.text, key.value);
+    let message = format!("{} {} is outside {least} to {most}", curve.name.text, key.value);
     let diagnostic = Diagnostic::at(Code::CurveOutOfRange, key.span, message);
     let diagnostic = match more {
         0 => diagnostic,
@@ -42,6 +42,6 @@ pub(super) fn outside(curve: &Curve<'_>) -> Option<Diagnostic> {
     };
     Some(
         diagnostic
-            .help(format!("write a value from {least} to {most}, or name the curve otherwise if it is your rig's own")),
+            .help(format!("write a value from {least} to {most}, or rename the curve if it belongs to your own rig")),
     )
 }

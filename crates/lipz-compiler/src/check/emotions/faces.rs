@@ -1,12 +1,11 @@
-//! What becomes of a clip's emotions: changes of faces, and what is wrong with them.
+//! The changes of faces that a clip's emotions cause, and the diagnostics about them.
 
-use super::MOST;
-use super::keys::{self, Change};
+use super::keys::{self, BlendChange};
 use super::markup::Markup;
 use crate::check::share::share_of_segment;
 use crate::clip::ClipData;
-use crate::options::Face;
-use crate::{Options, WordTime};
+use crate::project::options::Face;
+use crate::project::{Options, WordTime};
 use lipz_bank::Micros;
 use lipz_bank::curve::CurveValue;
 use lipz_bank::face::Emotion;
@@ -14,40 +13,43 @@ use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::emotion::{Blend, Term};
 use std::collections::BTreeMap;
 
-/// Changes by character, those of the speaker without a name.
-pub(super) type Changes = BTreeMap<Option<String>, Vec<Change>>;
+/// The maximum value of an attribute, and the maximum sum of all attributes, in thousandths.
+pub(super) const MOST: i32 = 10_000;
 
-/// What a blend is in a project.
+/// The changes of each character. The key of the speaker is `None`.
+pub(super) type Changes = BTreeMap<Option<String>, Vec<BlendChange>>;
+
+/// The face that a blend means in a project.
 #[derive(Clone, Debug)]
-pub(super) struct Felt {
+pub(super) struct FaceBlend {
     face: Face,
     over_ms: u32,
 }
 
-impl Felt {
-    pub(super) fn new(blend: &Blend<'_>, options: &Options) -> Felt {
-        Felt { face: options.emotions.face(blend), over_ms: blend.over_ms.unwrap_or(options.emotions.over_ms) }
+impl FaceBlend {
+    pub(super) fn new(blend: &Blend<'_>, options: &Options) -> FaceBlend {
+        FaceBlend { face: options.emotions.face(blend), over_ms: blend.over_ms.unwrap_or(options.emotions.over_ms) }
     }
 
-    /// The change that it calls for from a frame on.
-    pub(super) fn change(&self, frame: u32, clip: &ClipData) -> Change {
+    /// Returns the change that the blend causes from a frame on.
+    pub(super) fn change(&self, frame: u32, clip: &ClipData) -> BlendChange {
         let frames = |fps: lipz_bank::Fps| fps.frame_at(Micros(i64::from(self.over_ms) * 1000)).unwrap_or(0);
         let over = if self.over_ms == 0 { 0 } else { clip.fps.map_or(0, frames).max(1) };
-        Change { frame, face: self.face, over }
+        BlendChange { frame, face: self.face, over }
     }
 }
 
-/// Whether a value is none that a face can show.
+/// Whether a term has a value that a face cannot show.
 pub(super) fn is_outside(term: &Term<'_>) -> bool {
     term.thousandths.is_some_and(|value| !(0..=MOST).contains(&value))
 }
 
-/// The sum of all attributes.
+/// Returns the sum of all attributes.
 pub(super) fn sum(face: &Face) -> i32 {
     face.iter().fold(0, |sum: i32, value| sum.saturating_add(*value))
 }
 
-/// A frame for people.
+/// Returns the name of a frame for messages.
 pub(super) fn when(clip: &ClipData, frame: u32) -> String {
     match clip.fps {
         Some(fps) => format!("frame {frame} ({:.2} s)", fps.start_of_frame_us(frame) as f64 / 1e6),
@@ -55,12 +57,12 @@ pub(super) fn when(clip: &ClipData, frame: u32) -> String {
     }
 }
 
-/// What becomes of a clip's emotions.
+/// The changes of faces that a clip's emotions cause.
 pub(super) struct Faces<'c> {
     pub(super) clip: &'c ClipData,
     options: &'c Options,
     changes: Changes,
-    /// For each character and emotion, where it is written that it shows first.
+    /// For each character and emotion, the first position that makes it show.
     places: BTreeMap<Option<String>, [Option<Span>; Emotion::ALL.len()]>,
     pub(super) has_value: bool,
     pub(super) found: Vec<Diagnostic>,
@@ -71,8 +73,8 @@ impl<'c> Faces<'c> {
         Faces { clip, options, changes: BTreeMap::new(), places: BTreeMap::new(), has_value: false, found: Vec::new() }
     }
 
-    /// The frame of a mark: when the word behind it starts, if that is known; else its share of the segment, by the letters
-    /// before it. What stands before the first word holds from the start of the segment.
+    /// Returns the frame of a mark. It is the start of the next word if the time of that word is known, and else the
+    /// mark's share of the segment by letters. A mark before the first word is valid from the start of the segment.
     pub(super) fn at(&self, mark: &Markup<'_>, words: &[WordTime]) -> u32 {
         let (start, end) = (self.clip.segment_start(mark.segment), self.clip.segment_start(mark.segment + 1));
         let is_inside = 0 < mark.letters_before && mark.letters_before < mark.letters;
@@ -84,7 +86,7 @@ impl<'c> Faces<'c> {
         share_of_segment(start..end, mark.letters_before, mark.letters)
     }
 
-    /// Notes that the face of somebody changes at a frame, and what is wrong with that.
+    /// Adds a change of a character's face at a frame, and the diagnostics about it.
     pub(super) fn change(
         &mut self,
         character: Option<&str>,
@@ -96,19 +98,15 @@ impl<'c> Faces<'c> {
         self.has_value |= blend.has_value();
         for term in blend.terms.iter().filter(|term| is_outside(term)) {
             let value = CurveValue::from_thousandths(term.thousandths.unwrap_or(0));
-            let message = format!("{} {value} is outside of 0 to 10", term.name.text);
-            self.found.push(
-                Diagnostic::at(Code::EmotionValue, span(term), message)
-                    .help("write a value from 0, nothing, to 10, the most that a face can show"),
-            );
+            let message = format!("{} {value} is outside 0 to 10", term.name.text);
+            self.found.push(Diagnostic::at(Code::EmotionValue, span(term), message).help("write a value from 0 to 10"));
         }
-        let change = Felt::new(blend, self.options).change(frame, self.clip);
+        let change = FaceBlend::new(blend, self.options).change(frame, self.clip);
         self.found.extend(self.over_the_top(&change.face, frame, whole));
         if self.clip.has_visemes && frame as usize >= self.clip.frames.len() && sum(&change.face) > 0 {
-            let message = "the emotion makes no curve: the clip ends where it starts";
+            let message = "the emotion starts at the end of the clip and makes no curve";
             self.found.push(
-                Diagnostic::at(Code::EmotionHidden, whole, message)
-                    .help("put it into an earlier segment, or remove it"),
+                Diagnostic::at(Code::EmotionHidden, whole, message).help("move it to an earlier segment, or remove it"),
             );
         }
         let who = character.map(str::to_owned);
@@ -119,16 +117,16 @@ impl<'c> Faces<'c> {
         self.changes.entry(who).or_default().push(change);
     }
 
-    /// The diagnostic for a face whose attributes add up to more than it can show.
+    /// Returns the diagnostic for a face whose attributes add up to more than a face can show.
     fn over_the_top(&self, face: &Face, frame: u32, whole: Span) -> Option<Diagnostic> {
-        // A value that is too large by itself is reported already.
+        // A value that is too large by itself has been reported already.
         if sum(face) <= MOST || face.iter().any(|value| *value > MOST) {
             return None;
         }
         Some(too_much(face, self.clip, frame, whole))
     }
 
-    /// The curves, by their names, and everything that is wrong.
+    /// Returns the curves by name, and all diagnostics.
     pub(super) fn into_curves(mut self) -> (BTreeMap<String, Vec<keys::Key>>, Vec<Diagnostic>) {
         let curves = keys::curves(self.changes, self.clip.frames.len() as u32);
         for (name, keys) in self.clip.curves.iter() {
@@ -140,7 +138,7 @@ impl<'c> Faces<'c> {
             let place = |emotion: Emotion| self.places.get(&who.map(str::to_owned))?[emotion as usize];
             if let Some(span) = Emotion::from_name(emotion).and_then(place) {
                 let quoted = escape::quoted(name);
-                let message = format!("the file has a curve {quoted}, which does not move: {emotion} does not show");
+                let message = format!("the constant curve {quoted} of the file hides the emotion {emotion}");
                 self.found.push(
                     Diagnostic::at(Code::EmotionHidden, span, message)
                         .help("write the emotion into the curve, or remove one of the two"),
@@ -151,7 +149,7 @@ impl<'c> Faces<'c> {
     }
 }
 
-/// The diagnostic for emotions that add up to more than a face can show.
+/// Returns the diagnostic for emotions that add up to more than a face can show.
 pub(super) fn too_much(face: &Face, clip: &ClipData, frame: u32, span: Span) -> Diagnostic {
     let parts = Emotion::ALL.iter().filter(|emotion| face[**emotion as usize] != 0);
     let parts =
@@ -159,9 +157,9 @@ pub(super) fn too_much(face: &Face, clip: &ClipData, frame: u32, span: Span) -> 
     let note = parts.collect::<Vec<_>>().join(" + ");
     let sum = CurveValue::from_thousandths(sum(face));
     let message = format!("the emotions add up to {sum} from {} on", when(clip, frame));
-    Diagnostic::at(Code::EmotionSum, span, message).note(note).help(
-        "keep the sum at 10 or below, as 3.3 for each of three: more pulls a face apart, since emotions are added",
-    )
+    Diagnostic::at(Code::EmotionSum, span, message)
+        .note(note)
+        .help("keep the sum at 10 or below, such as 3.3 for each of three emotions; a face shows their sum")
 }
 
 #[cfg(test)]
@@ -169,7 +167,7 @@ mod tests {
     use super::*;
     use lipz_file::event;
 
-    /// Curves ask for places by character and emotion: whatever is written how often, one place is kept of each.
+    /// Only one position is kept per character and emotion, however often the emotion appears.
     #[test]
     fn one_place_is_kept_of_each_emotion_of_a_character() {
         let (clip, options) =

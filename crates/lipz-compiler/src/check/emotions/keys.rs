@@ -1,29 +1,29 @@
-//! From changes of faces to keys of curves.
+//! The conversion of face changes to keys of curves.
 
 use super::faces::Changes;
 pub(super) use crate::clip::Key;
-use crate::options::Face;
+use crate::project::options::Face;
 use lipz_bank::curve::CurveValue;
 use lipz_bank::face::Emotion;
 use std::collections::BTreeMap;
 
-/// A face changes.
+/// A change of a face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Change {
-    /// From this frame on.
+pub(super) struct BlendChange {
+    /// The first frame of the change.
     pub(super) frame: u32,
-    /// To this.
+    /// The face at the end of the change.
     pub(super) face: Face,
-    /// In so many frames; 0 for at once.
+    /// The length of the change in frames; 0 for an immediate change.
     pub(super) over: u32,
 }
 
-/// The curves of all characters, in a clip of so many frames.
+/// Returns the curves of all characters. `end` is the number of frames in the clip.
 pub(super) fn curves(changes: Changes, end: u32) -> BTreeMap<String, Vec<Key>> {
     let mut all = BTreeMap::new();
     for (character, mut changes) in changes {
         changes.retain(|change| change.frame < end);
-        // Of several at one frame, the last one holds.
+        // The last of several changes at one frame wins.
         changes.sort_by_key(|change| change.frame);
         changes.reverse();
         changes.dedup_by_key(|change| change.frame);
@@ -39,8 +39,8 @@ pub(super) fn curves(changes: Changes, end: u32) -> BTreeMap<String, Vec<Key>> {
     all
 }
 
-/// The keys of one attribute, in a clip of so many frames.
-fn keys_of(emotion: Emotion, changes: &[Change], end: u32) -> Vec<Key> {
+/// Returns the keys of one attribute. `end` is the number of frames in the clip.
+fn keys_of(emotion: Emotion, changes: &[BlendChange], end: u32) -> Vec<Key> {
     let mut keys: Vec<Key> = Vec::new();
     let mut push = |frame: u32, value: CurveValue| match keys.last_mut() {
         Some(last) if last.0 == frame => last.1 = value,
@@ -64,7 +64,8 @@ fn keys_of(emotion: Emotion, changes: &[Change], end: u32) -> Vec<Key> {
         let reached_at = change.frame.saturating_add(change.over).min(next);
         let done = reached_at - change.frame;
         push(change.frame, value);
-        // The next change starts from where the face is; but nothing comes after the end, so the face is there in time.
+        // The next change starts from the current face. After the end nothing follows, so the face reaches its target
+        // in time.
         value = if done < change.over && reached_at < end {
             value.towards(target, done.into(), change.over.into())
         } else {
@@ -83,9 +84,9 @@ mod tests {
         let change = |&(frame, value, over): &(u32, i32, u32)| {
             let mut face = Face::default();
             face[Emotion::Anger as usize] = value;
-            Change { frame, face, over }
+            BlendChange { frame, face, over }
         };
-        let changes: Vec<Change> = changes.iter().map(change).collect();
+        let changes: Vec<BlendChange> = changes.iter().map(change).collect();
         keys_of(Emotion::Anger, &changes, end).iter().map(|(frame, value)| (*frame, value.thousandths())).collect()
     }
 

@@ -1,29 +1,29 @@
 //! Emotions in the meta of a text.
 
-use super::known::Known;
-use crate::Options;
-use crate::options::Face;
+use super::allowed_names::AllowedNames;
+use crate::project::Options;
+use crate::project::options::Face;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::emotion::{Blend, NearBlend};
 use lipz_file::{JsonString, text};
 use std::ops::Range;
 
-/// A meta that is a blend of emotions.
+/// Meta that is a blend of emotions.
 pub(super) struct Markup<'t> {
     pub(super) segment: usize,
-    /// Where it is in the text, with its braces.
+    /// Its range in the text, including its braces.
     pub(super) range: Range<usize>,
-    /// Where what stands in the braces starts.
+    /// The offset in bytes of the contents of the braces.
     pub(super) start: usize,
     pub(super) blend: Blend<'t>,
-    /// Letters and digits of the segment that are displayed before it, and all of them.
+    /// Displayed letters and digits of the segment: the number before this blend, then the total.
     pub(super) letters_before: usize,
     pub(super) letters: usize,
 }
 
 impl<'t> Markup<'t> {
-    /// All of a text, in order.
-    pub(super) fn all(whole: &'t str, known: &Known<'_>) -> Vec<Markup<'t>> {
+    /// Returns all blends of a text, in order.
+    pub(super) fn all(whole: &'t str, known: &AllowedNames<'_>) -> Vec<Markup<'t>> {
         let mut found: Vec<Markup<'t>> = Vec::new();
         if !whole.contains('{') {
             return found;
@@ -52,16 +52,16 @@ fn letters_of(text: &str) -> usize {
     text.chars().filter(|c| c.is_alphanumeric()).count()
 }
 
-/// Whether a meta is about emotions, and not a note of another kind (`{take 3}`): all of its names are known, or one of them
-/// and others that are misspelt.
-fn is_meant(blend: &Blend<'_>, known: &Known<'_>) -> bool {
+/// Whether meta means emotions and not another kind of note (`{take 3}`): either all of its names are known, or it has
+/// a value and its other names are misspelt.
+fn is_meant(blend: &Blend<'_>, known: &AllowedNames<'_>) -> bool {
     let names = || blend.terms.iter().map(|term| term.name.text);
     let is_near = |name: &str| known.has(name) || known.nearest(name).is_some();
     names().all(|name| known.has(name)) || blend.has_value() && names().all(is_near)
 }
 
-/// What was meant by a meta, given with its braces, that is nearly a blend of emotions.
-pub(super) fn near_miss<'t>(meta: &'t str, known: &Known<'_>) -> Option<NearBlend<'t>> {
+/// Returns the blend that was probably meant by meta, including its braces, that is nearly a blend of emotions.
+pub(super) fn near_miss<'t>(meta: &'t str, known: &AllowedNames<'_>) -> Option<NearBlend<'t>> {
     let inner = meta.strip_prefix('{')?.strip_suffix('}')?;
     if Blend::parse(inner, 0).is_some_and(|blend| is_meant(&blend, known)) {
         return None;
@@ -69,16 +69,16 @@ pub(super) fn near_miss<'t>(meta: &'t str, known: &Known<'_>) -> Option<NearBlen
     NearBlend::of(inner, |name| known.has(name))
 }
 
-/// The diagnostics of all metas of a text that are nearly blends of emotions.
-pub(super) fn near_misses(string: &JsonString<'_>, known: &Known<'_>) -> Vec<Diagnostic> {
+/// Returns the diagnostics of all meta in a text that is nearly a blend of emotions.
+pub(super) fn near_misses(string: &JsonString<'_>, known: &AllowedNames<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for segment in text::segments(&string.text).filter(|_| string.text.contains('{')) {
         for meta in text::meta_ranges(&string.text[segment.clone()]) {
             let range = segment.start + meta.start..segment.start + meta.end;
             let written = &string.text[range.clone()];
             let Some(near) = near_miss(written, known) else { continue };
-            let message = format!("{} is nearly a blend of emotions, and is taken for a note", escape::quoted(written));
-            let note = near.note.map(|note| format!(" A note has braces of its own: {{{}}}", escape::text(note)));
+            let message = format!("{} is nearly a blend of emotions, and is read as meta", escape::quoted(written));
+            let note = near.note.map(|note| format!(" Put the note into its own braces: {{{}}}", escape::text(note)));
             let help = format!("did you mean `{{{}}}`?{}", near.meant, note.unwrap_or_default());
             found.push(Diagnostic::at(Code::NearEmotion, string.span_of(range), message).help(help));
         }
@@ -86,7 +86,7 @@ pub(super) fn near_misses(string: &JsonString<'_>, known: &Known<'_>) -> Vec<Dia
     found
 }
 
-/// The first place where the emotions of a translation are not those of the voice.
+/// Returns the diagnostic for the first emotion of a translation that differs from the voice's.
 pub(super) fn difference(
     string: &JsonString<'_>,
     markup: &[Markup<'_>],
@@ -99,17 +99,17 @@ pub(super) fn difference(
     let span = markup.get(at).map_or(string.span(), |mark| string.span_of(mark.range.clone()));
     let message = match (markup.get(at), of_voice.get(at)) {
         (Some(_), Some(voice)) => {
-            format!("the text of the voice has another emotion here, in segment {}", voice.segment)
+            format!("the text of the voice has a different emotion here, in segment {}", voice.segment)
         }
-        (Some(_), None) => "the text of the voice has no more emotions".to_owned(),
-        _ => format!("the text of the voice has {} emotions, this one {}", of_voice.len(), markup.len()),
+        (Some(_), None) => "the text of the voice does not have this emotion".to_owned(),
+        _ => format!("the text of the voice has {} emotions, but this text has {}", of_voice.len(), markup.len()),
     };
     Some(
         Diagnostic::at(Code::EmotionLocales, span, message)
             .note(
-                "the emotions of the voice count: those of the text in the locale that is spoken, or else in the default \
-                 locale, or else of the first text that has some",
+                "lipz uses the emotions of the voice: those of the text in the spoken locale, or else in the default \
+                    locale, or else of the first text that has any",
             )
-            .help("remove the emotions from translations, or repeat those of the voice"),
+            .help("remove the emotions from the translation, or repeat those of the voice"),
     )
 }

@@ -1,32 +1,29 @@
-//! Emotions in texts and events: what is wrong with them, and the curves that they become.
+//! Emotions in texts and events: their diagnostics, and the curves that they become.
 
+mod allowed_names;
 mod faces;
 mod keys;
-mod known;
 mod markup;
 mod of_file;
 
-use super::Spoken;
+use super::ClipSpeech;
 use super::elements::Roles;
-use crate::Options;
 use crate::clip::{ClipData, Locales};
-use crate::options::EmotionCurves;
-use faces::{Changes, Faces, Felt};
-use known::Known;
+use crate::project::Options;
+use crate::project::options::EmotionCurves;
+use allowed_names::AllowedNames;
+use faces::{Changes, FaceBlend, Faces, MOST};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use lipz_file::emotion::{Blend, Term};
 use lipz_file::{JsonString, event, text};
 use markup::Markup;
 pub(super) use of_file::sums;
 
-/// Highest value of an attribute, and highest sum of all, in thousandths.
-const MOST: i32 = 10_000;
-
-/// Gives the clip the curves of the emotions in its texts and events, unless its file has curves of those names.
+/// Adds the curves of the emotions in a clip's texts and events, unless the file has curves with these names.
 pub(super) fn curves(
     roles: &Roles<'_>,
     options: &Options,
-    spoken: Spoken<'_>,
+    spoken: ClipSpeech<'_>,
     locales: &Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -34,7 +31,7 @@ pub(super) fn curves(
     if options.emotions.curves == EmotionCurves::Off {
         return;
     }
-    let known = Known::new(options);
+    let known = AllowedNames::new(options);
     let mut faces = Faces::new(clip, options);
     if let Some(events) = roles.events.filter(|_| !clip.has_joined) {
         for (segment, range) in text::segments(&events.text).enumerate() {
@@ -48,7 +45,7 @@ pub(super) fn curves(
         }
     }
     let may_have_meta = !options.literal_braces && !clip.has_joined;
-    // The first text is that of the voice, if it has emotions; else the first one that has.
+    // The first text with emotions is the text of the voice.
     let mut voice: Option<(&JsonString<'_>, Vec<Markup<'_>>)> = None;
     for text in roles.texts_by_voice(options, spoken, locales).into_iter().filter(|_| may_have_meta) {
         diagnostics.extend(markup::near_misses(text.string, &known));
@@ -72,7 +69,7 @@ pub(super) fn curves(
         return;
     }
     let (curves, found) = faces.into_curves();
-    // Without mouth shapes there are no times yet, and no curves at all.
+    // Without visemes, the times are not known yet, so that there are no curves.
     let is_said = |diagnostic: &Diagnostic| clip.has_visemes || diagnostic.code != Code::EmotionHidden;
     diagnostics.extend(found.into_iter().filter(is_said));
     clip.curves.add_missing(curves);
@@ -81,26 +78,27 @@ pub(super) fn curves(
 /// An emotion in the events of a segment.
 #[derive(Clone, Debug)]
 pub(super) struct Feeling {
-    /// Who feels it; `None` for the speaker.
+    /// The character who feels it; `None` for the speaker.
     character: Option<String>,
-    felt: Felt,
+    felt: FaceBlend,
     has_value: bool,
 }
 
-/// The emotions in the events of a segment, which are [clean](is_clean).
+/// Returns the emotions in the events of a segment that is [clean](is_clean).
 pub(super) fn feelings_of(segment: &str, options: &Options) -> Vec<Feeling> {
     if options.emotions.curves == EmotionCurves::Off {
         return Vec::new();
     }
     let feeling = |(event, blend): (event::Event<'_>, Blend<'_>)| Feeling {
         character: event.character.map(|word| word.text.to_owned()),
-        felt: Felt::new(&blend, options),
+        felt: FaceBlend::new(&blend, options),
         has_value: blend.has_value(),
     };
     event::feelings(segment).map(feeling).collect()
 }
 
-/// Gives a clip the curves of these emotions, each in the segment with a number; false if something would have to be said.
+/// Adds the curves of these emotions to a clip. Each emotion has the number of its segment. Returns false if there is a
+/// diagnostic.
 pub(super) fn of_clean_events(clip: &mut ClipData, feelings: &[(usize, Feeling)], options: &Options) -> bool {
     let mut changes = Changes::new();
     let mut has_value = false;
@@ -118,9 +116,9 @@ pub(super) fn of_clean_events(clip: &mut ClipData, feelings: &[(usize, Feeling)]
     true
 }
 
-/// Whether nothing is wrong with the emotions in the events of a segment.
+/// Whether the emotions in the events of a segment do not need a diagnostic.
 pub(super) fn is_clean(segment: &str, options: &Options) -> bool {
-    let known = Known::new(options);
+    let known = AllowedNames::new(options);
     options.emotions.curves == EmotionCurves::Off
         || event::feelings(segment).all(|(_, blend)| {
             let is_clean = |term: &Term<'_>| known.is_clean(term) && !faces::is_outside(term);
@@ -128,9 +126,9 @@ pub(super) fn is_clean(segment: &str, options: &Options) -> bool {
         })
 }
 
-/// Whether meta, given with its braces, is about emotions, or nearly so.
+/// Whether meta, including its braces, is a blend of emotions, or nearly one.
 pub(super) fn are_in_text(meta: &str, options: &Options) -> bool {
-    let known = Known::new(options);
+    let known = AllowedNames::new(options);
     options.emotions.curves != EmotionCurves::Off
         && (!Markup::all(meta, &known).is_empty() || markup::near_miss(meta, &known).is_some())
 }
@@ -140,7 +138,7 @@ fn span_of(string: &JsonString<'_>, start: usize, term: &Term<'_>) -> Span {
     string.span_of(start + range.start..start + range.end)
 }
 
-/// From the first name to the last.
+/// Returns the span from the first name of a blend to its last.
 fn span_of_blend(string: &JsonString<'_>, start: usize, blend: &Blend<'_>) -> Span {
     let range = |term: &Term<'_>| term.name.range();
     let first = blend.terms.first().map_or(0, |term| range(term).start);

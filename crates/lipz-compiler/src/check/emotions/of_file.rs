@@ -1,16 +1,15 @@
-//! Emotions in the curves of a file, together with those of its texts and events.
+//! The sums of the emotions in a file's curves, texts and events.
 
-use super::MOST;
-use super::faces::{sum, too_much};
+use super::faces::{MOST, sum, too_much};
 use crate::check::curves::OfFile;
 use crate::clip::{ClipData, Key};
-use crate::options::Face;
+use crate::project::options::Face;
 use lipz_bank::face::Emotion;
 use lipz_diagnostics::Diagnostic;
 use std::collections::BTreeMap;
 
-/// Reports the first place where curves that a file has, with those that were made, add up to more than a face can show; once for
-/// each character.
+/// Reports for each character the first frame where the curves of the file and the generated curves add up to more than
+/// a face can show.
 pub(in crate::check) fn sums(of_file: &OfFile, clip: &ClipData, diagnostics: &mut Vec<Diagnostic>) {
     let mut by_character: BTreeMap<&str, Vec<(Emotion, &[Key])>> = BTreeMap::new();
     if of_file.emotions.is_empty() {
@@ -33,8 +32,8 @@ pub(in crate::check) fn sums(of_file: &OfFile, clip: &ClipData, diagnostics: &mu
     }
 }
 
-/// The first key at which emotions add up to too much, unless one of them does so alone: between keys, a sum is never higher than
-/// at both.
+/// Returns the first key at which emotions add up to more than the maximum, unless a single one exceeds it. Keys are
+/// enough because a sum between two keys is never higher than at both of them.
 fn first_over_the_top(curves: &[(Emotion, &[Key])]) -> Option<(u32, Face)> {
     let mut frames: Vec<u32> = curves.iter().flat_map(|(_, keys)| keys.iter().map(|(frame, _)| *frame)).collect();
     frames.sort_unstable();
@@ -52,7 +51,7 @@ fn first_over_the_top(curves: &[(Emotion, &[Key])]) -> Option<(u32, Face)> {
     })
 }
 
-/// The value at a frame, in thousandths; the key with the number `next` is the first one behind it.
+/// Returns the value at a frame, in thousandths. `next` is the index of the first key after the frame.
 fn value_at(keys: &[Key], next: usize, frame: u32) -> i32 {
     let before = next.checked_sub(1).and_then(|before| keys.get(before));
     match (before, keys.get(next)) {

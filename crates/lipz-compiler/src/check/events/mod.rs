@@ -1,21 +1,23 @@
-//! The event strings of a clip's segments: kept as they are, and checked where they are Character
-//! Event Syntax or nearly so.
+//! The event strings of a clip's segments. They are kept unchanged, and checked if they are Character Event Syntax or
+//! nearly so.
 
 mod names;
 mod near_miss;
 
 use super::texts::nul;
-use crate::{KnownNames, Options};
+use crate::project::{KnownNames, Options};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::event::{self, Part};
 use lipz_file::{JsonString, text};
+use names::UnregisteredName;
+use near_miss::{NearMiss, near_misses};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Diagnostics of one kind that one element shows in full; the rest is counted.
+/// The maximum number of diagnostics of one kind per element that are shown in full; the rest are counted.
 const SHOWN: usize = 3;
 
-/// The trimmed event string of each segment.
+/// Returns the trimmed event string of each segment.
 pub(super) fn trimmed<'t>(
     string: &'t JsonString<'_>,
     options: &Options,
@@ -35,22 +37,41 @@ pub(super) fn trimmed<'t>(
     trimmed
 }
 
-/// Whether nothing is wrong with the events of a segment, in any file.
+/// Whether the events of a segment do not need a diagnostic in any file.
 pub(super) fn is_clean(segment: &str, options: &Options) -> bool {
-    let known_names = &options.known_names;
-    match event::parse(segment) {
-        Some(mut events) => events.all(|event| names::unknown(&event, known_names).next().is_none()),
-        // What is clean in one file is taken for clean in all.
-        None => !options.may_report(Code::OtherEvents) && near_miss::near_misses(segment, known_names).next().is_none(),
-    }
+    // A string that is clean in one file is treated as clean in all files.
+    faults(segment, &options.known_names, options.may_report(Code::OtherEvents)).is_empty()
 }
 
-/// Whether the project has no other syntax for events.
+/// A fault in the events of a segment.
+enum Fault<'s> {
+    /// A name that the project does not register.
+    UnregisteredName(UnregisteredName<'s>),
+    /// A part that is nearly an event.
+    NearMiss(NearMiss<'s>),
+    /// A part that is not an event.
+    Other(Part<'s>),
+}
+
+/// Returns all faults in the events of a segment. A fault that is missing here is never reported. If it `is_strict`,
+/// events in another syntax are faults, too.
+fn faults<'s>(segment: &'s str, known_names: &KnownNames, is_strict: bool) -> Vec<Fault<'s>> {
+    if let Some(events) = event::parse(segment) {
+        return events.flat_map(|event| names::unknown(&event, known_names)).map(Fault::UnregisteredName).collect();
+    }
+    let mut faults: Vec<Fault<'_>> = near_misses(segment, known_names).map(Fault::NearMiss).collect();
+    if is_strict && faults.is_empty() {
+        faults.extend(event::parts(segment).filter(|part| part.event().is_none()).map(Fault::Other));
+    }
+    faults
+}
+
+/// Whether the project reports events in another syntax.
 fn wants_events_only(options: &Options) -> bool {
     options.levels.severity(Code::OtherEvents).is_some()
 }
 
-/// What is wrong with the events of an element.
+/// The diagnostics about the events of an element.
 struct EventDiagnostics<'e> {
     string: &'e JsonString<'e>,
     known_names: &'e KnownNames,
@@ -59,7 +80,7 @@ struct EventDiagnostics<'e> {
     by_code: BTreeMap<Code, OfCode>,
 }
 
-/// The diagnostics of one code: the first few, and how many there are.
+/// The diagnostics of one code: the first few, and the number of all.
 #[derive(Default)]
 struct OfCode {
     first: Vec<Diagnostic>,
@@ -67,28 +88,17 @@ struct OfCode {
 }
 
 impl EventDiagnostics<'_> {
-    /// Adds what is wrong in a segment, which starts at byte `start` of the element's text.
+    /// Adds the faults of a segment that starts at byte `start` of the element's text.
     fn of_segment(&mut self, segment: &str, start: usize) {
         let (string, known_names) = (self.string, self.known_names);
         let span = |at: Range<usize>| string.span_of(start + at.start..start + at.end);
-        match event::parse(segment) {
-            Some(events) => {
-                for unknown in events.flat_map(|event| names::unknown(&event, known_names)) {
-                    self.add(unknown.code(), || unknown.diagnostic(span(unknown.word.range()), known_names));
+        for fault in faults(segment, known_names, self.is_strict) {
+            match fault {
+                Fault::UnregisteredName(name) => {
+                    self.add(name.code(), || name.diagnostic(span(name.word.range()), known_names));
                 }
-            }
-            None => {
-                let mut is_near = false;
-                for near_miss in near_miss::near_misses(segment, known_names) {
-                    is_near = true;
-                    self.add(Code::NearEvent, || near_miss.diagnostic(span(near_miss.at.clone())));
-                }
-                if self.is_strict && !is_near {
-                    let parts = event::parts(segment).filter(|part| part.event().is_none());
-                    for part in parts {
-                        self.add(Code::OtherEvents, || other_events(part, span));
-                    }
-                }
+                Fault::NearMiss(event) => self.add(Code::NearEvent, || event.diagnostic(span(event.at.clone()))),
+                Fault::Other(part) => self.add(Code::OtherEvents, || other_events(part, span)),
             }
         }
     }
@@ -102,21 +112,21 @@ impl EventDiagnostics<'_> {
     }
 }
 
-/// A part of a segment is no event.
+/// Returns the diagnostic for a part of a segment that is not an event.
 fn other_events(part: Part<'_>, span: impl Fn(Range<usize>) -> Span) -> Diagnostic {
     let written = text::trim(part.text);
     let start = part.start + part.text.find(written).unwrap_or(0);
     let message = match written {
-        "" => "an event is missing beside this `,`".to_owned(),
+        "" => "an event is missing next to this `,`".to_owned(),
         _ => format!("{} is not Character Event Syntax", escape::quoted(written)),
     };
     Diagnostic::at(Code::OtherEvents, span(start..start + written.len()), message)
-        .note("all of the segment is kept as text: games see no events in it")
-        .help("write it as in `amy feels sad, points door`, and actions of the game as in `amy does wave`")
+        .note("the whole segment is kept as text; games do not see its events")
+        .help("write it as in `amy feels sad, points door`; for an action of the game, as in `amy does wave`")
 }
 
 impl OfCode {
-    /// The diagnostics that are shown; the last one says how many are not.
+    /// Returns the diagnostics to show. The last one states the number of hidden ones.
     fn shown(mut self) -> Vec<Diagnostic> {
         let hidden = self.count - self.first.len();
         if hidden > 0

@@ -1,14 +1,14 @@
-//! Names in events, against those that the project registers.
+//! Names in events, compared with the names that the project registers.
 
-use crate::KnownNames;
+use crate::project::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{Event, Word};
 use std::collections::BTreeSet;
 
-/// Known names that a diagnostic lists.
+/// The maximum number of known names in a diagnostic.
 const LISTED: usize = 20;
 
-/// The emotions of the specification, then those that lipz adds: the twelve attributes, and other presets.
+/// The emotions of the specification, then the additions of lipz: the twelve attributes, and other presets.
 const FEELINGS: [&str; 27] = [
     "neutral",
     "amused",
@@ -39,7 +39,7 @@ const FEELINGS: [&str; 27] = [
     "bad",
 ];
 
-/// What a word of an event is the name of.
+/// The kind of thing that a word of an event names.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     Character,
@@ -50,7 +50,7 @@ pub(super) enum Role {
 }
 
 impl Role {
-    /// The role of what follows a verb.
+    /// Returns the role of the object of a verb.
     pub(super) fn of_object(verb: &str) -> Option<Role> {
         match verb {
             "feels" => Some(Role::Emotion),
@@ -61,16 +61,16 @@ impl Role {
     }
 }
 
-/// The names that may play a role.
-pub(super) struct Names<'r> {
+/// The names that are allowed in a role.
+pub(super) struct RoleNames<'r> {
     specified: &'static [&'static str],
     registered: [Option<&'r BTreeSet<String>>; 2],
-    /// Whether there are no others: a target can be a character or a prop, so both must be registered.
+    /// Whether the list is complete. A target can be a character or a prop, so both must be registered.
     is_complete: bool,
 }
 
-impl<'r> Names<'r> {
-    pub(super) fn new(role: Role, known_names: &'r KnownNames) -> Names<'r> {
+impl<'r> RoleNames<'r> {
+    pub(super) fn new(role: Role, known_names: &'r KnownNames) -> RoleNames<'r> {
         let (characters, props) = (known_names.characters.as_ref(), known_names.props.as_ref());
         let actions = known_names.actions.as_ref();
         let (specified, registered, is_complete): (&[_], _, _) = match role {
@@ -79,15 +79,15 @@ impl<'r> Names<'r> {
             Role::Target => (&[], [characters, props], characters.is_some() && props.is_some()),
             Role::Action => (&[], [actions, None], actions.is_some()),
         };
-        Names { specified, registered, is_complete }
+        RoleNames { specified, registered, is_complete }
     }
 
-    /// Whether a name is spelled exactly so.
+    /// Whether a name is listed with exactly this spelling.
     pub(super) fn contains(&self, name: &str) -> bool {
         self.specified.contains(&name) || self.registered.into_iter().flatten().any(|names| names.contains(name))
     }
 
-    /// The name that was probably meant.
+    /// Returns the name that was probably meant.
     pub(super) fn nearest(&self, written: &str) -> Option<&'r str> {
         suggest::nearest(written, self.iter())
     }
@@ -97,7 +97,7 @@ impl<'r> Names<'r> {
         self.specified.iter().copied().chain(registered)
     }
 
-    /// The names for people, or the start of a long list; `None` if there are none.
+    /// Returns the names for a message, or the start of a long list; `None` if there are no names.
     fn listed(&self) -> Option<String> {
         let shown: Vec<_> = self.iter().take(LISTED).map(escape::text).collect();
         match self.iter().count() {
@@ -108,28 +108,31 @@ impl<'r> Names<'r> {
     }
 }
 
-/// A name that is not among the known ones.
-pub(super) struct Unknown<'t> {
+/// A name that is not registered.
+pub(super) struct UnregisteredName<'t> {
     role: Role,
     pub(super) word: Word<'t>,
 }
 
-/// The names of an event that are not known although all names of their role are.
-pub(super) fn unknown<'t>(event: &Event<'t>, known_names: &KnownNames) -> impl Iterator<Item = Unknown<'t>> + use<'t> {
+/// Returns the names in an event that are not registered, for roles with a complete list of names.
+pub(super) fn unknown<'t>(
+    event: &Event<'t>,
+    known_names: &KnownNames,
+) -> impl Iterator<Item = UnregisteredName<'t>> + use<'t> {
     let character = event.character.map(|word| (Role::Character, word));
     let object = Role::of_object(event.command.verb()).zip(event.command.object());
     let is_unknown = |(role, word): &(Role, Word<'_>)| {
-        let names = Names::new(*role, known_names);
+        let names = RoleNames::new(*role, known_names);
         names.is_complete && !names.contains(word.text)
     };
     [character, object]
         .map(|name| name.filter(is_unknown))
         .into_iter()
         .flatten()
-        .map(|(role, word)| Unknown { role, word })
+        .map(|(role, word)| UnregisteredName { role, word })
 }
 
-impl Unknown<'_> {
+impl UnregisteredName<'_> {
     pub(super) fn code(&self) -> Code {
         match self.role {
             Role::Character => Code::UnknownCharacter,
@@ -150,7 +153,7 @@ impl Unknown<'_> {
             ),
             Role::Action => ("not a registered action", "registered actions", ["actions"].as_slice()),
         };
-        let names = Names::new(self.role, known_names);
+        let names = RoleNames::new(self.role, known_names);
         let message = format!("{} is {what}", escape::quoted(self.word.text));
         let diagnostic = Diagnostic::at(self.code(), span, message).note(match names.listed() {
             Some(listed) => format!("the {known} are {listed}"),
@@ -159,8 +162,7 @@ impl Unknown<'_> {
         diagnostic.help(match names.nearest(self.word.text) {
             Some(name) => format!("did you mean {}?", escape::quoted(name)),
             None => {
-                let (settings, flags) = (lists.join(" or "), lists.join(" or --"));
-                format!("if your game knows it, add it to {settings} in lipz.toml, or to --{flags}")
+                format!("add it to `{}` in `[registry]` of lipz.toml if your game supports it", lists.join("` or `"))
             }
         })
     }

@@ -1,21 +1,22 @@
-//! When the words of a text are said.
+//! The times of the words in a text.
 
-use super::words::{Word, Words};
-use crate::WordTime;
+use super::words::{SpokenWord, Words};
 use crate::check::share::share_of_segment;
 use crate::clip::ClipData;
+use crate::project::WordTime;
 use lipz_bank::{Fps, Micros};
 
-/// The code of a mouth at rest.
+/// The code for rest.
 pub(super) const REST: u8 = b'-';
 
-/// From words to frames of their clip: their times where somebody has heard them; else their share of the segment, by letters.
+/// Converts words to frames of their clip. It uses the recognised times of the words if there are any, and else their
+/// share of the segment by letters.
 pub(super) struct Clock<'c> {
     clip: &'c ClipData,
     fps: Fps,
     times: Vec<WordTime>,
     letters: &'c [usize],
-    /// For each frame, the first one of the rest that it is part of, or itself.
+    /// For each frame, the first frame of the rest that it belongs to, or itself.
     rest_starts: Vec<u32>,
 }
 
@@ -29,8 +30,8 @@ impl<'c> Clock<'c> {
         Clock { clip, fps, times, letters: &words.letters, rest_starts: rest_starts.collect() }
     }
 
-    /// The frame in which a word starts, behind so many of its letters.
-    pub(super) fn start(&self, word: &Word<'_>, letters: usize) -> u32 {
+    /// Returns the frame that follows this number of a word's letters.
+    pub(super) fn start(&self, word: &SpokenWord<'_>, letters: usize) -> u32 {
         let byte = word.start + word.text.char_indices().nth(letters).map_or(0, |(byte, _)| byte);
         match self.heard(byte) {
             Some(time) => self.frame_of(word.segment, time.start_ms),
@@ -38,8 +39,8 @@ impl<'c> Clock<'c> {
         }
     }
 
-    /// The frame in which a word has been said: where the mouth comes to rest behind it, if it does.
-    pub(super) fn end(&self, word: &Word<'_>) -> u32 {
+    /// Returns the frame in which a word ends. If the mouth rests after the word, it is the first frame of the rest.
+    pub(super) fn end(&self, word: &SpokenWord<'_>) -> u32 {
         let last = word.text.chars().next_back().map_or(0, char::len_utf8);
         if let Some(time) = self.heard(word.end() - last) {
             return self.frame_of(word.segment, time.end_ms);
@@ -51,7 +52,7 @@ impl<'c> Clock<'c> {
         before.filter(|rest| **rest + 1 < end && **rest > start).copied().unwrap_or(end)
     }
 
-    /// When the word is said that has a byte of the text.
+    /// Returns the time of the word at this byte of the text.
     fn heard(&self, byte: usize) -> Option<&WordTime> {
         let place = self.times.partition_point(|time| time.range.end <= byte);
         self.times.get(place).filter(|time| time.range.start <= byte)

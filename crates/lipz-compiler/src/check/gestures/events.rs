@@ -1,20 +1,21 @@
-//! The gestures of events: `nods 4`, `mara looks away`.
+//! Gestures in events: `nods 4`, `mara looks away`.
 
-use super::shapes::Kind;
-use super::{Gesture, MOST};
+use super::gesture::{Gesture, MOST};
+use super::shapes::GestureKind;
 use crate::clip::ClipData;
-use crate::options::Gestures;
+use crate::project::options::Gestures;
 use lipz_bank::curve::CurveValue;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::event::{self, Command, Event};
 use lipz_file::{JsonString, text};
 
-/// How far eyes look away, in thousandths of a degree: they go beyond the 20 degrees after which the head follows.
+/// The angle of the eyes when they look away, in thousandths of a degree. It exceeds the 20 degrees after which the
+/// head follows.
 const AWAY: i32 = 25_000;
-/// How far lids close, in thousandths.
+/// The closing of the eyelids, in thousandths.
 const CLOSED: i32 = 1000;
 
-/// The gestures of a clip's events, and where the events are.
+/// Returns the gestures in a clip's events with the positions of the events.
 pub(super) fn of_events<'e>(
     events: &'e JsonString<'_>,
     clip: &ClipData,
@@ -45,49 +46,51 @@ pub(in crate::check) fn are_in_events(segment: &str) -> bool {
     event::parse(segment).into_iter().flatten().any(|event| kind_of(&event, &own).is_some())
 }
 
-/// The gesture of an event, and how far it goes without a number.
-fn kind_of(event: &Event<'_>, own: &Gestures) -> Option<(Kind, i32)> {
+/// Returns the gesture of an event, and its default strength.
+fn kind_of(event: &Event<'_>, own: &Gestures) -> Option<(GestureKind, i32)> {
     match event.command {
-        Command::Nods(_) => Some((Kind::Nod, own.nods_thousandths)),
-        Command::Shakes(_) => Some((Kind::Shake, own.nods_thousandths)),
-        Command::Breathes(_) => Some((Kind::Breath, own.breath_thousandths)),
-        Command::Blinks => Some((Kind::Blink, CLOSED)),
-        Command::LooksAway => Some((Kind::LookAway, AWAY)),
+        Command::Nods(_) => Some((GestureKind::Nod, own.nods_thousandths)),
+        Command::Shakes(_) => Some((GestureKind::Shake, own.nods_thousandths)),
+        Command::Breathes(_) => Some((GestureKind::Breath, own.breath_thousandths)),
+        Command::Blinks => Some((GestureKind::Blink, CLOSED)),
+        Command::LooksAway => Some((GestureKind::LookAway, AWAY)),
         _ => None,
     }
 }
 
 fn too_high(event: &Event<'_>, strength: i32, span: Span) -> Diagnostic {
     let value = CurveValue::from_thousandths(strength);
-    let message = format!("{} {value} is outside of 0 to 10", event.command.verb());
+    let message = format!("{} {value} is outside 0 to 10", event.command.verb());
     Diagnostic::at(Code::GestureValue, span, message)
-        .note("the curve gets the gesture with 10")
-        .help("write a number from 0, nothing, to 10, the most that a face can do")
+        .note("the gesture is limited to 10")
+        .help("write a number from 0 to 10")
 }
 
-/// The diagnostic for the first gesture of a clip without a frame rate.
+/// Returns the diagnostic for the first gesture of a clip without a frame rate.
 pub(super) fn without_fps((_, span): &(Gesture<'_>, Span)) -> Diagnostic {
-    Diagnostic::at(Code::GestureHidden, *span, "the gesture moves nothing: the clip has no frame rate")
-        .note("a gesture takes a time, of which lipz has to make frames")
-        .help("add `fps` to the file, or `default-fps` to lipz.toml for all that have none")
+    Diagnostic::at(Code::GestureHidden, *span, "the gesture has no effect because the clip has no frame rate")
+        .note("a gesture takes time, which lipz converts to frames")
+        .help("add `fps` to the file, or `default-fps` to lipz.toml for all files without it")
 }
 
-/// The diagnostic for the gesture of an event that moves no curve: those of the file are still, or it has no place on them.
+/// Returns the diagnostic for a gesture that does not move a curve, either because the curves of the file are constant
+/// or because there is no room for it.
 pub(super) fn hidden(gesture: &Gesture<'_>, span: Span, is_still: bool, clip: &ClipData) -> Diagnostic {
     let (message, help) = match is_still {
         true => {
             let name = gesture.kind.paths().first().map_or(String::new(), |(curve, _)| gesture.name_of(*curve));
             let quoted = escape::quoted(&name);
             let message =
-                format!("the gesture moves nothing: the file has a curve {quoted}, which does not move there");
+                format!("the gesture has no effect because the curve {quoted} of the file is constant at that time");
             (message, "write the gesture into the curve, or remove one of the two")
         }
-        false if gesture.frame as usize >= clip.frames.len() => {
-            ("the gesture moves nothing: the clip ends where it starts".to_owned(), "put it into an earlier segment")
-        }
+        false if gesture.frame as usize >= clip.frames.len() => (
+            "the gesture has no effect because the clip ends where it starts".to_owned(),
+            "move it to an earlier segment",
+        ),
         false => {
-            let message = "the gesture moves nothing: another one is under way on its curve".to_owned();
-            (message, "put it into a later segment, or remove one of the two")
+            let message = "the gesture has no effect because another gesture is in progress on its curve".to_owned();
+            (message, "move it to a later segment, or remove one of the two")
         }
     };
     Diagnostic::at(Code::GestureHidden, span, message).help(help)

@@ -1,6 +1,6 @@
-//! From gestures to keys of curves.
+//! The conversion of gestures to keys of curves.
 
-use super::Gesture;
+use super::gesture::Gesture;
 use super::shapes::{Path, neutral};
 use crate::clip::{ClipData, Key};
 use lipz_bank::curve::CurveValue;
@@ -9,20 +9,20 @@ use lipz_bank::{Fps, Micros};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A gesture that has a place on a curve.
-struct Placed {
-    /// What it adds to the neutral value at most.
+/// A gesture with its room on a curve.
+struct PlacedGesture {
+    /// The maximum difference from the neutral value.
     amplitude: i32,
     path: Path,
-    /// The frame in which it is done.
+    /// The frame in which the gesture ends.
     end: u32,
 }
 
-/// Gestures by the frame in which they start.
-type OfCurve = BTreeMap<u32, Placed>;
+/// Gestures by their start frames.
+type OfCurve = BTreeMap<u32, PlacedGesture>;
 
-/// The curves of gestures, and for each gesture whether it moves one. Of those that overlap on a curve the first one in `gestures`
-/// stays.
+/// Returns the curves of gestures, and for each gesture whether it moves a curve. If gestures overlap on a curve, the
+/// first one in `gestures` stays.
 pub(super) fn keys(gestures: &[Gesture<'_>], fps: Fps, clip_end: u32) -> (BTreeMap<String, Vec<Key>>, Vec<bool>) {
     let mut placed: BTreeMap<String, (FaceCurve, OfCurve)> = BTreeMap::new();
     let mut moves = Vec::with_capacity(gestures.len());
@@ -33,7 +33,7 @@ pub(super) fn keys(gestures: &[Gesture<'_>], fps: Fps, clip_end: u32) -> (BTreeM
             let end = end_of(gesture, path, fps);
             if is_free(of_curve, gesture.frame..end) {
                 let amplitude = gesture.kind.amplitude(gesture.strength);
-                of_curve.insert(gesture.frame, Placed { amplitude, path, end });
+                of_curve.insert(gesture.frame, PlacedGesture { amplitude, path, end });
                 is_placed = true;
             }
         }
@@ -45,13 +45,13 @@ pub(super) fn keys(gestures: &[Gesture<'_>], fps: Fps, clip_end: u32) -> (BTreeM
     (moving.map(|(name, _, keys)| (name, keys)).collect(), moves)
 }
 
-/// The frame in which a gesture is done on a curve.
+/// Returns the frame in which a gesture ends on a curve.
 fn end_of(gesture: &Gesture<'_>, path: Path, fps: Fps) -> u32 {
     let length = path.iter().fold(0, |length, (ms, _)| frames(fps, *ms).max(length + 1));
     gesture.frame.saturating_add(length)
 }
 
-/// Whether the file has all curves of a gesture, and none of them moves while the gesture would.
+/// Whether the file has all curves of a gesture, and they are constant during the gesture.
 pub(super) fn are_still(gesture: &Gesture<'_>, fps: Fps, clip: &ClipData) -> bool {
     gesture.kind.paths().iter().all(|(curve, path)| {
         let name = gesture.name_of(*curve);
@@ -67,18 +67,18 @@ fn moves_in(keys: &[Key], frames: Range<u32>) -> bool {
     pairs.into_iter().any(|(from, to)| from.1 != to.1)
 }
 
-/// Whether no gesture is under way in these frames.
+/// Whether these frames do not overlap a gesture.
 fn is_free(of_curve: &OfCurve, frames: Range<u32>) -> bool {
     let before = of_curve.range(..=frames.start).next_back();
     before.is_none_or(|(start, last)| last.end <= frames.start && *start < frames.start)
         && of_curve.range(frames).next().is_none()
 }
 
-/// The keys of gestures, one behind the other, in a clip of so many frames.
+/// Returns the keys of consecutive gestures. `clip_end` is the number of frames in the clip.
 fn keys_of(curve: FaceCurve, gestures: OfCurve, fps: Fps, clip_end: u32) -> Vec<Key> {
     let mut keys: Vec<Key> = Vec::new();
     let at_rest = CurveValue::from_thousandths(neutral(curve));
-    for (start, Placed { amplitude, path, end }) in gestures {
+    for (start, PlacedGesture { amplitude, path, end }) in gestures {
         if keys.last().is_none_or(|(frame, _)| *frame < start) {
             keys.push((start, at_rest));
         }
@@ -90,13 +90,13 @@ fn keys_of(curve: FaceCurve, gestures: OfCurve, fps: Fps, clip_end: u32) -> Vec<
                 keys.push((before, CurveValue::from_thousandths(value as i32)));
             }
         }
-        // The clip may end before the gesture does: then it is done there.
+        // A gesture that is longer than the clip ends with it.
         keys.push((end.min(clip_end), at_rest));
     }
     keys
 }
 
-/// The frame of a time, the nearest one.
+/// Returns the number of frames in a time, rounded to the nearest.
 fn frames(fps: Fps, ms: u32) -> u32 {
     let half_us = fps.start_of_frame_us(1) / 2;
     fps.frame_at(Micros((u64::from(ms) * 1000 + half_us) as i64)).unwrap_or(u32::MAX)
@@ -104,12 +104,12 @@ fn frames(fps: Fps, ms: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::shapes::Kind;
+    use super::super::shapes::GestureKind;
     use super::*;
 
-    /// The keys of nods, in a clip of 40 frames at 20 a second.
+    /// Returns the keys of nods in a clip of 40 frames at 20 frames per second.
     fn nods(gestures: &[(u32, i32)]) -> Vec<String> {
-        let nod = |(frame, strength): &(u32, i32)| Gesture::new(Kind::Nod, *frame, *strength);
+        let nod = |(frame, strength): &(u32, i32)| Gesture::new(GestureKind::Nod, *frame, *strength);
         let gestures: Vec<Gesture<'_>> = gestures.iter().map(nod).collect();
         let (curves, _) = keys(&gestures, Fps::whole(20), 40);
         curves.into_values().flatten().map(|(frame, value)| format!("{frame}:{value}")).collect()
@@ -128,9 +128,9 @@ mod tests {
     #[test]
     fn swings_decrease_and_stay_in_the_clip() {
         assert_eq!(nods(&[(2, 4000)]), ["2:5", "5:3", "8:6", "11:4.5", "14:5"]);
-        assert_eq!(nods(&[(0, 10_000)])[1], "3:0", "as far as the curve goes");
+        assert_eq!(nods(&[(0, 10_000)])[1], "3:0", "at the end of the curve");
         assert_eq!(nods(&[(2, 4000), (14, 4000)])[4..], ["14:5", "17:3", "20:6", "23:4.5", "26:5"]);
-        assert_eq!(nods(&[(2, 4000), (13, 4000), (0, 1000)]).len(), 5, "the first of them stays");
+        assert_eq!(nods(&[(2, 4000), (13, 4000), (0, 1000)]).len(), 5, "the first one stays");
         assert_eq!(nods(&[(34, 4000)]), ["34:5", "37:3", "40:5"]);
         assert_eq!(nods(&[(39, 4000), (40, 4000), (99, 4000)]), [""; 0]);
         assert_eq!(nods(&[(2, 0)]), [""; 0], "nothing moves");

@@ -1,7 +1,8 @@
-//! What faces do while something is said or heard, as curves: nods and shakes of the head, breath, brows, shrugs.
+//! Curves for the movements of faces during speech and pauses: nods and shakes of the head, breath, brows, shrugs.
 
 mod clock;
 mod events;
+mod gesture;
 mod keys;
 mod lists;
 mod pauses;
@@ -10,50 +11,25 @@ mod said;
 mod shapes;
 mod words;
 
-use super::Spoken;
+use super::ClipSpeech;
 use super::elements::Roles;
-use crate::Options;
 use crate::clip::{ClipData, Key, Locales};
-use crate::options::GestureKeys;
+use crate::project::Options;
+use crate::project::options::GestureKeys;
 use clock::Clock;
 pub(super) use events::are_in_events;
+use gesture::Gesture;
 use lipz_bank::Fps;
 use lipz_bank::face::FaceCurve;
 use lipz_diagnostics::Diagnostic;
 use lists::Lists;
-use shapes::Kind;
 use words::Words;
 
-/// The highest strength, in thousandths.
-const MOST: i32 = 10_000;
-
-/// What a face does from a frame on.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Gesture<'e> {
-    kind: Kind,
-    frame: u32,
-    /// In thousandths.
-    strength: i32,
-    /// `None` for the speaker.
-    who: Option<&'e str>,
-}
-
-impl Gesture<'_> {
-    fn new(kind: Kind, frame: u32, strength: i32) -> Self {
-        Gesture { kind, frame, strength, who: None }
-    }
-
-    /// The name of one of its curves: those of others have their name in front.
-    fn name_of(&self, curve: FaceCurve) -> String {
-        self.who.map_or(curve.name().to_owned(), |who| format!("{who}.{}", curve.name()))
-    }
-}
-
-/// Gives the clip, whose emotions are known, the curves of its gestures, unless its file has curves of those names.
+/// Adds the curves of gestures to the clip, whose emotions are known, unless its file has curves with these names.
 pub(super) fn curves(
     roles: &Roles<'_>,
     options: &Options,
-    spoken: Spoken<'_>,
+    spoken: ClipSpeech<'_>,
     locales: &Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
@@ -76,7 +52,7 @@ pub(super) fn curves(
         curves.insert(FaceCurve::Pose.name().to_owned(), poses);
     }
     for ((gesture, span), moves) in of_events.iter().zip(moves) {
-        // A curve that moves there shows the gesture as somebody wants it, or as `lipz face` wrote it.
+        // A curve that moves there shows the gesture already, hand-edited or written by `lipz convert --write-curves`.
         let is_still = keys::are_still(gesture, fps, clip);
         if !moves || is_still {
             diagnostics.push(events::hidden(gesture, *span, is_still, clip));
@@ -85,11 +61,11 @@ pub(super) fn curves(
     clip.curves.add_missing(curves);
 }
 
-/// Adds what the speaker does with what is said, and while nothing is. Returns the keys of poses.
+/// Adds the speaker's gestures for the spoken words and the pauses. Returns the keys of poses.
 fn of_words(
     roles: &Roles<'_>,
     options: &Options,
-    spoken: Spoken<'_>,
+    spoken: ClipSpeech<'_>,
     locales: &Locales,
     clip: &ClipData,
     fps: Fps,

@@ -1,17 +1,18 @@
-//! What a face does while its mouth rests for long: somebody listens.
+//! The gestures of a listening face while its mouth rests for long.
 
-use super::Gesture;
 use super::clock::REST;
-use super::shapes::Kind;
+use super::gesture::Gesture;
+use super::shapes::GestureKind;
 use crate::clip::ClipData;
 use lipz_bank::{Fps, Micros};
 
-/// Milliseconds from the start of a pause to the first gesture, and from its last one to the end at least.
+/// The minimum time in milliseconds from the start of a pause to the first gesture, and from the last gesture to the
+/// end.
 const MARGIN_MS: i64 = 900;
-/// Milliseconds from one gesture to the next.
+/// The interval between gestures in milliseconds.
 const EVERY_MS: i64 = 3000;
-/// What is done, in turn, with its strength.
-const TURNS: [(Kind, i32); 3] = [(Kind::Brows, 400), (Kind::Nod, 1500), (Kind::Shrug, 300)];
+/// The sequence of gestures with their strengths.
+const TURNS: [(GestureKind, i32); 3] = [(GestureKind::Brows, 400), (GestureKind::Nod, 1500), (GestureKind::Shrug, 300)];
 
 /// Adds brows, small nods and shrugs in the pauses of a clip.
 pub(super) fn of_listening(clip: &ClipData, fps: Fps, to: &mut Vec<Gesture<'_>>) {

@@ -1,4 +1,4 @@
-//! When a head turns to another pose: at each word, and at each pause.
+//! The times when a head turns to another pose: at each word, and at each pause.
 
 use super::clock::{Clock, REST};
 use super::words::Words;
@@ -7,14 +7,14 @@ use lipz_bank::curve::CurveValue;
 use lipz_bank::{Fps, Micros};
 use std::collections::BTreeMap;
 
-/// Milliseconds that a mouth rests in a pause, and not between two sounds.
+/// The minimum length of a pause in milliseconds. A shorter rest is between two phones.
 const PAUSE_MS: i64 = 200;
-/// Milliseconds of a word of usual length: 150 words a minute.
+/// The usual length of a word in milliseconds, at 150 words per minute.
 const WORD_MS: i64 = 400;
-/// How far a head goes in each pose.
+/// The strength of each pose.
 const WHOLE: CurveValue = CurveValue::from_thousandths(1000);
 
-/// The keys of the curve `pose`; none without words.
+/// Returns the keys of the curve `pose`, or an empty list without words.
 pub(super) fn of_words(words: &Words<'_>, clip: &ClipData, clock: &Clock<'_>, fps: Fps) -> Vec<Key> {
     if words.words.is_empty() {
         return Vec::new();
@@ -22,18 +22,19 @@ pub(super) fn of_words(words: &Words<'_>, clip: &ClipData, clock: &Clock<'_>, fp
     let frames = |ms: i64| fps.frame_at(Micros(ms * 1000)).unwrap_or(u32::MAX).max(1);
     let end = clip.frames.len() as u32;
     let pauses = pauses(&clip.frames, frames(PAUSE_MS));
-    // Whether somebody speaks from a frame on.
+    // Whether the character speaks from a frame on.
     let mut turns: BTreeMap<u32, bool> = pauses.keys().map(|start| (*start, false)).collect();
     for word in &words.words {
         let start = clock.start(word, 0);
-        // A share of the segment may be in a pause, which the word cannot be.
+        // A time that is a share of the segment may be in a pause, but the word cannot.
         let pause = pauses.range(..=start).next_back().filter(|(_, end)| start < **end);
         turns.insert(pause.map_or(start, |(_, end)| *end), true);
     }
     turns.retain(|start, speaks| *start < end && (*speaks || pauses.get(start) != Some(&end)));
     let ends: Vec<u32> = turns.keys().copied().skip(1).chain([end]).collect();
     let of_turn = |((start, speaks), end): ((u32, bool), u32)| {
-        // In scripts without blanks, a word is several: as many as are usual, if these are more than two.
+        // In scripts without spaces, one word can stand for several. If it lasts longer than two usual words, it counts
+        // as that many.
         let usual = (end - start) / frames(WORD_MS);
         let parts = if speaks && usual > 2 { usual } else { 1 };
         (0..parts).map(move |part| start + (u64::from(end - start) * u64::from(part) / u64::from(parts)) as u32)
@@ -41,7 +42,8 @@ pub(super) fn of_words(words: &Words<'_>, clip: &ClipData, clock: &Clock<'_>, fp
     turns.into_iter().zip(ends).flat_map(of_turn).map(|frame| (frame, WHOLE)).collect()
 }
 
-/// Where a mouth rests for so many frames and more, besides before its first sound: from the first frame to the one behind the last.
+/// Returns the rests of at least `least` frames, except the one before the first phone: from the first frame to the
+/// end, which is excluded.
 fn pauses(frames: &[u8], least: u32) -> BTreeMap<u32, u32> {
     let mut start = 0;
     let mut found = BTreeMap::new();

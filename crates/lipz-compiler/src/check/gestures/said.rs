@@ -1,19 +1,20 @@
-//! The gestures that a text calls for.
+//! The gestures for the words and marks of a text.
 
 use super::clock::Clock;
+use super::gesture::{Gesture, MOST};
 use super::lists::Lists;
-use super::shapes::Kind;
-use super::words::{Word, Words};
-use super::{Gesture, MOST};
+use super::shapes::GestureKind;
+use super::words::{SpokenWord, Words};
 use crate::clip::{ClipData, Key};
-use crate::options::Gestures;
+use crate::project::options::Gestures;
 use lipz_bank::curve::CurveValue;
 use lipz_bank::face::Emotion;
 
-/// Words of the longest phrase in the lists.
+/// The maximum number of words of a phrase in the lists.
 const LONGEST_PHRASE: usize = 5;
 
-/// How far the head goes down at a stressed word, of 10; how far brows and shoulders of a face go up, of 1.
+/// The strength of the head at a stressed word, on a scale to 10, and of the brows and shoulders, on a scale to 1, in
+/// thousandths.
 const STRESS: i32 = 1500;
 const STRESSED_BROWS: i32 = 600;
 const ASKING_BROWS: i32 = 400;
@@ -21,13 +22,13 @@ const SHRUG: i32 = 600;
 
 const EXCLAMATION_MARKS: &[char] = &['!', '！', '՜'];
 const QUESTION_MARKS: &[char] = &['?', '？', '؟', '፧', '՞'];
-/// In Greek, that of questions looks like a semicolon, and is written with one.
+/// A Greek question mark looks like a semicolon, and is usually typed as one.
 const GREEK_QUESTION_MARKS: &[char] = &[';', '\u{37E}', '?'];
 const GREEK: &str = "el";
 
-/// Adds the nods, shakes and shrugs of the words in a text, whose language has these `lists`.
+/// Adds the nods, shakes and shrugs for the words of a text that are in the `lists` of its language.
 pub(super) fn of_lists(words: &Words<'_>, lists: &Lists, clock: &Clock<'_>, own: &Gestures, to: &mut Vec<Gesture<'_>>) {
-    let lower: Vec<String> = words.words.iter().map(Word::lower_case).collect();
+    let lower: Vec<String> = words.words.iter().map(SpokenWord::lower_case).collect();
     let mut next = 0;
     for (number, word) in words.words.iter().enumerate() {
         if number < next {
@@ -36,15 +37,16 @@ pub(super) fn of_lists(words: &Words<'_>, lists: &Lists, clock: &Clock<'_>, own:
         let more = words.words[number..].iter().take(LONGEST_PHRASE - 1).take_while(|word| word.leads_on()).count();
         let Some(found) = lists.longest(&lower[number..=number + more]) else { continue };
         next = number + found.word_count;
-        let strength = if found.kind == Kind::Shrug { SHRUG } else { own.nods_thousandths };
+        let strength = if found.kind == GestureKind::Shrug { SHRUG } else { own.nods_thousandths };
         to.push(Gesture::new(found.kind, clock.start(word, found.letters_before), strength));
     }
 }
 
-/// Adds what brows and head do at stressed words, and brows at the ends of questions, in a text of this locale.
+/// Adds movements of brows and head at stressed words, and of brows at the ends of questions, for a text in this
+/// locale.
 pub(super) fn of_stress(words: &Words<'_>, tag: &str, clock: &Clock<'_>, to: &mut Vec<Gesture<'_>>) {
     let is_greek = tag.split('-').next() == Some(GREEK);
-    let asks = |word: &Word<'_>| match is_greek {
+    let asks = |word: &SpokenWord<'_>| match is_greek {
         true => word.is_followed_by(GREEK_QUESTION_MARKS),
         false => word.is_before(QUESTION_MARKS),
     };
@@ -54,21 +56,21 @@ pub(super) fn of_stress(words: &Words<'_>, tag: &str, clock: &Clock<'_>, to: &mu
         if word.segment != segment {
             segment = word.segment;
             let mut of_segment = words.words[number..].iter().take_while(|word| word.segment == segment);
-            has_small_letters = of_segment.any(Word::has_small_letters);
+            has_small_letters = of_segment.any(SpokenWord::has_small_letters);
         }
-        // Who writes all in capitals stresses nothing with them.
+        // Capitals mark a stressed word only in a segment that is not all in capitals.
         let is_capital = has_small_letters && word.is_in_capitals();
         if is_capital || word.is_marked() || word.is_before(EXCLAMATION_MARKS) {
             let frame = clock.start(word, 0);
-            to.push(Gesture::new(Kind::Stress, frame, STRESS));
-            to.push(Gesture::new(Kind::Brows, frame, STRESSED_BROWS));
+            to.push(Gesture::new(GestureKind::Stress, frame, STRESS));
+            to.push(Gesture::new(GestureKind::Brows, frame, STRESSED_BROWS));
         } else if asks(word) {
-            to.push(Gesture::new(Kind::Brows, clock.start(word, 0), ASKING_BROWS));
+            to.push(Gesture::new(GestureKind::Brows, clock.start(word, 0), ASKING_BROWS));
         }
     }
 }
 
-/// Adds a breath behind each sentence of a clip, deeper with exertion or fear.
+/// Adds a breath after each sentence of a clip. Exertion and fear make it deeper.
 pub(super) fn of_breath(
     words: &Words<'_>,
     clip: &ClipData,
@@ -83,12 +85,12 @@ pub(super) fn of_breath(
             let effort = [Emotion::Exertion, Emotion::Fear].map(|emotion| value_of(emotion, clip, frame));
             let effort = effort.into_iter().max().unwrap_or(0).clamp(0, MOST);
             let calm = own.breath_thousandths;
-            to.push(Gesture::new(Kind::Breath, frame, calm + (MOST - calm) * (effort / 10) / (MOST / 10)));
+            to.push(Gesture::new(GestureKind::Breath, frame, calm + (MOST - calm) * (effort / 10) / (MOST / 10)));
         }
     }
 }
 
-/// The value of the speaker's emotion at a frame, in thousandths.
+/// Returns the value of a speaker's emotion at a frame, in thousandths.
 fn value_of(emotion: Emotion, clip: &ClipData, frame: u32) -> i32 {
     let Some((_, keys)) = clip.curves.iter().find(|(name, _)| *name == emotion.name()) else { return 0 };
     let next = keys.partition_point(|(at, _)| *at <= frame);

@@ -1,76 +1,80 @@
-//! What a gesture does to which curve, and when. docs/guides/faces.md has these numbers with their sources.
+//! The curves of each gesture, and their timing. docs/guides/faces.md lists these numbers with their sources.
 
 use lipz_bank::face::FaceCurve;
 
-/// A gesture.
+/// A kind of gesture.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) enum Kind {
+pub(super) enum GestureKind {
     Nod,
     Shake,
     Shrug,
     Breath,
-    /// The brows go up.
+    /// The brows rise.
     Brows,
-    /// The head goes down a little, as at a word that is stressed.
+    /// The head lowers a little, as for a stressed word.
     Stress,
     Blink,
-    /// The eyes go to the left for a moment.
+    /// The eyes turn to the left for a moment.
     LookAway,
 }
 
-/// A curve's way through a gesture: milliseconds from its start, and thousandths of its strength there.
+/// The path of a curve through a gesture: milliseconds from its start, and thousandths of its strength at that time.
 pub(super) type Path = &'static [(u32, i32)];
 
-/// Down, up, and down again, ever less: "a set of decreasing values" (Moore).
+/// Down, up, and down again, with decreasing amplitude: "a set of decreasing values" (Moore).
 const SWINGS_DOWN: Path = &[(150, -1000), (300, 500), (450, -250), (600, 0)];
-/// To the left first.
+/// The first swing goes to the left.
 const SWINGS_LEFT: Path = &[(150, 1000), (300, -500), (450, 250), (600, 0)];
 const DIP: Path = &[(120, -1000), (400, 0)];
 const BREATH: Path = &[(300, 1000), (1000, 0)];
 const RAISED: Path = &[(120, 1000), (350, 1000), (650, 0)];
-/// A blink as the reader makes them: lids stay closed for a quarter of it.
+/// A blink like those of the reader: the eyelids stay closed for a quarter of it.
 const CLOSED: Path = &[(60, 1000), (120, 1000), (240, 0)];
 const AWAY: Path = &[(150, 1000), (1150, 1000), (1300, 0)];
 /// Down, by less than to the side.
 const AWAY_DOWN: Path = &[(150, -320), (1150, -320), (1300, 0)];
 const SHRUGGED: Path = &[(200, 1000), (600, 1000), (900, 0)];
 
-impl Kind {
-    /// The gesture of a list of words.
-    pub(super) fn of_list(name: &str) -> Option<Kind> {
+impl GestureKind {
+    /// Returns the gesture with this name in the lists of words.
+    pub(super) fn of_list(name: &str) -> Option<GestureKind> {
         match name {
-            "nod" => Some(Kind::Nod),
-            "shake" => Some(Kind::Shake),
-            "shrug" => Some(Kind::Shrug),
+            "nod" => Some(GestureKind::Nod),
+            "shake" => Some(GestureKind::Shake),
+            "shrug" => Some(GestureKind::Shrug),
             _ => None,
         }
     }
 
-    /// The curves that it moves, and how.
+    /// Returns the curves of the gesture with their paths.
     pub(super) fn paths(self) -> &'static [(FaceCurve, Path)] {
         match self {
-            Kind::Nod => &[(FaceCurve::Nod, SWINGS_DOWN)],
-            Kind::Stress => &[(FaceCurve::Nod, DIP)],
-            Kind::Shake => &[(FaceCurve::Shake, SWINGS_LEFT)],
-            Kind::Shrug => &[(FaceCurve::Shrug, SHRUGGED)],
-            Kind::Breath => &[(FaceCurve::Breath, BREATH)],
-            Kind::Brows => &[(FaceCurve::Brows, RAISED)],
-            Kind::Blink => &[(FaceCurve::Lids, CLOSED)],
-            Kind::LookAway => &[(FaceCurve::LookYaw, AWAY), (FaceCurve::LookPitch, AWAY_DOWN)],
+            GestureKind::Nod => &[(FaceCurve::Nod, SWINGS_DOWN)],
+            GestureKind::Stress => &[(FaceCurve::Nod, DIP)],
+            GestureKind::Shake => &[(FaceCurve::Shake, SWINGS_LEFT)],
+            GestureKind::Shrug => &[(FaceCurve::Shrug, SHRUGGED)],
+            GestureKind::Breath => &[(FaceCurve::Breath, BREATH)],
+            GestureKind::Brows => &[(FaceCurve::Brows, RAISED)],
+            GestureKind::Blink => &[(FaceCurve::Lids, CLOSED)],
+            GestureKind::LookAway => &[(FaceCurve::LookYaw, AWAY), (FaceCurve::LookPitch, AWAY_DOWN)],
         }
     }
 
-    /// What a strength, in thousandths, adds to the neutral value of the curve at most. Swings of 10 go from one end of their
-    /// curve to the other.
+    /// Returns the maximum difference from the neutral value of the curve for a strength, in thousandths. Swings of
+    /// strength 10 move from one end of their curve to the other.
     pub(super) fn amplitude(self, strength: i32) -> i32 {
         match self {
-            Kind::Nod | Kind::Stress | Kind::Shake => strength / 2,
-            Kind::Shrug | Kind::Breath | Kind::Brows | Kind::Blink | Kind::LookAway => strength,
+            GestureKind::Nod | GestureKind::Stress | GestureKind::Shake => strength / 2,
+            GestureKind::Shrug
+            | GestureKind::Breath
+            | GestureKind::Brows
+            | GestureKind::Blink
+            | GestureKind::LookAway => strength,
         }
     }
 }
 
-/// The value of a curve that nothing moves, in thousandths.
+/// Returns the value of a curve without movement, in thousandths.
 pub(super) fn neutral(curve: FaceCurve) -> i32 {
     match curve {
         FaceCurve::Nod | FaceCurve::Shake => 5000,

@@ -1,32 +1,32 @@
-//! The words of a text that are said, and what stands around them.
+//! The spoken words of a text, and the characters around them.
 
 use lipz_file::text;
 use std::ops::Range;
 
-/// A word that is said.
-pub(super) struct Word<'t> {
+/// A spoken word.
+pub(super) struct SpokenWord<'t> {
     pub(super) text: &'t str,
     pub(super) segment: usize,
-    /// Where it starts in the text.
+    /// Its offset in the text, in bytes.
     pub(super) start: usize,
-    /// Letters and digits of the segment before it.
+    /// Letters and digits before it in the segment.
     pub(super) letters_before: usize,
-    /// What stands in front of it, from the word or meta before.
+    /// The characters before it, from the previous word or meta.
     before: &'t str,
-    /// What stands behind it, up to the next word or meta.
+    /// The characters after it, up to the next word or meta.
     behind: &'t str,
-    /// Whether that is a word.
+    /// Whether a word follows before the next meta.
     goes_on: bool,
 }
 
-/// The words of a text, and how many letters its segments have.
+/// The words of a text, and the number of letters in each segment.
 pub(super) struct Words<'t> {
-    pub(super) words: Vec<Word<'t>>,
+    pub(super) words: Vec<SpokenWord<'t>>,
     pub(super) letters: Vec<usize>,
 }
 
 impl<'t> Words<'t> {
-    /// The words of a text, whose braces are meta or not.
+    /// Returns the words of a text. Braces enclose meta, unless they are literal.
     pub(super) fn of(whole: &'t str, literal_braces: bool) -> Words<'t> {
         let mut words = Words { words: Vec::new(), letters: Vec::new() };
         for segment in text::segments(whole) {
@@ -42,7 +42,7 @@ impl<'t> Words<'t> {
         words
     }
 
-    /// Adds the words of a stretch that is displayed.
+    /// Adds the words in a displayed range.
     fn piece(&mut self, whole: &'t str, range: Range<usize>) {
         let segment = self.letters.len() - 1;
         let first = self.words.len();
@@ -59,7 +59,7 @@ impl<'t> Words<'t> {
             self.letters[segment] += letters;
             if letters > 0 {
                 let (behind, goes_on) = ("", false);
-                self.words.push(Word { text, segment, start, letters_before, before, behind, goes_on });
+                self.words.push(SpokenWord { text, segment, start, letters_before, before, behind, goes_on });
             }
         }
         let starts: Vec<usize> = self.words[first..].iter().map(|word| word.start).collect();
@@ -71,23 +71,23 @@ impl<'t> Words<'t> {
     }
 }
 
-impl Word<'_> {
-    /// Where it ends in the text.
+impl SpokenWord<'_> {
+    /// Returns the offset of its end in the text, in bytes.
     pub(super) fn end(&self) -> usize {
         self.start + self.text.len()
     }
 
-    /// As words of lists are written.
+    /// Returns the word in the form of the lists.
     pub(super) fn lower_case(&self) -> String {
         self.text.trim_matches(is_apostrophe).to_lowercase().replace('’', "'")
     }
 
-    /// Whether only blanks stand between it and the next word.
+    /// Whether only white space separates it from the next word.
     pub(super) fn leads_on(&self) -> bool {
         self.goes_on && self.behind.chars().all(char::is_whitespace)
     }
 
-    /// Whether the writer marks it: `I *told* you`.
+    /// Whether the writer marks it for stress: `I *told* you`.
     pub(super) fn is_marked(&self) -> bool {
         self.before.ends_with(['*', '_'])
     }
@@ -97,31 +97,31 @@ impl Word<'_> {
         self.text.chars().filter(|c| c.is_uppercase()).count() > 1 && !self.has_small_letters()
     }
 
-    /// Whether it has letters that are no capitals.
+    /// Whether it has lower-case letters.
     pub(super) fn has_small_letters(&self) -> bool {
         self.text.chars().any(char::is_lowercase)
     }
 
-    /// Whether one of these marks stands behind it, at the end of a sentence.
+    /// Whether it ends a sentence, and one of these marks follows.
     pub(super) fn is_before(&self, marks: &[char]) -> bool {
         self.ends_sentence() && self.behind.contains(marks)
     }
 
-    /// Whether one of these marks stands behind it.
+    /// Whether one of these marks follows.
     pub(super) fn is_followed_by(&self, marks: &[char]) -> bool {
         self.behind.contains(marks)
     }
 
-    /// Whether a mark behind it ends a sentence.
+    /// Whether a mark after it ends a sentence.
     pub(super) fn ends_sentence(&self) -> bool {
         let Some(at) = self.behind.find(is_end) else { return false };
         let rest = self.behind[at..].trim_start_matches(|c| is_end(c) || is_closing(c));
-        // `3.5` and `lipz.toml` go on. Scripts without blanks have marks of their own.
+        // `3.5` and `lipz.toml` do not end. Scripts without spaces have marks of their own.
         !self.goes_on || rest.starts_with(char::is_whitespace) || !self.behind[at..].starts_with(['.', '!', '?'])
     }
 }
 
-/// Marks at the ends of sentences, of all scripts.
+/// Whether a character is a mark at the end of sentences, in any script.
 fn is_end(c: char) -> bool {
     matches!(
         c,
@@ -147,7 +147,7 @@ fn is_end(c: char) -> bool {
     )
 }
 
-/// What may stand between the end of a sentence and the next.
+/// Whether a character is allowed between the end of a sentence and the next one.
 fn is_closing(c: char) -> bool {
     matches!(c, '"' | '\'' | ')' | ']' | '*' | '_' | '”' | '’' | '»' | '«' | '」' | '』' | '）')
 }
@@ -156,8 +156,8 @@ fn is_apostrophe(c: char) -> bool {
     matches!(c, '\'' | '’' | '-')
 }
 
-/// Whether a character is of a word. Letters and their marks are, and all that is no blank and no mark of its own: so that the
-/// vowels of Indian scripts, which are no letters, divide no word.
+/// Whether a character belongs to a word. This includes letters with their marks, and all characters except white space
+/// and punctuation marks, so that vowel signs of Indian scripts do not split words.
 fn is_of_word(c: char) -> bool {
     let is_mark = match c {
         '\'' | '’' | '-' => false,
@@ -178,7 +178,7 @@ mod tests {
         Words::of(text, false).words.iter().map(|word| (word.segment, word.text)).collect()
     }
 
-    /// The words that sentences end with.
+    /// Returns the last words of all sentences.
     fn ends(text: &str) -> Vec<&str> {
         Words::of(text, false).words.iter().filter(|word| word.ends_sentence()).map(|word| word.text).collect()
     }
@@ -202,17 +202,17 @@ mod tests {
         assert_eq!(ends("No, he, she"), [""; 0]);
     }
 
-    /// The words of which that is true.
-    fn those<'t>(words: &[Word<'t>], is: impl Fn(&Word<'t>) -> bool) -> Vec<&'t str> {
+    /// Returns the words for which `is` is true.
+    fn those<'t>(words: &[SpokenWord<'t>], is: impl Fn(&SpokenWord<'t>) -> bool) -> Vec<&'t str> {
         words.iter().filter(|word| is(word)).map(|word| word.text).collect()
     }
 
     #[test]
     fn stress() {
         let all = Words::of("I *told* you NOT to, I said!", false).words;
-        assert_eq!(those(&all, Word::is_marked), ["told"]);
-        assert_eq!(those(&all, Word::is_in_capitals), ["NOT"]);
+        assert_eq!(those(&all, SpokenWord::is_marked), ["told"]);
+        assert_eq!(those(&all, SpokenWord::is_in_capitals), ["NOT"]);
         assert_eq!(those(&all, |word| word.is_before(&['!'])), ["said"]);
-        assert_eq!(those(&all, Word::leads_on), ["you", "NOT", "I"]);
+        assert_eq!(those(&all, SpokenWord::leads_on), ["you", "NOT", "I"]);
     }
 }

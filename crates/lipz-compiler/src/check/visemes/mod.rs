@@ -1,4 +1,4 @@
-//! Frame codes: white space and delimiters taken out, the rest checked against the viseme type.
+//! The frame codes: removes white space and delimiters, and checks the codes against the viseme type.
 
 mod instead;
 mod never_opens;
@@ -7,7 +7,7 @@ mod type_name;
 mod wrong_code;
 
 pub(super) use instead::DELIMITER_LOOKALIKES;
-pub(super) use never_opens::{are_legal, never_opens, stay_shut};
+pub(super) use never_opens::{CHECKS, are_legal};
 pub(super) use type_name::viseme_type;
 
 use crate::clip::ClipData;
@@ -15,28 +15,27 @@ use lipz_bank::VisemeType;
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::{JsonString, text};
 
-/// What the codes are checked against.
+/// The expected codes of a file.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Expected {
+pub(super) enum ExpectedCodes {
     /// The type that the file names.
     Named(VisemeType),
     /// The default type of the project.
     Default(VisemeType),
-    /// No type is given: the codes must fit one of them.
+    /// The codes must fit one of the types because none is given.
     Any,
-    /// The type is wrong and reported: the codes are not checked.
+    /// The codes are not checked because a wrong type has been reported.
     Unknown,
 }
 
-/// Gives the clip its frame codes, without delimiters and white space, and the start frame of each
-/// segment.
+/// Adds the frame codes, without delimiters and white space, and the start frame of each segment to the clip.
 pub(super) fn frames(
     string: &JsonString<'_>,
-    expected: Expected,
+    expected: ExpectedCodes,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    // Looked for in the whole, without a branch per code: it is hardly ever there.
+    // The search covers the whole string without a branch per code, because white space is rare.
     let has_white_space = string.text.bytes().fold(false, |found, byte| found | is_white_space(byte));
     text::segments(&string.text).for_each(|range| add_segment(&string.text[range], clip));
     if has_white_space {
@@ -49,9 +48,9 @@ pub(super) fn frames(
     }
     let frames = &clip.frames;
     let legal = match expected {
-        Expected::Named(viseme_type) | Expected::Default(viseme_type) => viseme_type.contains_all(frames),
-        Expected::Any => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(frames)),
-        Expected::Unknown => true,
+        ExpectedCodes::Named(viseme_type) | ExpectedCodes::Default(viseme_type) => viseme_type.contains_all(frames),
+        ExpectedCodes::Any => VisemeType::ALL.iter().any(|viseme_type| viseme_type.contains_all(frames)),
+        ExpectedCodes::Unknown => true,
     };
     if has_white_space {
         diagnostics.extend(white_space(string, legal));
@@ -61,7 +60,7 @@ pub(super) fn frames(
     }
 }
 
-/// Adds a segment of these codes to the clip.
+/// Adds a segment with these codes to the clip.
 pub(super) fn add_segment(codes: &str, clip: &mut ClipData) {
     clip.starts.push(clip.frames.len() as u32); // a source file has less than 2²⁸ bytes
     clip.frames.extend_from_slice(codes.as_bytes());
@@ -79,12 +78,12 @@ fn white_space(string: &JsonString<'_>, codes_are_legal: bool) -> Option<Diagnos
     let mut diagnostic = Diagnostic::at(
         Code::WhiteSpaceInVisemes,
         string.span_of(start..start + length),
-        "white space between viseme codes is not a frame and is ignored",
+        "whitespace between viseme codes is ignored",
     )
     .help("remove it; write `-` for a frame at rest");
-    // Otherwise it may be something else altogether, a text for example.
+    // With illegal codes, the string may be something else, for example a text.
     if codes_are_legal {
         diagnostic = diagnostic.fix(string.span(), lipz_file::literal(&string.text.replace(is_white_space, "")));
     }
-    Some(if count > length { diagnostic.note(format!("{count} characters of white space in all")) } else { diagnostic })
+    Some(if count > length { diagnostic.note(format!("{count} whitespace characters in total")) } else { diagnostic })
 }

@@ -1,16 +1,22 @@
-//! A mouth that never opens, though something is said.
+//! Mouths that never open although the clip has a text.
 
+use crate::check::trigger::{Check, CheckedClip, Run, Trigger};
 use crate::clip::ClipData;
 use lipz_bank::babble::Weight;
 use lipz_bank::{Viseme, VisemeType};
 use lipz_diagnostics::{Code, Diagnostic};
-use lipz_file::JsonString;
 
-/// Letters that are said with closed lips, or nearly so: `Hm`, `Mm-hm`.
+/// Letters that are spoken with closed or nearly closed lips: `Hm`, `Mm-hm`.
 const HUMMED: [char; 6] = ['h', 'm', 'n', 'H', 'M', 'N'];
 
-/// Reports a clip with a text whose frames are all rest or closed lips. The texts of `clip` are complete.
-pub(in crate::check) fn never_opens(string: &JsonString<'_>, clip: &ClipData, diagnostics: &mut Vec<Diagnostic>) {
+/// The check for clips with a text whose frames are all rest or closed lips.
+pub(in crate::check) const CHECKS: &[Check] = &[Check {
+    trigger: Trigger::File(|file| !file.clip.texts.is_empty() && stay_shut(file.clip)),
+    run: Run::Clip(never_opens),
+}];
+
+fn never_opens(file: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    let (Some(string), clip) = (file.roles.visemes, file.clip) else { return };
     if !stay_shut(clip) || !are_legal(clip) {
         return;
     }
@@ -25,23 +31,23 @@ pub(in crate::check) fn never_opens(string: &JsonString<'_>, clip: &ClipData, di
     if texts.into_iter().any(is_said) {
         let shape = if is_at_rest { "rests in every frame" } else { "never opens" };
         diagnostics.push(
-            Diagnostic::at(Code::MouthNeverOpens, string.span(), format!("something is said, but the mouth {shape}"))
-                .help("make mouth shapes of the recording, or remove `visemes`"),
+            Diagnostic::at(Code::MouthNeverOpens, string.span(), format!("the clip has a text, but the mouth {shape}"))
+                .help("make visemes from the recording with `lipz sync`, or remove `visemes`"),
         );
     }
 }
 
-/// Whether all frames of the clip, if it has any, are rest or closed lips.
-pub(in crate::check) fn stay_shut(clip: &ClipData) -> bool {
+/// Whether the clip has frames, and all of them are rest or closed lips.
+fn stay_shut(clip: &ClipData) -> bool {
     let is_shut = |code: &u8| match clip.viseme_type {
         Some(viseme_type) => Viseme::from_code(*code).openness(viseme_type) == Weight::default(),
-        // `M`, `A` and `0` are other shapes in each type; rest is `-` in all.
+        // `M`, `A` and `0` show different shapes in different types, but `-` is always rest.
         None => VisemeType::ALL.iter().all(|kind| Viseme::from_code(*code).openness(*kind) == Weight::default()),
     };
     !clip.frames.is_empty() && clip.frames.iter().all(is_shut)
 }
 
-/// Whether the codes are of the clip's type; wrong ones are reported already, and may mean anything.
+/// Whether the codes belong to the clip's type. Wrong codes have been reported already, and their shapes are unknown.
 pub(in crate::check) fn are_legal(clip: &ClipData) -> bool {
     match clip.viseme_type {
         Some(viseme_type) => viseme_type.contains_all(&clip.frames),

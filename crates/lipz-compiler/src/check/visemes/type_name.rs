@@ -4,7 +4,7 @@ use lipz_bank::VisemeType;
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
 use lipz_file::JsonString;
 
-/// The type that the element `viseme_type` names.
+/// Returns the type in the element `viseme_type`.
 pub(in crate::check) fn viseme_type(name: &JsonString<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<VisemeType> {
     let found = name.text.parse::<VisemeType>().ok();
     if found.is_none() {
@@ -14,10 +14,8 @@ pub(in crate::check) fn viseme_type(name: &JsonString<'_>, diagnostics: &mut Vec
 }
 
 fn unknown(name: &JsonString<'_>) -> Diagnostic {
-    let diagnostic = |message| {
-        Diagnostic::at(Code::UnknownVisemeType, name.span(), message)
-            .note("the viseme types are blair, toonboom and rms")
-    };
+    let diagnostic =
+        |message| Diagnostic::at(Code::UnknownVisemeType, name.span(), message).note("write blair, toonboom or rms");
     if name.text.trim().is_empty() {
         return diagnostic("viseme_type is empty".into()).help("name the viseme type, or leave the element out");
     }

@@ -1,60 +1,60 @@
-//! Checked clips in bulk: flat, so that a hundred thousand of them cost no allocation each.
+//! Checked clips in flat arrays, so that a hundred thousand of them need no allocation each.
 
 mod view;
 
 #[cfg(feature = "shards")]
-use super::staying::{ClipFile, StayingSource};
+use super::on_disk::{ClipFile, SourceOnDisk};
 use super::{ClipData, ClipText, Curves, Locales, split_run};
-use crate::strings::Strings;
+use crate::util::strings::Strings;
 use lipz_bank::{Fps, VisemeType};
 use lipz_layout::U16;
 use std::collections::BTreeSet;
 pub(crate) use view::Clip;
 
-/// Bytes of all texts of a locale in one batch.
+/// The most bytes of all texts of a locale in one batch.
 #[cfg(not(test))]
 const MOST_TEXT_BYTES: usize = lipz_layout::TEXT_OFFSET as usize;
 #[cfg(test)]
 const MOST_TEXT_BYTES: usize = 1 << 20;
 
-/// Clips, part by part: all frames in one buffer, all texts of a locale in one, and so on. A clip is where its
-/// parts end in them; they start where those of the clip before it end. A text says itself where it is.
+/// Clips, part by part: all frames in one buffer, all texts of a locale in one, and so on. A clip stores the ends of
+/// its parts in these. They start at the ends of the clip before it. A text stores its own position.
 #[derive(Debug, Default)]
 pub(crate) struct Clips {
     /// The locales that texts refer to by number.
     pub(crate) locales: Locales,
-    heads: Vec<Head>,
+    heads: Vec<ClipHead>,
     keys: Strings,
     frames: Vec<u8>,
     starts: Vec<u32>,
     texts: Vec<ClipText>,
-    /// For each text of each clip, where its segments end. The bank is laid out by these, and does not touch the texts.
+    /// The ends of the segments of each text of each clip. The layout of a bank uses these without the texts.
     text_ends: Vec<U16>,
-    /// The display texts of each locale, by its number: the bank has them in this order.
+    /// The display texts of each locale, by its number, in the order of the bank.
     displays: Vec<Vec<u8>>,
-    /// Bytes of them all.
+    /// Their total length in bytes.
     display_bytes: usize,
-    /// Whether texts are missing that had no place in such a buffer.
+    /// Whether texts are missing because they did not fit into such a buffer.
     lacks_texts: bool,
     events: Strings,
     curves: Curves,
     sources: Vec<u8>,
-    /// Where frames, texts and source records stay, if they are not in the buffers.
+    /// The source of frames, texts and source records that are not in the buffers.
     #[cfg(feature = "shards")]
-    staying: Option<Staying>,
+    staying: Option<ClipsOnDisk>,
 }
 
-/// The file in which clips leave frames, texts and source records.
+/// The file that contains the frames, texts and source records of clips.
 #[cfg(feature = "shards")]
 #[derive(Debug)]
-struct Staying {
+struct ClipsOnDisk {
     file: ClipFile,
-    sources: Vec<StayingSource>,
+    sources: Vec<SourceOnDisk>,
 }
 
-/// What is not in a buffer of a clip, and where its parts end.
+/// The data of a clip outside the buffers, and the ends of its parts.
 #[derive(Clone, Copy, Debug)]
-struct Head {
+struct ClipHead {
     fps: Option<Fps>,
     viseme_type: Option<VisemeType>,
     has_visemes: bool,
@@ -74,12 +74,12 @@ struct Ends {
 }
 
 impl Clips {
-    /// No clips yet, whose texts refer to these locales.
+    /// Creates an empty list whose texts refer to these locales.
     pub(super) fn of_locales(locales: Locales) -> Clips {
         Clips { locales, ..Clips::default() }
     }
 
-    /// Whether the texts of a clip have a place beside all others.
+    /// Whether the texts of a clip fit in addition to the others.
     pub(super) fn has_room_for(&self, clip: &ClipData) -> bool {
         self.display_bytes + clip.runs.byte_count() <= MOST_TEXT_BYTES
     }
@@ -93,13 +93,13 @@ impl Clips {
         self.push_tables(key, clip, Ends { frames, source, ..Ends::default() });
     }
 
-    /// Adds what is not in the large buffers, in which the clip ends so.
+    /// Adds everything but the contents of the large buffers, in which the clip has these ends.
     fn push_tables(&mut self, key: &str, clip: &ClipData, ends: Ends) {
         self.keys.push(key);
         self.starts.extend_from_slice(&clip.starts);
         self.events.append(&clip.events);
         clip.curves.iter().for_each(|(name, keys)| self.curves.push(name, keys.iter().copied()));
-        self.heads.push(Head {
+        self.heads.push(ClipHead {
             fps: clip.fps,
             viseme_type: clip.viseme_type,
             has_visemes: clip.has_visemes,
@@ -135,10 +135,10 @@ impl Clips {
         }
     }
 
-    /// Clips that leave frames, texts and source records in a file.
+    /// Creates clips whose frames, texts and source records stay in a file.
     #[cfg(feature = "shards")]
     pub(crate) fn staying_in(file: ClipFile) -> Clips {
-        Clips { staying: Some(Staying { file, sources: Vec::new() }), ..Clips::default() }
+        Clips { staying: Some(ClipsOnDisk { file, sources: Vec::new() }), ..Clips::default() }
     }
 
     /// Adds a text of the clip that is [pushed next](Self::push_staying), which refers to `self.locales`.
@@ -148,15 +148,15 @@ impl Clips {
         self.text_ends.extend(ends);
     }
 
-    /// Adds a clip of so many frames, which stand in the file behind those of the clip before it.
+    /// Adds a clip with this number of frames, which follow those of the clip before it in the file.
     #[cfg(feature = "shards")]
-    pub(crate) fn push_staying(&mut self, key: &str, clip: &ClipData, frame_count: usize, source: StayingSource) {
+    pub(crate) fn push_staying(&mut self, key: &str, clip: &ClipData, frame_count: usize, source: SourceOnDisk) {
         self.staying.iter_mut().for_each(|staying| staying.sources.push(source));
         let frames = self.heads.last().map_or(0, |last| last.ends.frames) + frame_count;
         self.push_tables(key, clip, Ends { frames, ..Ends::default() });
     }
 
-    /// Gives back the room for more clips.
+    /// Frees the space reserved for more clips.
     #[cfg(feature = "shards")]
     pub(crate) fn shrink(&mut self) {
         self.heads.shrink_to_fit();
@@ -168,25 +168,25 @@ impl Clips {
         self.staying.iter_mut().for_each(|staying| staying.sources.shrink_to_fit());
     }
 
-    /// Whether nothing has happened to the file in which the clips left something.
+    /// Whether the file that contains data of the clips is unchanged.
     #[cfg(feature = "shards")]
     pub(crate) fn is_as_it_was(&self) -> bool {
         self.staying.as_ref().is_none_or(|staying| staying.file.is_as_it_was())
     }
 
-    /// Number of clips.
+    /// Returns the number of clips.
     pub(crate) fn count(&self) -> usize {
         self.heads.len()
     }
 
-    /// Gives back the memory of keys, events and curves, which must not be asked for any more.
+    /// Frees the memory of keys, events and curves, which must not be used afterwards.
     pub(crate) fn drop_names(&mut self) {
         self.keys = Strings::default();
         self.events = Strings::default();
         self.curves = Curves::default();
     }
 
-    /// Gives back the memory of all but the first `count` clips.
+    /// Frees the memory of all but the first `count` clips.
     pub(crate) fn keep_first(&mut self, count: usize) {
         let ends = count.checked_sub(1).map_or(Ends::default(), |last| self.heads[last].ends);
         for text in &self.texts[ends.texts..] {
@@ -203,29 +203,28 @@ impl Clips {
         cut(&mut self.sources, ends.source);
     }
 
-    /// The clips in the order in which they were added, as the first batch.
+    /// Returns the clips in the order in which they were added, as the first batch.
     pub(crate) fn iter(&self) -> impl Iterator<Item = Clip<'_>> {
         (0..self.heads.len() as u32).map(|index| Clip { clips: self, batch: 0, index })
     }
 
-    /// The clip that was added after so many others.
+    /// Returns the clip with this index, in the order in which they were added.
     pub(crate) fn clip(&self, index: u32) -> Clip<'_> {
         Clip { clips: self, batch: 0, index }
     }
 
-    /// The clips of all `batches` in the order of their keys.
+    /// Returns the clips of all `batches`, sorted by key.
     pub(crate) fn by_key(batches: &[Clips]) -> Vec<Clip<'_>> {
         let mut clips: Vec<Clip<'_>> = Vec::with_capacity(batches.iter().map(|clips| clips.heads.len()).sum());
         for (batch, of_batch) in (0..).zip(batches) {
             clips.extend(of_batch.iter().map(|clip| Clip { batch, ..clip }));
         }
-        // Sources come sorted by path: the stable sort takes little more than a look.
+        // Sources are sorted by path, so that this stable sort costs little more than a comparison of neighbours.
         clips.sort_by(|a, b| a.key().cmp(b.key()));
         clips
     }
 
-    /// The tags of the locales that the texts of all `batches` are in, sorted. From then on the texts
-    /// refer to these.
+    /// Returns the sorted tags of the locales of all texts in `batches`. Afterwards, the texts refer to these.
     pub(crate) fn join_locales(batches: &mut [Clips]) -> Vec<Box<str>> {
         let mut used = BTreeSet::new();
         for clips in &*batches {
@@ -240,10 +239,10 @@ impl Clips {
         tags
     }
 
-    /// Has the texts refer to `tags`, which are sorted and have all of their locales.
+    /// Makes the texts refer to `tags`, which are sorted and contain all of their locales.
     pub(crate) fn refer_to(&mut self, tags: &[Box<str>]) {
         let locales = std::mem::take(&mut self.locales);
-        // Those that are not used are not asked for.
+        // Unused locales are never looked up.
         let number = |tag| tags.binary_search(tag).map_or(u32::MAX, |number| number as u32);
         let numbers: Vec<u32> = locales.tags().iter().map(number).collect();
         self.texts.iter_mut().for_each(|text| text.locale = numbers[text.locale as usize]);
@@ -257,7 +256,7 @@ impl Clips {
     }
 }
 
-/// Leaves the first `length` items, in no more room than they need.
+/// Truncates to `length` items, and frees the rest of the allocation.
 fn cut<T>(items: &mut Vec<T>, length: usize) {
     items.truncate(length);
     items.shrink_to_fit();
@@ -268,7 +267,7 @@ mod tests {
     use super::*;
     use crate::clip::Batches;
 
-    /// A clip of so many frames with texts that say their locale.
+    /// Adds a clip with this number of frames, and texts that name their locale.
     fn push(clips: &mut Clips, key: &str, frames: usize, tags: &[&str]) {
         let mut clip = ClipData { frames: vec![b'-'; frames], starts: vec![0], ..ClipData::default() };
         for tag in tags {

@@ -1,8 +1,8 @@
-//! One of many clips, where it lies among them.
+//! A reference to one of many clips.
 
-use super::{Clips, Ends, Head};
-use crate::clip::{ClipText, Key, Part};
-use crate::hashed::{Hashed, hash};
+use super::{ClipHead, Clips, Ends};
+use crate::clip::{ClipText, HashedPart, Key, Part};
+use crate::util::hash::hash;
 use lipz_bank::{Fps, VisemeType};
 use lipz_layout::U16;
 use std::ops::Range;
@@ -16,17 +16,17 @@ pub(crate) struct Clip<'c> {
 }
 
 impl<'c> Clip<'c> {
-    /// Where a part of the clip lies among those of all.
+    /// Returns the range of a part of the clip among those of all clips.
     fn range(&self, end: impl Fn(&Ends) -> usize) -> Range<usize> {
         let start = self.index.checked_sub(1).map_or(0, |before| end(&self.clips.heads[before as usize].ends));
         start..end(&self.head().ends)
     }
 
-    fn head(&self) -> &'c Head {
+    fn head(&self) -> &'c ClipHead {
         &self.clips.heads[self.index as usize]
     }
 
-    /// Number of the batch, and of the clip in it.
+    /// Returns the number of the batch, and of the clip in it.
     pub(crate) fn place(&self) -> (usize, usize) {
         (self.batch as usize, self.index as usize)
     }
@@ -47,7 +47,7 @@ impl<'c> Clip<'c> {
         self.head().has_visemes
     }
 
-    /// Number of frames.
+    /// Returns the number of frames.
     pub(crate) fn frame_count(&self) -> usize {
         self.range(|ends| ends.frames).len()
     }
@@ -69,7 +69,7 @@ impl<'c> Clip<'c> {
         &self.clips.texts[self.range(|ends| ends.texts)]
     }
 
-    /// Which of the texts is in the locale with this number; for clips whose locales are joined.
+    /// Returns the index of the text in the locale with this number, for clips with joined locales.
     pub(crate) fn text_in(&self, locale: u32) -> Option<usize> {
         let texts = self.texts();
         // Nearly every clip has texts in all locales.
@@ -77,24 +77,24 @@ impl<'c> Clip<'c> {
         if is_there { Some(locale as usize) } else { texts.binary_search_by_key(&locale, |text| text.locale).ok() }
     }
 
-    /// The locale of one of the texts; for clips whose locales are not joined yet.
+    /// Returns the locale of one of the texts, for clips whose locales are not yet joined.
     pub(crate) fn tag(&self, text: &ClipText) -> &'c str {
         self.clips.locales.tag(text.locale)
     }
 
-    /// Where the segments of one of the texts end, modulo 2¹⁶.
+    /// Returns the ends of the segments of one of the texts, modulo 2¹⁶.
     pub(crate) fn text_ends(&self, index: usize) -> &'c [U16] {
         let count = self.starts().len();
         &self.clips.text_ends[self.range(|ends| ends.text_ends)][count * index..][..count]
     }
 
-    /// The texts, each with where its segments end.
+    /// Returns the texts, each with the ends of its segments.
     pub(crate) fn texts_with_ends(&self) -> impl Iterator<Item = (&'c ClipText, &'c [U16])> + use<'c> {
         let ends = &self.clips.text_ends[self.range(|ends| ends.text_ends)];
         std::iter::zip(self.texts(), ends.chunks_exact(self.starts().len().max(1)))
     }
 
-    /// The display texts of one of the texts, one behind the other.
+    /// Returns the display texts of one of the texts, one after the other.
     pub(crate) fn displays(&self, index: usize) -> Part<'c> {
         let text = &self.texts()[index];
         #[cfg(feature = "shards")]
@@ -104,18 +104,19 @@ impl<'c> Clip<'c> {
         Part::Here(&self.clips.displays[text.locale as usize][text.place()])
     }
 
-    /// Whether there are more texts in a locale than a batch has room for, so that some are missing.
+    /// Whether a locale has more texts than fit into a batch, so that some are missing.
     pub(crate) fn lacks_texts(&self) -> bool {
         self.clips.lacks_texts
     }
 
-    /// The event strings of all segments, if the file has an `events` element.
+    /// Returns the event strings of all segments, if the file has an `events` element. Returns names and keys of the
+    /// curves, sorted by name.
     pub(crate) fn events(&self) -> Option<impl Iterator<Item = &'c str> + use<'c>> {
         let numbers = self.range(|ends| ends.events);
         self.head().has_events.then(|| self.clips.events.range(numbers))
     }
 
-    /// Names and keys of the curves, in the order of the names.
+    /// Returns names and keys of the curves, sorted by name.
     pub(crate) fn curves(&self) -> impl Iterator<Item = (&'c str, &'c [Key])> + use<'c> {
         self.clips.curves.range(self.range(|ends| ends.curves))
     }
@@ -132,19 +133,19 @@ impl<'c> Clip<'c> {
         Part::Here(&self.clips.sources[self.range(|ends| ends.source)])
     }
 
-    /// The source record with its hash.
-    pub(crate) fn hashed_source(&self) -> Hashed<'c> {
+    /// Returns the source record with its hash.
+    pub(crate) fn hashed_source(&self) -> HashedPart<'c> {
         #[cfg(feature = "shards")]
         if let Some(staying) = &self.clips.staying {
             let hash = u64::from(staying.sources[self.index as usize].hash);
-            return Hashed { hash, bytes: self.source() };
+            return HashedPart { hash, bytes: self.source() };
         }
         let bytes = &self.clips.sources[self.range(|ends| ends.source)];
-        Hashed { hash: hash(bytes), bytes: Part::Here(bytes) }
+        HashedPart { hash: hash(bytes), bytes: Part::Here(bytes) }
     }
 }
 
-/// Where the last of texts starts behind the first, by where each of them ends.
+/// Returns the start of the last text relative to the first, from the ends of the texts.
 #[cfg(feature = "shards")]
 fn last_start(ends: &[U16]) -> usize {
     let before_last = &ends[..ends.len().saturating_sub(1)];

@@ -1,4 +1,4 @@
-//! Places and changes in files, as SARIF writes them.
+//! Positions and changes in files, in the format of SARIF.
 
 use crate::Label;
 use crate::Report;
@@ -7,7 +7,7 @@ use crate::{Fix, Span};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use serde::Serialize;
 
-/// What stands in a URI in place of itself, beside letters and digits (RFC 3986, 2.3), and `/`.
+/// The characters to encode in a URI: all except letters, digits, these signs (RFC 3986, 2.3) and `/`.
 const ENCODED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~').remove(b'/');
 
 #[derive(Serialize)]
@@ -77,7 +77,7 @@ impl File {
         File { uri: uri(&report.source.path), places: Places::new(report) }
     }
 
-    /// The marked place, or the whole file; none if the diagnostic is about no file.
+    /// Returns the marked position, or the whole file; `None` for a diagnostic without a file.
     pub(super) fn location(&self, label: Option<&Label>) -> Option<Location> {
         if self.uri.is_empty() {
             return None;
@@ -110,7 +110,7 @@ impl File {
     }
 }
 
-/// The path as a URI reference: relative paths stay relative.
+/// Returns the path as a URI reference. Relative paths stay relative.
 fn uri(path: &str) -> String {
     let encoded = utf8_percent_encode(path, ENCODED);
     match path.as_bytes() {

@@ -1,7 +1,6 @@
-//! Diagnostics as SARIF 2.1.0 (OASIS), which code scanning of several hosts and editors read.
+//! Diagnostics as SARIF 2.1.0 (OASIS), which editors and several code-scanning services read.
 //!
-//! Property names are those of the standard; what it leaves optional is here only if somebody reads
-//! it.
+//! Property names are those of the standard. Optional properties are written only if a program reads them.
 
 mod location;
 mod rule;
@@ -21,12 +20,12 @@ struct Log {
     #[serde(rename = "$schema")]
     schema: &'static str,
     version: &'static str,
-    runs: [Run; 1],
+    runs: [SarifRun; 1],
 }
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Run {
+struct SarifRun {
     tool: Tool,
     invocations: [Invocation; 1],
     column_kind: &'static str,
@@ -50,7 +49,7 @@ struct Driver {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Invocation {
-    /// Whether the tool could run; diagnostics do not count.
+    /// Whether the tool could run, independently of diagnostics.
     execution_successful: bool,
 }
 
@@ -78,8 +77,8 @@ struct Fix {
     artifact_changes: [ArtifactChange; 1],
 }
 
-/// One SARIF 2.1.0 document with all diagnostics, also if there are none. `is_successful` says whether the
-/// tool could run, whatever the diagnostics are.
+/// Returns one SARIF 2.1.0 document with all diagnostics, even if there are none. `is_successful` states whether the
+/// tool could run, independently of diagnostics.
 ///
 /// ```
 /// use lipz_diagnostics::{Code, Diagnostic, Report, render};
@@ -97,7 +96,7 @@ fn log(reports: &[Report], is_successful: bool) -> Log {
     Log {
         schema: SCHEMA,
         version: "2.1.0",
-        runs: [Run {
+        runs: [SarifRun {
             tool: Tool {
                 driver: Driver {
                     name: "lipz",
@@ -113,7 +112,7 @@ fn log(reports: &[Report], is_successful: bool) -> Log {
     }
 }
 
-/// The diagnostics in one file.
+/// Returns the diagnostics in one file.
 fn entries(report: &Report, codes: &[Code]) -> Vec<ResultEntry> {
     let file = File::new(report);
     report.diagnostics.iter().map(|diagnostic| entry(&file, diagnostic, codes)).collect()
@@ -135,8 +134,8 @@ fn entry(file: &File, diagnostic: &Diagnostic, codes: &[Code]) -> ResultEntry {
     }
 }
 
-/// The message as a sentence, then notes and help, one a line. Viewers show the first sentence where
-/// there is little room.
+/// Returns the message as a sentence, then notes and help, one per line. Viewers show only the first sentence if there
+/// is little room.
 fn message(diagnostic: &Diagnostic) -> String {
     let message = format!("{}.", diagnostic.message);
     let rest = diagnostic.notes.iter().chain(&diagnostic.help).map(String::as_str);

@@ -1,10 +1,10 @@
-//! What SARIF says about a code: the same as its page.
+//! The description of a code in SARIF: the same as its page.
 
 use super::location::Message;
 use crate::Code;
 use serde::Serialize;
 
-/// What stands around bold words in Markdown.
+/// The delimiter of bold words in Markdown.
 const STRONG: &str = "**";
 
 /// The standard's `reportingDescriptor`.
@@ -48,7 +48,7 @@ impl Rule {
     }
 }
 
-/// The first paragraph of the page: what lipz found.
+/// Returns the first paragraph of the page, about the problem.
 fn what(code: Code) -> String {
     let paragraph = code.page().split("\n\n").next().unwrap_or_default();
     paragraph.trim_start_matches("**What.** ").replace('\n', " ")

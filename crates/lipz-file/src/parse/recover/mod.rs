@@ -1,44 +1,44 @@
-//! Reading on behind mistakes: all that is wrong with the syntax of a file, and the elements that can be read.
+//! Parses beyond errors: finds all syntax errors of a file, and its readable elements.
 //!
-//! Whole files never come here. Of a file that serde_json has refused, every token is looked at once; where one is not
-//! what was expected, `syntax` says what was probably meant, and reading goes on behind it.
+//! Valid files never come here. If serde_json has rejected a file, every token is read once. If it is unexpected,
+//! `syntax` returns its probable meaning, and parsing continues after it.
 
 mod strings;
 mod tokens;
 
-use super::syntax::{self, Expected, Mistake, Place, Then};
+use super::syntax::{self, Continuation, ErrorPosition, ExpectedToken, Mistake};
 use lipz_diagnostics::{Diagnostic, bound};
 use std::ops::Range;
-use strings::Read;
+use strings::StringOutcome;
 
-/// How often it may be unclear where reading goes on. After so many times, the file is something else.
+/// How often the point to continue may be unclear. Beyond this limit, the file is probably something else.
 const MOST_LOST: usize = 10;
 
-/// A name or value, as it is in the text.
+/// A name or value as in the text.
 #[derive(Clone, Debug)]
 pub(super) enum Literal<'s> {
-    /// As JSON has it.
+    /// As valid in JSON.
     Json(&'s str),
-    /// A string whose quotes are missing, or none of JSON's.
+    /// A string without quotes, or with quotes that are not valid in JSON.
     Bare(&'s str),
 }
 
-/// What was found in a file with mistakes.
+/// The result for a file with errors.
 #[derive(Debug)]
-pub(super) struct Found<'s> {
-    /// The elements of the root object that can be read.
+pub(super) struct RecoveredMembers<'s> {
+    /// The readable elements of the root object.
     pub(super) members: Vec<(Literal<'s>, Literal<'s>)>,
     /// Whether these are all elements.
     pub(super) is_complete: bool,
 }
 
-/// Reads a text that is not JSON, and reports why.
-pub(super) fn recover<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> Found<'s> {
+/// Parses a text that is not JSON, and reports why.
+pub(super) fn recover<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> RecoveredMembers<'s> {
     let mut scan = Scan {
         text,
         at: 0,
         read: 0,
-        expected: Expected::Value,
+        expected: ExpectedToken::Value,
         open: Vec::new(),
         is_first: false,
         name: None,
@@ -47,16 +47,16 @@ pub(super) fn recover<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> F
         has_last: false,
         is_sure: true,
         lost: 0,
-        found: Found { members: Vec::new(), is_complete: true },
+        found: RecoveredMembers { members: Vec::new(), is_complete: true },
         diagnostics,
     };
     scan.root();
     scan.found
 }
 
-/// What is open around a place.
+/// The open brackets around a position.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Open {
+enum Container {
     Object,
     Array,
 }
@@ -64,33 +64,33 @@ enum Open {
 struct Scan<'s, 'd> {
     text: &'s str,
     at: usize,
-    /// Where what was read last ends, apart from white space and comments.
+    /// The end of the last token, before whitespace and comments.
     read: usize,
-    expected: Expected,
-    open: Vec<Open>,
-    /// Whether the innermost object or array has nothing yet.
+    expected: ExpectedToken,
+    open: Vec<Container>,
+    /// Whether the innermost object or array is still empty.
     is_first: bool,
-    /// The name of the element whose value is read, if it can be.
+    /// The name of the element whose value is being read, if it is readable.
     name: Option<Literal<'s>>,
-    /// Where this value starts, if it is an object or array, and whether something in it cannot be read.
+    /// The start of this value, if it is an object or array, and whether part of it is unreadable.
     value_start: usize,
     is_damaged: bool,
     /// Whether the last element is among the members.
     has_last: bool,
-    /// Whether it is beyond doubt what each character belongs to.
+    /// Whether the role of each character is certain.
     is_sure: bool,
-    /// How often it was unclear where reading goes on.
+    /// How often the point to continue was unclear.
     lost: usize,
-    found: Found<'s>,
+    found: RecoveredMembers<'s>,
     diagnostics: &'d mut Vec<Diagnostic>,
 }
 
 impl<'s> Scan<'s, '_> {
-    /// Reads the root, and what stands around it.
+    /// Parses the root, and the text around it.
     fn root(&mut self) {
         let has_comment = self.comments();
         if self.rest().starts_with('{') {
-            self.open(Open::Object);
+            self.open(Container::Object);
             while self.elements() && self.behind_root() {}
             return;
         }
@@ -100,7 +100,7 @@ impl<'s> Scan<'s, '_> {
         }
     }
 
-    /// Skips white space and comments, and reports these; whether there were any.
+    /// Skips whitespace and comments, and reports the comments. Returns whether there were any.
     fn comments(&mut self) -> bool {
         let mut has_comment = false;
         loop {
@@ -110,11 +110,11 @@ impl<'s> Scan<'s, '_> {
             };
             has_comment = true;
             self.report(diagnostic);
-            self.at = if let Then::Again(behind) = then { behind } else { self.text.len() };
+            self.at = if let Continuation::Again(behind) = then { behind } else { self.text.len() };
         }
     }
 
-    /// Reads what follows the root; whether it has more elements there.
+    /// Parses the text after the root. Returns whether it continues the root's elements.
     fn behind_root(&mut self) -> bool {
         self.comments();
         if self.rest().is_empty() || !self.is_sure {
@@ -122,16 +122,16 @@ impl<'s> Scan<'s, '_> {
         }
         let Mistake { diagnostic, then } = syntax::explain_rest(&self.place());
         self.report(diagnostic);
-        let goes_on = matches!(then, Then::Taken(_));
+        let goes_on = matches!(then, Continuation::Taken(_));
         if goes_on {
-            self.open.push(Open::Object);
-            self.expected = Expected::Comma;
+            self.open.push(Container::Object);
+            self.expected = ExpectedToken::Comma;
         }
         self.found.is_complete &= goes_on;
         goes_on
     }
 
-    /// Reads up to the end of the root; whether it has one.
+    /// Parses up to the end of the root. Returns whether there is one.
     fn elements(&mut self) -> bool {
         loop {
             self.white_space();
@@ -152,7 +152,7 @@ impl<'s> Scan<'s, '_> {
         }
     }
 
-    /// The file ends before its object does.
+    /// Reports that the file ends before its object does.
     fn end(&mut self) {
         self.found.is_complete = false;
         if self.is_sure {
@@ -160,35 +160,35 @@ impl<'s> Scan<'s, '_> {
         }
     }
 
-    /// Reports a mistake and goes where reading goes on; whether it does.
+    /// Reports an error and moves to the point to continue. Returns whether there is one.
     fn mistake(&mut self, mistake: Mistake) -> bool {
         self.report(mistake.diagnostic);
-        // The text of an object or array is kept whole: it is JSON, or nothing.
+        // The text of an object or array is kept as a whole, and only if it is JSON.
         self.is_damaged |= self.open.len() > 1;
         match mistake.then {
-            Then::Again(at) => {
+            Continuation::Again(at) => {
                 self.at = at;
                 return true;
             }
-            Then::Taken(at) => {
+            Continuation::Taken(at) => {
                 self.at = at;
                 self.expected = match self.expected {
-                    Expected::Colon => Expected::Value,
+                    ExpectedToken::Colon => ExpectedToken::Value,
                     _ => self.behind_comma(),
                 };
                 self.is_first = false;
             }
-            Then::Bare(content, behind) => {
+            Continuation::Bare(content, behind) => {
                 self.at = behind;
                 self.bare(content);
             }
-            Then::Damaged(at) => {
+            Continuation::Damaged(at) => {
                 self.at = at;
                 self.damaged();
             }
-            Then::Close => self.expected = Expected::Comma,
-            Then::Lost(at) => return self.lost(at),
-            Then::End => {
+            Continuation::Close => self.expected = ExpectedToken::Comma,
+            Continuation::Lost(at) => return self.lost(at),
+            Continuation::End => {
                 self.found.is_complete = false;
                 return false;
             }
@@ -197,22 +197,22 @@ impl<'s> Scan<'s, '_> {
         true
     }
 
-    fn place(&self) -> Place<'s> {
-        Place::new(self.text, self.at, self.read)
+    fn place(&self) -> ErrorPosition<'s> {
+        ErrorPosition::new(self.text, self.at, self.read)
     }
 
-    /// What is expected behind a comma.
-    fn behind_comma(&self) -> Expected {
+    /// Returns what is expected after a comma.
+    fn behind_comma(&self) -> ExpectedToken {
         match self.open.last() {
-            Some(Open::Array) => Expected::Value,
-            _ => Expected::Name,
+            Some(Container::Array) => ExpectedToken::Value,
+            _ => ExpectedToken::Name,
         }
     }
 
-    /// Goes where the next element starts, if there is one.
+    /// Moves to the start of the next element, if there is one.
     fn lost(&mut self, from: usize) -> bool {
-        // What cannot be an element says nothing about the one before.
-        self.has_last &= self.expected != Expected::Name;
+        // If this cannot be an element, the one before it is unaffected.
+        self.has_last &= self.expected != ExpectedToken::Name;
         self.damaged();
         self.is_sure = false;
         self.lost += 1;
@@ -220,27 +220,27 @@ impl<'s> Scan<'s, '_> {
         next.is_some_and(|next| self.resume(next))
     }
 
-    /// Goes to the start of an element, or to a closing brace.
+    /// Moves to the start of an element, or to a closing brace.
     fn resume(&mut self, at: usize) -> bool {
         self.at = at;
-        while self.open.last() == Some(&Open::Array) {
+        while self.open.last() == Some(&Container::Array) {
             self.open.pop();
         }
         self.is_first = false;
         self.name = None;
-        self.expected = if self.rest().starts_with('}') { Expected::Comma } else { Expected::Name };
+        self.expected = if self.rest().starts_with('}') { ExpectedToken::Comma } else { ExpectedToken::Name };
         true
     }
 
-    /// A name or a string without the quotes of JSON has been read.
+    /// Records a name or a string without the quotes of JSON.
     fn bare(&mut self, content: Range<usize>) {
         let literal = Literal::Bare(self.text.get(content).unwrap_or_default());
-        if self.expected == Expected::Name { self.named(Some(literal)) } else { self.value(Some(literal)) }
+        if self.expected == ExpectedToken::Name { self.named(Some(literal)) } else { self.value(Some(literal)) }
     }
 
-    /// The value that was read, or the one before, cannot be read.
+    /// Records that the value just read, or the one before, is unreadable.
     fn damaged(&mut self) {
-        let is_behind = matches!(self.expected, Expected::Name | Expected::Comma);
+        let is_behind = matches!(self.expected, ExpectedToken::Name | ExpectedToken::Comma);
         if self.open.len() > 1 {
             self.is_damaged = true;
         } else if is_behind && self.has_last {
@@ -252,10 +252,10 @@ impl<'s> Scan<'s, '_> {
             self.name = None;
         }
         self.is_first = false;
-        self.expected = Expected::Comma;
+        self.expected = ExpectedToken::Comma;
     }
 
-    /// Reports a mistake. Where it is in doubt what belongs to what, no fix is certain.
+    /// Reports an error. While the structure is uncertain, its fix is removed.
     fn report(&mut self, mut diagnostic: Diagnostic) {
         if !self.is_sure {
             diagnostic.fix = None;
@@ -271,7 +271,7 @@ mod tests {
     use proptest::prelude::*;
     use serde_core::de::IgnoredAny;
 
-    /// Pieces of which files are made, and those that people put where they do not belong.
+    /// Parts of valid files, and parts that people put in the wrong place.
     const PIECES: [&str; 40] = [
         "{",
         "}",
@@ -325,7 +325,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4_000))]
 
-        /// What serde_json refuses has a mistake here, and what it accepts has none.
+        /// The parser reports an error exactly if serde_json does.
         #[test]
         fn what_is_refused_is_what_serde_json_refuses(text in pieces()) {
             let is_object = text.trim_start_matches(syntax::WHITE_SPACE).starts_with('{');

@@ -1,23 +1,23 @@
-//! Strings with mistakes.
+//! Strings with errors.
 
-use super::{Expected, Scan};
+use super::{ExpectedToken, Scan};
 use crate::parse::syntax::{self, starts_element};
 
-/// What came of reading a string.
-pub(super) enum Read {
-    /// It is one of JSON's.
+/// The result of reading a string.
+pub(super) enum StringOutcome {
+    /// It is a valid JSON string.
     Whole,
-    /// It ends, but something in it is wrong, and reported.
+    /// It ends, but contains an error, which is reported.
     Damaged,
-    /// It was not closed, and the next element starts here.
+    /// It is not closed, and the next element starts here.
     Unclosed(usize),
-    /// The file ends in it.
+    /// The file ends inside it.
     End,
 }
 
 impl Scan<'_, '_> {
-    /// Reads the string that starts here, and reports what is wrong in it.
-    pub(super) fn read_string(&mut self) -> Read {
+    /// Reads the string at this position, and reports its errors.
+    pub(super) fn read_string(&mut self) -> StringOutcome {
         let mut is_whole = true;
         self.at += 1;
         loop {
@@ -27,7 +27,7 @@ impl Scan<'_, '_> {
             match self.byte(self.at) {
                 Some(b'"') => {
                     self.at += 1;
-                    return if is_whole { Read::Whole } else { Read::Damaged };
+                    return if is_whole { StringOutcome::Whole } else { StringOutcome::Damaged };
                 }
                 Some(b'\\') => match self.escape_length() {
                     Ok(length) => self.at += length,
@@ -47,7 +47,7 @@ impl Scan<'_, '_> {
                             return self.ends_in_string(false);
                         }
                         if starts_element(self.rest()) || self.rest().starts_with('}') {
-                            return Read::Unclosed(self.at);
+                            return StringOutcome::Unclosed(self.at);
                         }
                     } else {
                         let run = self.byte(self.at).map_or('\0', char::from);
@@ -58,7 +58,7 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// The length of the escape that starts here, or where reading goes on if JSON does not have it.
+    /// Returns the length of the escape at this position, or the point to continue if it is not valid in JSON.
     fn escape_length(&self) -> Result<usize, usize> {
         let digits =
             |at: usize| (at..at + 4).take_while(|&at| self.byte(at).is_some_and(|b| b.is_ascii_hexdigit())).count();
@@ -68,24 +68,24 @@ impl Scan<'_, '_> {
                 4 => Ok(6),
                 count => Err(self.at + 2 + count),
             },
-            // Of a character of several bytes, the others are part of the string.
+            // The remaining bytes of a multi-byte character are part of the string.
             Some(letter) if letter >= b' ' => Err(self.text.ceil_char_boundary(self.at + 2)),
             Some(_) => Err(self.at + 1),
             None => Err(self.text.len()),
         }
     }
 
-    /// The file ends in a string; that is reported unless the string has another mistake.
-    fn ends_in_string(&mut self, is_whole: bool) -> Read {
+    /// Ends the file inside a string, and reports that unless the string has another error.
+    fn ends_in_string(&mut self, is_whole: bool) -> StringOutcome {
         self.at = self.text.len();
         self.is_sure &= is_whole;
         self.end();
-        Read::End
+        StringOutcome::End
     }
 
-    /// Goes on with the element behind a string that was not closed.
+    /// Continues with the element after a string that is not closed.
     pub(super) fn resume_behind_string(&mut self, next: usize) -> bool {
-        self.expected = Expected::Value;
+        self.expected = ExpectedToken::Value;
         self.damaged();
         self.is_sure = false;
         self.resume(next)

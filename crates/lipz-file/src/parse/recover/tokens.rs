@@ -1,10 +1,10 @@
-//! What JSON expects next, read if it is there.
+//! Reads the token that JSON expects next, if it is there.
 
-use super::{Expected, Literal, Open, Read, Scan};
+use super::{Container, ExpectedToken, Literal, Scan, StringOutcome};
 use crate::parse::syntax::{WHITE_SPACE, explain};
 
 impl<'s> Scan<'s, '_> {
-    /// The text that is not read yet.
+    /// Returns the text that is not read yet.
     pub(super) fn rest(&self) -> &'s str {
         self.text.get(self.at..).unwrap_or_default()
     }
@@ -17,37 +17,37 @@ impl<'s> Scan<'s, '_> {
         self.at = self.text.len() - self.rest().trim_start_matches(WHITE_SPACE).len();
     }
 
-    /// Reads a token if it is what was expected, and says whether reading goes on.
+    /// Reads a token if it is expected. Returns whether parsing continues.
     pub(super) fn token(&mut self) -> Option<bool> {
         match (self.expected, self.byte(self.at)?) {
-            (Expected::Name, b'"') => return Some(self.string()),
-            (Expected::Name, b'}') if self.is_first => self.close(),
-            (Expected::Colon, b':') => self.step(Expected::Value),
-            (Expected::Value, b'"') => return Some(self.string()),
-            (Expected::Value, b'{') => self.open(Open::Object),
-            (Expected::Value, b'[') => self.open(Open::Array),
-            (Expected::Value, b']') if self.is_first => self.close(),
-            (Expected::Value, b'-' | b'0'..=b'9') => return Some(self.number()),
-            (Expected::Value, b't') => return Some(self.word("true")),
-            (Expected::Value, b'f') => return Some(self.word("false")),
-            (Expected::Value, b'n') => return Some(self.word("null")),
-            (Expected::Comma, b',') => self.step(self.behind_comma()),
-            (Expected::Comma, b'}') if self.open.last() == Some(&Open::Object) => self.close(),
-            (Expected::Comma, b']') if self.open.last() == Some(&Open::Array) => self.close(),
+            (ExpectedToken::Name, b'"') => return Some(self.string()),
+            (ExpectedToken::Name, b'}') if self.is_first => self.close(),
+            (ExpectedToken::Colon, b':') => self.step(ExpectedToken::Value),
+            (ExpectedToken::Value, b'"') => return Some(self.string()),
+            (ExpectedToken::Value, b'{') => self.open(Container::Object),
+            (ExpectedToken::Value, b'[') => self.open(Container::Array),
+            (ExpectedToken::Value, b']') if self.is_first => self.close(),
+            (ExpectedToken::Value, b'-' | b'0'..=b'9') => return Some(self.number()),
+            (ExpectedToken::Value, b't') => return Some(self.word("true")),
+            (ExpectedToken::Value, b'f') => return Some(self.word("false")),
+            (ExpectedToken::Value, b'n') => return Some(self.word("null")),
+            (ExpectedToken::Comma, b',') => self.step(self.behind_comma()),
+            (ExpectedToken::Comma, b'}') if self.open.last() == Some(&Container::Object) => self.close(),
+            (ExpectedToken::Comma, b']') if self.open.last() == Some(&Container::Array) => self.close(),
             _ => return None,
         }
         self.read = self.at;
         Some(true)
     }
 
-    fn step(&mut self, expected: Expected) {
+    fn step(&mut self, expected: ExpectedToken) {
         self.at += 1;
         self.read = self.at;
         self.is_first = false;
         self.expected = expected;
     }
 
-    pub(super) fn open(&mut self, open: Open) {
+    pub(super) fn open(&mut self, open: Container) {
         if self.open.len() == 1 {
             (self.value_start, self.is_damaged) = (self.at, false);
         }
@@ -59,7 +59,7 @@ impl<'s> Scan<'s, '_> {
     fn close(&mut self) {
         self.at += 1;
         self.open.pop();
-        self.expected = Expected::Comma;
+        self.expected = ExpectedToken::Comma;
         self.is_first = false;
         if self.open.len() == 1 {
             let value = self.text.get(self.value_start..self.at).filter(|_| !self.is_damaged);
@@ -67,17 +67,17 @@ impl<'s> Scan<'s, '_> {
         }
     }
 
-    /// A string, if it is expected: a name or a value.
+    /// Reads a string, if one is expected: a name or a value.
     fn string(&mut self) -> bool {
         let start = self.at;
         let literal = match self.read_string() {
-            Read::Whole => self.text.get(start..self.at).map(Literal::Json),
-            Read::Damaged => None,
-            Read::Unclosed(next) => return self.resume_behind_string(next),
-            Read::End => return false,
+            StringOutcome::Whole => self.text.get(start..self.at).map(Literal::Json),
+            StringOutcome::Damaged => None,
+            StringOutcome::Unclosed(next) => return self.resume_behind_string(next),
+            StringOutcome::End => return false,
         };
         self.read = self.at;
-        if self.expected == Expected::Name {
+        if self.expected == ExpectedToken::Name {
             self.named(literal);
         } else {
             self.value(literal);
@@ -85,19 +85,19 @@ impl<'s> Scan<'s, '_> {
         true
     }
 
-    /// The name of an element has been read; none if it cannot be.
+    /// Records the name of an element; `None` if it is unreadable.
     pub(super) fn named(&mut self, name: Option<Literal<'s>>) {
         if self.open.len() == 1 {
             self.name = name;
         }
         self.is_first = false;
-        self.expected = Expected::Colon;
+        self.expected = ExpectedToken::Colon;
     }
 
-    /// A value has been read; none if it cannot be.
+    /// Records a value; `None` if it is unreadable.
     pub(super) fn value(&mut self, value: Option<Literal<'s>>) {
         self.is_first = false;
-        self.expected = Expected::Comma;
+        self.expected = ExpectedToken::Comma;
         if self.open.len() != 1 {
             self.is_damaged |= value.is_none();
             return;
@@ -117,7 +117,7 @@ impl<'s> Scan<'s, '_> {
         let digits =
             |at: usize| (at..).take_while(|&at| self.byte(at).is_some_and(|byte| byte.is_ascii_digit())).count();
         let at = start + usize::from(self.byte(start) == Some(b'-'));
-        // A leading zero stands alone.
+        // A leading zero is the only digit.
         let mut parts = Ok(if self.byte(at) == Some(b'0') { at + 1 } else { at + digits(at) });
         let some_digits = |at: usize| match digits(at) {
             0 => Err(at),
@@ -135,17 +135,17 @@ impl<'s> Scan<'s, '_> {
             Some(b'e' | b'E') => some_digits(at + 1 + usize::from(matches!(self.byte(at + 1), Some(b'+' | b'-')))),
             _ => Ok(at),
         });
-        self.literal(start, parts, Expected::Number)
+        self.literal(start, parts, ExpectedToken::Number)
     }
 
-    /// One of JSON's words.
+    /// Reads `true`, `false` or `null`.
     fn word(&mut self, word: &str) -> bool {
         let differs = word.bytes().zip(self.at..).find(|(letter, at)| self.byte(*at) != Some(*letter));
-        self.literal(self.at, differs.map_or(Ok(self.at + word.len()), |(_, at)| Err(at)), Expected::Word)
+        self.literal(self.at, differs.map_or(Ok(self.at + word.len()), |(_, at)| Err(at)), ExpectedToken::Word)
     }
 
-    /// A literal up to its end, or with the first byte that does not belong to it.
-    fn literal(&mut self, start: usize, end: Result<usize, usize>, expected: Expected) -> bool {
+    /// Reads a literal up to `end`, which is an error at the first byte that does not belong to it.
+    fn literal(&mut self, start: usize, end: Result<usize, usize>, expected: ExpectedToken) -> bool {
         match end {
             Ok(end) => {
                 (self.at, self.read) = (end, end);

@@ -1,13 +1,13 @@
-//! Commas: one too many, one too few, one in a number.
+//! Errors with commas: one too many, one too few, one in a number.
 
-use super::place::{Place, WHITE_SPACE, starts_bare_element, starts_element};
-use super::{Expected, Mistake, Then};
+use super::error_position::{ErrorPosition, WHITE_SPACE, starts_bare_element, starts_element};
+use super::{Continuation, ExpectedToken, Mistake};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 
-/// Digits of the longest number that a message repeats.
+/// The most digits of a number that a message repeats.
 const DIGITS_SHOWN: usize = 24;
 
-/// The rates of film and video that are not whole numbers, as people write them: before and behind the point.
+/// The rates of film and video that are not whole numbers, as people write them: before and after the point.
 const KNOWN_RATES: [(&str, &str); 8] = [
     ("14", "985"),
     ("23", "976"),
@@ -19,7 +19,7 @@ const KNOWN_RATES: [(&str, &str); 8] = [
     ("119", "88"),
 ];
 
-pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+pub(super) fn explain(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Option<Mistake> {
     trailing(at, expected)
         .or_else(|| too_many(at, expected))
         .or_else(|| decimal(at, expected))
@@ -27,64 +27,64 @@ pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
 }
 
 /// A comma before a closing brace or bracket.
-fn trailing(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
-    if !matches!(expected, Expected::Name | Expected::Value) || !matches!(at.character()?, '}' | ']') {
+fn trailing(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Option<Mistake> {
+    if !matches!(expected, ExpectedToken::Name | ExpectedToken::Value) || !matches!(at.character()?, '}' | ']') {
         return None;
     }
     let (comma, ',') = at.before()? else { return None };
     Some(
-        Then::Close.after(
+        Continuation::Close.after(
             Diagnostic::at(Code::TrailingComma, comma, "a comma follows the last element")
-                .help("delete the comma: JSON has commas only between elements")
+                .help("delete the comma; JSON allows commas only between elements")
                 .fix(comma, ""),
         ),
     )
 }
 
 /// A comma after a comma, or before the first element.
-fn too_many(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
-    if !matches!(expected, Expected::Name | Expected::Value) || at.character()? != ',' {
+fn too_many(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Option<Mistake> {
+    if !matches!(expected, ExpectedToken::Name | ExpectedToken::Value) || at.character()? != ',' {
         return None;
     }
     let (_, ',' | '{' | '[') = at.before()? else { return None };
     let span = at.character_span();
     let diagnostic = Diagnostic::at(Code::JsonSyntax, span, "one comma too many").help("delete this comma");
-    Some(Then::Again(at.offset() + 1).after(diagnostic.fix(span, "")))
+    Some(Continuation::Again(at.offset() + 1).after(diagnostic.fix(span, "")))
 }
 
-/// A number with a comma, `23,976`: what follows the comma is taken for a name.
-fn decimal(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+/// A number with a comma, `23,976`. The part after the comma looks like a name.
+fn decimal(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Option<Mistake> {
     let (start, rest) = (at.start().strip_suffix(',')?, at.rest());
     let is_digit = |c: char| c.is_ascii_digit();
     let whole = start.get(start.trim_end_matches(is_digit).len()..)?;
     let fraction = rest.get(..rest.len() - rest.trim_start_matches(is_digit).len())?;
-    if expected != Expected::Name || whole.is_empty() || fraction.is_empty() {
+    if expected != ExpectedToken::Name || whole.is_empty() || fraction.is_empty() {
         return None;
     }
     let (comma, _) = at.before()?;
     let message = match whole.len() + fraction.len() {
-        ..=DIGITS_SHOWN => format!("a decimal number has a point: {whole}.{fraction}"),
-        _ => "a decimal number has a point".to_owned(),
+        ..=DIGITS_SHOWN => format!("`{whole},{fraction}` has a decimal comma"),
+        _ => "the number has a decimal comma".to_owned(),
     };
     let diagnostic = Diagnostic::at(Code::JsonSyntax, comma, message)
-        .help("write a point instead of this comma, or delete what does not belong to the number");
-    // `3,0` may be 30 and a slip, `1,000` a thousand, and other elements may hold anything.
+        .help("replace this comma with a point, or delete the part that does not belong to the number");
+    // `3,0` may be a typing error for 30, `1,000` may be a thousand, and other elements may contain anything.
     let is_fps = start
         .strip_suffix(whole)?
         .trim_end_matches(WHITE_SPACE)
         .strip_suffix(':')
         .is_some_and(|before| before.trim_end_matches(WHITE_SPACE).ends_with("\"fps\""));
     let is_known = KNOWN_RATES.contains(&(whole, fraction));
-    Some(Then::Damaged(at.offset() + fraction.len()).after(match is_fps && is_known {
-        true => diagnostic.help("write a point instead of this comma").fix(comma, "."),
+    Some(Continuation::Damaged(at.offset() + fraction.len()).after(match is_fps && is_known {
+        true => diagnostic.help("replace this comma with a point").fix(comma, "."),
         false => diagnostic,
     }))
 }
 
-/// No comma between a value and the next element.
-fn missing(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
+/// A missing comma between a value and the next element.
+fn missing(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Option<Mistake> {
     let (value, last) = at.before()?;
-    if expected != Expected::Comma {
+    if expected != ExpectedToken::Comma {
         return None;
     }
     let value_ended = matches!(last, '"' | '}' | ']' | 'e' | 'l' | '0'..='9');
@@ -100,7 +100,8 @@ fn missing(at: &Place<'_>, expected: Expected) -> Option<Mistake> {
     let diagnostic = Diagnostic::at(Code::JsonSyntax, end, "a comma is missing between two elements")
         .also(at.character_span(), "the next element starts here")
         .help("write a comma after the value");
-    let then = if starts_element || is_next_line { Then::Taken(at.offset()) } else { Then::Lost(at.offset()) };
+    let then =
+        if starts_element || is_next_line { Continuation::Taken(at.offset()) } else { Continuation::Lost(at.offset()) };
     // In one line, the quotation mark may also be one of a text: "the "Admiral": a parrot".
     Some(then.after(if is_next_line && value_ended && starts_element { diagnostic.fix(end, ",") } else { diagnostic }))
 }

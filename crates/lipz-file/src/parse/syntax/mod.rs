@@ -1,23 +1,23 @@
-//! What is wrong with text that is not JSON, in words that help whoever wrote it, and where reading goes on.
+//! Explains syntax errors in the words of an author, and decides where to continue.
 //!
-//! The modules look at the characters around a place for the mistakes that people make.
+//! The modules check the characters around a position for common errors.
 
 mod commas;
-mod place;
+mod error_position;
 mod root;
 mod strings;
 mod words;
 
-pub(super) use place::{Place, WHITE_SPACE, find_element, starts_element};
+pub(super) use error_position::{ErrorPosition, WHITE_SPACE, find_element, starts_element};
 pub(super) use root::{explain_rest, not_object, unfinished};
 pub(super) use strings::{control_character, escape, half_of_a_pair};
 
 use lipz_diagnostics::{Code, Diagnostic};
 use std::ops::Range;
 
-/// What would have been read instead of what is there.
+/// The expected token.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Expected {
+pub(super) enum ExpectedToken {
     /// The name of an element.
     Name,
     /// A value.
@@ -26,47 +26,47 @@ pub(super) enum Expected {
     Colon,
     /// A comma or a closing brace or bracket.
     Comma,
-    /// Another character of a number.
+    /// The next character of a number.
     Number,
-    /// Another character of `true`, `false` or `null`.
+    /// The next character of `true`, `false` or `null`.
     Word,
 }
 
-/// A mistake.
+/// An error.
 pub(super) struct Mistake {
-    /// What is wrong.
+    /// The description of the error.
     pub(super) diagnostic: Diagnostic,
-    /// How reading goes on.
-    pub(super) then: Then,
+    /// How to continue.
+    pub(super) then: Continuation,
 }
 
-/// How reading goes on behind a mistake, from a byte of the file.
+/// How to continue after an error, from a byte of the file.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Then {
-    /// The same is expected there: something was in front of it.
+pub(super) enum Continuation {
+    /// Expect the same token there: something came before it.
     Again(usize),
-    /// As if what was expected had been there.
+    /// Continue as if the expected token had been there.
     Taken(usize),
-    /// The same, with a name or a string that is as good as one in quotes.
+    /// The same, with a name or a string that is as good as a quoted one.
     Bare(Range<usize>, usize),
-    /// Behind a value that cannot be read.
+    /// Continue after a value that is unreadable.
     Damaged(usize),
-    /// At the closing brace or bracket, without another element.
+    /// Continue at the closing brace or bracket, without another element.
     Close,
-    /// Where the next element starts, somewhere behind this place.
+    /// Continue at the start of the next element, somewhere after this position.
     Lost(usize),
-    /// Not at all.
+    /// Stop.
     End,
 }
 
-impl Then {
+impl Continuation {
     fn after(self, diagnostic: Diagnostic) -> Mistake {
         Mistake { diagnostic, then: self }
     }
 }
 
-/// Explains why what stands at a place is not what was expected.
-pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Mistake {
+/// Explains why the text at a position is unexpected.
+pub(super) fn explain(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Mistake {
     comment(at)
         .or_else(|| commas::explain(at, expected))
         .or_else(|| strings::quotation_mark(at, expected))
@@ -74,7 +74,7 @@ pub(super) fn explain(at: &Place<'_>, expected: Expected) -> Mistake {
         .unwrap_or_else(|| other(at, expected))
 }
 
-pub(super) fn comment(at: &Place<'_>) -> Option<Mistake> {
+pub(super) fn comment(at: &ErrorPosition<'_>) -> Option<Mistake> {
     let rest = at.rest();
     let length = if rest.starts_with("//") || rest.starts_with('#') {
         Some(rest.lines().next()?.len())
@@ -84,25 +84,27 @@ pub(super) fn comment(at: &Place<'_>) -> Option<Mistake> {
         return None;
     };
     let span = at.span_of(length.unwrap_or(2));
-    let then = length.map_or(Then::End, |length| Then::Again(at.offset() + length));
+    let then = length.map_or(Continuation::End, |length| Continuation::Again(at.offset() + length));
     Some(then.after(Diagnostic::at(Code::Comment, span, "JSON has no comments").help("delete the comment")))
 }
 
-/// An unusual mistake.
-fn other(at: &Place<'_>, expected: Expected) -> Mistake {
+/// An uncommon error.
+fn other(at: &ErrorPosition<'_>, expected: ExpectedToken) -> Mistake {
     let example = "a Lipz file looks like { \"visemes\": \"MAEO-\", \"text_en-us\": \"Hello\" }";
     let (message, help) = match expected {
-        Expected::Name => ("an element starts with its name in double quotes", example),
-        Expected::Value | Expected::Word => ("a value is missing here", "write the value, or delete the element"),
-        Expected::Comma => ("a comma or a closing brace is missing here", example),
-        Expected::Colon | Expected::Number => ("this is not JSON", example),
+        ExpectedToken::Name => ("an element starts with its name in double quotes", example),
+        ExpectedToken::Value | ExpectedToken::Word => {
+            ("a value is missing here", "write the value, or delete the element")
+        }
+        ExpectedToken::Comma => ("a comma or a closing brace is missing here", example),
+        ExpectedToken::Colon | ExpectedToken::Number => ("this is not JSON", example),
     };
     let then = match (expected, at.character()) {
-        (Expected::Comma, Some(';')) => Then::Taken(at.offset() + 1),
-        (Expected::Value, Some(',' | '}' | ']')) => Then::Damaged(at.offset()),
-        // A bracket that closes something else, or nothing.
-        (_, Some('}' | ']')) => Then::End,
-        _ => Then::Lost(at.offset()),
+        (ExpectedToken::Comma, Some(';')) => Continuation::Taken(at.offset() + 1),
+        (ExpectedToken::Value, Some(',' | '}' | ']')) => Continuation::Damaged(at.offset()),
+        // The bracket closes something else, or nothing.
+        (_, Some('}' | ']')) => Continuation::End,
+        _ => Continuation::Lost(at.offset()),
     };
     then.after(Diagnostic::at(Code::JsonSyntax, at.character_span(), message).help(help))
 }

@@ -1,8 +1,8 @@
-//! What a head thinks of the player, and the emotions of events that it can show.
+//! The dispositions of heads towards the player, and the emotions of events that they show.
 
 use std::fmt;
 
-/// How well disposed a head is towards the player.
+/// The disposition of a head towards the player.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Disposition {
     /// Letter `g`.
@@ -14,10 +14,10 @@ pub enum Disposition {
 }
 
 impl Disposition {
-    /// All of them, in the order of `heads.lst`.
+    /// All dispositions, in the order of `heads.lst`.
     pub const ALL: [Disposition; 3] = [Disposition::Good, Disposition::Neutral, Disposition::Bad];
 
-    /// The letter in the names of files.
+    /// Returns the letter in the names of files.
     pub const fn letter(self) -> char {
         match self {
             Disposition::Good => 'g',
@@ -26,13 +26,13 @@ impl Disposition {
         }
     }
 
-    /// The disposition with this letter, whatever its case.
+    /// Returns the disposition with this letter, in either case.
     pub fn of_letter(letter: char) -> Option<Disposition> {
         Disposition::ALL.into_iter().find(|disposition| disposition.letter().eq_ignore_ascii_case(&letter))
     }
 
-    /// The emotions that heads show with this disposition (the event `feels happy`). The first one is what
-    /// the disposition itself becomes.
+    /// Returns the emotions that heads show with this disposition (the event `feels happy`). The first one stands for
+    /// the disposition itself.
     pub const fn emotions(self) -> &'static [&'static str] {
         match self {
             Disposition::Good => &["happy", "amused"],
@@ -41,7 +41,7 @@ impl Disposition {
         }
     }
 
-    /// The emotion that the disposition becomes.
+    /// Returns the emotion that stands for the disposition.
     pub const fn emotion(self) -> &'static str {
         match self {
             Disposition::Good => "happy",
@@ -50,7 +50,7 @@ impl Disposition {
         }
     }
 
-    /// The disposition that shows an emotion of the specification.
+    /// Returns the disposition that shows an emotion of the specification.
     ///
     /// ```
     /// use lipz_interop::fallout::heads::Disposition;

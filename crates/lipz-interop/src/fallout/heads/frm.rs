@@ -1,4 +1,4 @@
-//! FRM files: frames of a picture. Big-endian, with up to six directions, of which heads have one.
+//! FRM files: the frames of an animation. They are big-endian, with up to six directions; heads use one.
 
 use crate::fallout::place;
 use lipz_diagnostics::{Code, Diagnostic};
@@ -7,43 +7,43 @@ use std::ops::Range;
 const VERSION: Range<usize> = 0x00..0x04;
 const FPS: Range<usize> = 0x04..0x06;
 pub(super) const FRAMES: Range<usize> = 0x08..0x0A;
-/// Where the frames of each direction start, in bytes behind the header.
+/// The offsets in the header of the starts of each direction's frames, which count from the end of the header.
 const STARTS: Range<usize> = 0x22..0x3A;
 const HEADER_BYTES: usize = 0x3E;
 
 /// The version of the game's files.
 const KNOWN_VERSION: u32 = 4;
 
-/// Width, height, length of the pixels, and two offsets on the screen.
+/// The size of a frame's header: width, height, length of the pixels, and two offsets on the screen.
 const FRAME_HEADER_BYTES: usize = 12;
-/// Where the length of the pixels is in the header of a frame.
+/// The offsets of the length of the pixels in the header of a frame.
 const PIXEL_BYTES: Range<usize> = 4..8;
 
-/// What matters of an FRM file for a head.
+/// The content of an FRM file that matters for a head.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Frm {
-    /// Frames a second.
+    /// Frames per second.
     pub fps: u16,
     /// Frames in each direction.
     pub frames: u16,
 }
 
 impl Frm {
-    /// Reads the header, and walks all frames to see that they are there.
+    /// Reads the header, and checks that all frames are present.
     ///
     /// # Errors
-    /// [`Code::FrmRefused`] for another version, and for a file that ends before its last frame.
+    /// [`Code::FrmRefused`] for a different version, and for a file that ends before its last frame.
     pub fn read(bytes: &[u8]) -> Result<Frm, Box<Diagnostic>> {
         let cut_off = |range: Range<usize>, what: &str| {
             let message = format!("the file ends within {what}, after {} bytes", bytes.len());
-            Box::new(place(Code::FrmRefused, range, message).help("copy the file again from where it came from"))
+            Box::new(place(Code::FrmRefused, range, message).help("copy the file again from its source"))
         };
         let header =
             |range: Range<usize>| bytes.get(range).ok_or_else(|| cut_off(0..bytes.len(), "the header")).map(number);
         let version = header(VERSION)?;
         if version != KNOWN_VERSION {
             let message = format!("this is not an FRM file: its version is {version}, not {KNOWN_VERSION}");
-            let help = "name FRM files only; pictures for FRM files are converted by the tools of modders";
+            let help = "name only FRM files; convert images with the tools of modders";
             return Err(Box::new(place(Code::FrmRefused, VERSION, message).help(help)));
         }
         let frm = Frm { fps: short(header(FPS)?), frames: short(header(FRAMES)?) };
@@ -69,12 +69,12 @@ impl Frm {
     }
 }
 
-/// A big-endian number of up to four bytes.
+/// Reads a big-endian number of up to four bytes.
 fn number(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0, |number, &byte| number << 8 | u32::from(byte))
 }
 
-/// A number of two bytes.
+/// Converts a number that was read from two bytes.
 fn short(number: u32) -> u16 {
     u16::try_from(number).unwrap_or(u16::MAX)
 }
@@ -84,7 +84,7 @@ fn short(number: u32) -> u16 {
 mod tests {
     use super::*;
 
-    /// An FRM file with frames of one pixel.
+    /// Returns an FRM file with frames of one pixel.
     fn frm(frames: u16) -> Vec<u8> {
         let mut bytes = vec![0; HEADER_BYTES];
         bytes[VERSION].copy_from_slice(&KNOWN_VERSION.to_be_bytes());

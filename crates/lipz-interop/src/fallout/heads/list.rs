@@ -1,4 +1,4 @@
-//! `heads.lst`: a line for each head, with its numbers of fidget files.
+//! `heads.lst`: one line per head, with the counts of its fidget files.
 
 use super::{Content, Disposition, HeadFile};
 use lipz_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -6,21 +6,21 @@ use lipz_diagnostics::{Code, Diagnostic, Severity, Span};
 /// A line of `heads.lst`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Head {
-    /// What the names of its files start with, in lower case.
+    /// The start of the names of its files, in lower case.
     pub root: String,
-    /// Fidget files for a good, a neutral and a bad disposition.
+    /// The numbers of fidget files for a good, a neutral and a bad disposition.
     pub fidgets: [u32; 3],
-    /// Where the line is.
+    /// The position of the line.
     pub span: Span,
 }
 
-/// More fidget files than any head has: a number beyond is a slip of the hand.
+/// More fidget files than any head has. A greater number is a typing error.
 const MOST_FIDGETS: u32 = 1000;
 
-/// Reads `heads.lst`: `ROOT,X,Y,Z` or, as the document writes it, `ROOT X, Y, Z`. What follows the last number
-/// is a remark. An empty line has a number in the game, too, so one between others is reported.
+/// Reads `heads.lst`: `ROOT,X,Y,Z` or, as in the game's documentation, `ROOT X, Y, Z`. Text after the last number is a
+/// comment. The game also numbers empty lines, so one between others is reported.
 ///
-/// Lines of another form, and roots that came before, are reported and left out.
+/// Invalid lines and repeated roots are reported and skipped.
 ///
 /// ```
 /// let (heads, diagnostics) = lipz_interop::fallout::heads::read_list("myron,2,3,1\n");
@@ -45,18 +45,17 @@ pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
             continue;
         }
         let Some((root, fidgets)) = parse_line(written) else {
-            found.push(
-                Diagnostic::at(Code::HeadsList, span, "the line does not name a head and three numbers").help(
-                    "write `ROOT,X,Y,Z`: the start of its files' names, and its good, neutral and bad fidget files",
-                ),
-            );
+            found.push(Diagnostic::at(Code::HeadsList, span, "the line does not name a head and three numbers").help(
+                "write `ROOT,X,Y,Z`: the start of its file names, and the numbers of its good, neutral and bad \
+                        fidget files",
+            ));
             continue;
         };
         match heads.iter().find(|head| head.root == root) {
             None => heads.push(Head { root, fidgets, span }),
             Some(first) => found.push(
                 Diagnostic::at(Code::HeadsList, span, format!("`{root}` has two lines"))
-                    .also(first.span, "the first one")
+                    .also(first.span, "first definition")
                     .help("remove one of them"),
             ),
         }
@@ -64,8 +63,8 @@ pub fn read_list(text: &str) -> (Vec<Head>, Vec<Diagnostic>) {
     (heads, found)
 }
 
-/// Root and numbers of a line. A root alone is a number without a face, as `reser` in the game's own file: the
-/// engine counts 0 files of it.
+/// Returns the root and the numbers of a line. A root alone reserves a number without a face, like `reser` in the
+/// game's own file: the engine counts 0 files for it.
 fn parse_line(line: &str) -> Option<(String, [u32; 3])> {
     let is_separator = |c: char| c == ',' || c == ';' || c.is_ascii_whitespace();
     let mut words = line.split(is_separator).filter(|word| !word.is_empty());
@@ -79,12 +78,12 @@ fn parse_line(line: &str) -> Option<(String, [u32; 3])> {
 }
 
 impl Head {
-    /// Whether the line only keeps a number: it names no fidget files.
+    /// Whether the line only reserves a number, without fidget files.
     pub fn is_reserved(&self) -> bool {
         self.fidgets == [0; 3]
     }
 
-    /// The files that the game looks for: mouth shapes, transitions and fidgets; none of a reserved number.
+    /// Returns the files that the game looks for: mouth shapes, transitions and fidgets; nothing for a reserved number.
     pub fn files(&self) -> impl Iterator<Item = HeadFile> {
         use Disposition::{Bad, Good, Neutral};
         let file = |disposition, content| HeadFile { root: self.root.clone(), disposition, content };

@@ -13,17 +13,19 @@ pub use name::{Content, HeadFile};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::collections::BTreeSet;
 
-/// Mouth shapes that a phoneme file shows; the game does not use frames beyond them.
+/// The number of mouth shapes in a phoneme file. The game does not use later frames.
 pub const MOUTH_SHAPES: u16 = 9;
 
-/// Checks an FRM file of a head by its name and its bytes, and gives what it is.
+/// Checks the name and the bytes of an FRM file of a head, and returns its description.
 pub fn check_file(name: &str, bytes: &[u8]) -> (Option<HeadFile>, Vec<Diagnostic>) {
     let mut found = Vec::new();
     let file = HeadFile::parse(name);
     if file.is_none() {
-        let message = format!("{} is not named like a file of a head", escape::quoted(name));
+        let message = format!("{} is not the name of a head's file", escape::quoted(name));
         found.push(
-            Diagnostic::new(Code::HeadName, message).note(name::FORM).help("files of other art belong elsewhere"),
+            Diagnostic::new(Code::HeadName, message)
+                .note(name::FORM)
+                .help("rename the file, or move files of other art to a different folder"),
         );
     }
     match Frm::read(bytes) {
@@ -39,11 +41,11 @@ fn too_few_frames(file: &HeadFile, frm: Frm) -> Option<Diagnostic> {
         let message = format!("the phoneme file has {} frames, not {MOUTH_SHAPES}", frm.frames);
         super::place(Code::HeadFrames, frm::FRAMES, message)
             .note("each frame is a mouth shape: rest, A, S, E, F, L, M, O, W")
-            .help("draw the missing frames; a LIP file that names one shows something else")
+            .help("draw the missing frames; a LIP file that uses one shows a wrong picture")
     })
 }
 
-/// Compares the heads of `heads.lst` with the files that lie beside it. Diagnostics are about the list.
+/// Compares the heads of `heads.lst` with the files in its folder. The diagnostics are about the list.
 pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
     let there: BTreeSet<String> = files.iter().map(HeadFile::file_name).collect();
     let mut found = Vec::new();
@@ -64,8 +66,8 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
     if !elsewhere.is_empty() {
         let (count, have) = (elsewhere.len(), if elsewhere.len() == 1 { "head has" } else { "heads have" });
         let message = format!("{count} {have} no files here: {}", listed(&elsewhere));
-        let diagnostic = Diagnostic::new(Code::HeadFiles, message).note("those of other heads are here");
-        found.push(diagnostic.help("nothing is wrong if their files are in the archives of the game"));
+        let diagnostic = Diagnostic::new(Code::HeadFiles, message).note("files of other heads are here");
+        found.push(diagnostic.help("add the files, or ignore this if they are in the archives of the game"));
     }
     let of_list = |file: &&HeadFile| heads.iter().any(|head| head.root.eq_ignore_ascii_case(&file.root));
     let is_surplus =
@@ -75,7 +77,7 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
         let surplus: Vec<String> = own.filter(is_surplus).map(HeadFile::file_name).collect();
         if !surplus.is_empty() {
             let surplus: Vec<&str> = surplus.iter().map(String::as_str).collect();
-            let message = format!("the numbers of {} leave out {}", escape::quoted(&head.root), listed(&surplus));
+            let message = format!("the numbers of {} do not include {}", escape::quoted(&head.root), listed(&surplus));
             let diagnostic = Diagnostic::at(Code::HeadFiles, head.span, message);
             found.push(diagnostic.note("the game never shows them").help("correct the numbers of fidget files"));
         }
@@ -88,7 +90,7 @@ pub fn compare(heads: &[Head], files: &[HeadFile]) -> Vec<Diagnostic> {
     found
 }
 
-/// Names of files for a message: the first few, and how many more.
+/// Returns names of files for a message: the first few, and the number of others.
 fn listed(names: &[&str]) -> String {
     const SHOWN: usize = 6;
     let shown: Vec<String> = names.iter().take(SHOWN).map(|name| escape::quoted(name)).collect();
@@ -119,7 +121,7 @@ mod tests {
         let names: Vec<String> = whole.iter().map(|name| format!("{}.FRM", name.to_uppercase())).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         assert_eq!(headlines("el,1,2,1\n", &names), Vec::<String>::new());
-        assert_eq!(headlines("el,1,1,1\n", &names), ["the numbers of `el` leave out `elnf2.frm`"]);
+        assert_eq!(headlines("el,1,1,1\n", &names), ["the numbers of `el` do not include `elnf2.frm`"]);
         assert_eq!(headlines("el,1,3,1\n", &names), ["`el` has no `elnf3.frm`"]);
         assert_eq!(headlines("", &names), ["heads.lst has no line for `EL`"; 1].map(|line| line.replace("EL", "el")));
         assert_eq!(headlines("el,1,2,1\nab,1,1,1\ncd,1,1,1\n", &names), ["2 heads have no files here: `ab`, `cd`"]);

@@ -4,37 +4,37 @@ use super::Disposition;
 
 /// The form of a name, for messages.
 pub(super) const FORM: &str = "names are root, disposition (g, n, b) and content (f with a number, g, n, b, p, v): \
-                               `eldergp.frm` has Elder's mouth shapes for a good disposition";
+                               `eldergp.frm` contains Elder's mouth shapes for a good disposition";
 
 /// The extension of the files.
 const EXTENSION: &str = "frm";
 
-/// What a file shows.
+/// The content of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Content {
-    /// Blinking, nodding: shown at random, by number from 1.
+    /// Blinking or nodding: shown at random, numbered from 1.
     Fidget(u32),
-    /// The way to another disposition.
+    /// The transition to a different disposition.
     Transition(Disposition),
     /// The mouth shapes.
     Phonemes,
-    /// Letter `v`, which the game knows and no file of it uses.
+    /// Letter `v`, which the game accepts but none of its files uses.
     Unused,
 }
 
-/// An FRM file of a head, by its name.
+/// The parsed name of an FRM file of a head.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct HeadFile {
-    /// The head, in lower case.
+    /// The name of the head, in lower case.
     pub root: String,
-    /// The disposition that it is for.
+    /// The disposition for which it is shown.
     pub disposition: Disposition,
-    /// What it shows.
+    /// The content.
     pub content: Content,
 }
 
 impl HeadFile {
-    /// The file with this name; `None` if no head has a file of such a name.
+    /// Parses the name of a file; `None` if it cannot belong to a head.
     ///
     /// ```
     /// use lipz_interop::fallout::heads::{Content, Disposition, HeadFile};
@@ -64,7 +64,7 @@ impl HeadFile {
         Some(HeadFile { root: root.to_owned(), disposition, content })
     }
 
-    /// The name of the file, in lower case.
+    /// Returns the name of the file, in lower case.
     pub fn file_name(&self) -> String {
         let HeadFile { root, disposition, content } = self;
         let disposition = disposition.letter();
@@ -78,13 +78,13 @@ impl HeadFile {
     }
 }
 
-/// The number of a fidget file, which starts at 1 and has no leading zero.
+/// Parses the number of a fidget file, which starts at 1 and has no leading zero.
 fn fidget(number: &str) -> Option<u32> {
     number.parse().ok().filter(|_| !number.starts_with('0'))
 }
 
 impl Content {
-    /// The content with this letter. Nobody goes from good to bad at once.
+    /// Returns the content with this letter. There is no transition between good and bad.
     fn from_letter(letter: char, disposition: Disposition) -> Option<Content> {
         match (letter, disposition) {
             ('p', _) => Some(Content::Phonemes),

@@ -1,7 +1,7 @@
-//! LIP files of version 2, exactly: every byte is kept, also those that mean nothing to the game.
+//! LIP files of version 2, without loss: every byte is kept, even if the game ignores it.
 //!
-//! The layout is that of "A Description of the LIP File Format v2 Used in Fallout 2", which does not
-//! say that every word is big-endian. docs/guides/fallout-and-second-life.md has it as lipz reads it.
+//! The layout comes from "A Description of the LIP File Format v2 Used in Fallout 2", which omits that every word is
+//! big-endian. docs/guides/fallout-and-second-life.md describes the layout as lipz reads it.
 
 mod oddities;
 mod read;
@@ -9,10 +9,10 @@ mod write;
 
 use std::ops::Range;
 
-/// The version that the game reads.
+/// The version supported by the game.
 const VERSION: u32 = 2;
 
-/// Places of the header, in bytes.
+/// Offsets in the header, in bytes.
 mod offset {
     use std::ops::Range;
 
@@ -28,13 +28,13 @@ mod offset {
     pub(super) const EXTENSION: Range<usize> = 0x28..0x2C;
 }
 
-/// Bytes before the phonemes.
+/// The offset of the phonemes in bytes.
 const HEADER_BYTES: usize = offset::EXTENSION.end;
 
-/// Bytes of a marker: type and position.
+/// The size of a marker in bytes: type and position.
 const MARKER_BYTES: usize = 8;
 
-/// Bytes of the name of a sound.
+/// The size of the name of a recording in bytes.
 pub const NAME_BYTES: usize = 8;
 
 /// A LIP file of version 2.
@@ -49,62 +49,62 @@ pub const NAME_BYTES: usize = 8;
 pub struct Lip {
     /// The word at 0x04: [`Lip::CONSTANT`] in all known files.
     pub constant: u32,
-    /// The word at 0x08. While the game runs: bit 0 to start again instead of stopping at the last
-    /// marker, bit 1 while it plays.
+    /// The word at 0x08. While the game runs, bit 0 means to start again at the last marker instead of stopping, and
+    /// bit 1 that it is playing.
     pub flags: u32,
-    /// The word at 0x0C, without a known meaning.
+    /// The word at 0x0C, whose meaning is unknown.
     pub unknown_0c: u32,
-    /// The word at 0x10 as it is stored; [`Lip::length`] interprets it.
+    /// The stored word at 0x10; [`Lip::length`] interprets it.
     pub length_word: [u8; 4],
-    /// The word at 0x18, without a known meaning.
+    /// The word at 0x18, whose meaning is unknown.
     pub unknown_18: u32,
-    /// Name of the sound, filled with NUL.
+    /// The name of the recording, padded with NUL.
     pub name: [u8; NAME_BYTES],
-    /// Extension of the sound: [`Lip::EXTENSION`] in all known files, although the sounds are ACM.
+    /// The extension of the recording: [`Lip::EXTENSION`] in all known files, although the recordings are ACM.
     pub extension: [u8; 4],
-    /// Codes of the phonemes.
+    /// The codes of the phonemes.
     pub phonemes: Vec<u8>,
-    /// Where each phoneme starts, and at last where the speech ends.
+    /// The start of each phoneme, and finally the end of the speech.
     pub markers: Vec<Marker>,
-    /// What follows the last marker; nothing in all known files.
+    /// The bytes after the last marker; empty in all known files.
     pub trailing: Vec<u8>,
 }
 
-/// A place in the sound.
+/// A position in the recording.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Marker {
-    /// 1 at silence and at the start of a word, 0 inside of a word.
+    /// 1 at silence and at the start of a word, 0 inside a word.
     pub kind: u32,
-    /// Bytes of decoded sound before it.
+    /// The number of bytes of decoded audio before it.
     pub position: u32,
 }
 
-/// How the bytes of a word are ordered.
+/// The byte order of a word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ByteOrder {
-    /// As all words should be.
+    /// Big-endian, as required for all words.
     Big,
-    /// As the word at 0x10 is in most files of the game.
+    /// Little-endian, as used for the word at 0x10 in most files of the game.
     Little,
 }
 
-/// What the word at 0x10 says.
+/// The interpreted word at 0x10.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Length {
-    /// Bytes of decoded sound.
+    /// Bytes of decoded audio.
     pub bytes: u32,
-    /// The order in which it was read.
+    /// The byte order in which it was read.
     pub order: ByteOrder,
 }
 
 impl Lip {
-    /// What the word at 0x04 is.
+    /// The usual word at 0x04.
     pub const CONSTANT: u32 = 0x5800;
 
-    /// What the extension is.
+    /// The usual extension.
     pub const EXTENSION: [u8; 4] = *b"VOC\0";
 
-    /// A file as the game's own are, for a sound that ends at the last marker.
+    /// Returns a file like the game's own, for a recording that ends at the last marker.
     pub fn new(name: [u8; NAME_BYTES], phonemes: Vec<u8>, markers: Vec<Marker>) -> Lip {
         let end = markers.last().map_or(0, |marker| marker.position);
         Lip {
@@ -121,8 +121,8 @@ impl Lip {
         }
     }
 
-    /// The length of the sound, read in the order in which it is the position of the last marker; if
-    /// it is that in neither, in the order that comes nearer to it.
+    /// Returns the length of the recording, read in the byte order in which it equals the position of the last marker,
+    /// or else in the order that comes closer to it.
     pub fn length(&self) -> Length {
         let end = self.markers.last().map_or(0, |marker| marker.position);
         let big = Length { bytes: u32::from_be_bytes(self.length_word), order: ByteOrder::Big };
@@ -130,25 +130,25 @@ impl Lip {
         if little.bytes.abs_diff(end) < big.bytes.abs_diff(end) { little } else { big }
     }
 
-    /// The position at which the speech ends: that of the last marker, or of one before it if it runs
+    /// Returns the position of the end of the speech: that of the last marker, or of an earlier one if positions run
     /// backwards.
     pub fn end(&self) -> u32 {
         self.markers.iter().map(|marker| marker.position).max().unwrap_or(0)
     }
 
-    /// The name of the sound: the bytes before the first NUL. Other bytes than ASCII are replaced.
+    /// Returns the name of the recording: the bytes before the first NUL, with non-ASCII bytes replaced.
     pub fn sound(&self) -> String {
         let end = self.name.iter().position(|&byte| byte == 0).unwrap_or(self.name.len());
         let name = self.name.get(..end).unwrap_or_default();
         name.iter().map(|&byte| if byte.is_ascii() { char::from(byte) } else { char::REPLACEMENT_CHARACTER }).collect()
     }
 
-    /// Where the phoneme with this number is in the file, in bytes.
+    /// Returns the offset in the file of the phoneme with this index, in bytes.
     fn phoneme_place(index: usize) -> Range<usize> {
         HEADER_BYTES + index..HEADER_BYTES + index + 1
     }
 
-    /// Where the marker with this number is in the file, in bytes.
+    /// Returns the offset in the file of the marker with this index, in bytes.
     fn marker_place(&self, index: usize) -> Range<usize> {
         let start = HEADER_BYTES + self.phonemes.len() + index * MARKER_BYTES;
         start..start + MARKER_BYTES

@@ -1,16 +1,16 @@
-//! What is unusual in a LIP file: what the game's own loader logs, and what its tools got wrong.
+//! The irregularities of a LIP file: those that the game's own loader logs, and mistakes of its tools.
 
 use super::{Lip, Marker, offset};
 use crate::fallout::{LAST_PHONEME, list, place};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 
-/// Bits of the flag word, and what they mean while the game runs.
+/// The bits of the flag word, and their meaning while the game runs.
 const FLAGS: [(u32, &str); 2] =
     [(1, "bit 0: start again at the last marker instead of stopping"), (2, "bit 1: it is being played")];
 
 impl Lip {
-    /// Everything unusual in the file, whose name without extension is `file_stem`, in the order of the
-    /// places. None of it is lost in [`Lip::write`].
+    /// Returns all irregularities of the file, ordered by position. `file_stem` is its name without extension.
+    /// [`Lip::write`] preserves all of them.
     pub fn oddities(&self, file_stem: &str) -> Vec<Diagnostic> {
         let mut found = Vec::new();
         self.header(&mut found);
@@ -32,18 +32,19 @@ impl Lip {
         ];
         let unusual = words.into_iter().filter(|(_, value, usual)| value != usual);
         found.extend(unusual.map(|(range, value, usual)| {
-            let message = format!("the word at {:#04x} is {value:#x}, in other files {usual:#x}", range.start);
-            place(Code::LipHeader, range, message).note("the game reads it and does not use it")
+            let message = format!("the word at {:#04x} is {value:#x}, but {usual:#x} in other files", range.start);
+            place(Code::LipHeader, range, message).note("the game reads this word but does not use it")
         }));
         if self.flags != 0 {
-            let message = format!("the flags are {:#x}, in other files 0", self.flags);
+            let message = format!("the flags are {:#x}, but 0 in other files", self.flags);
             let diagnostic = place(Code::LipHeader, offset::FLAGS, message);
             let set = FLAGS.iter().filter(|(bit, _)| self.flags & bit != 0);
             found.push(set.fold(diagnostic, |diagnostic, (_, meaning)| diagnostic.note(*meaning)));
         }
         if self.extension != Lip::EXTENSION {
             let shown = String::from_utf8_lossy(&self.extension);
-            let message = format!("the extension of the sound is {}, in other files `VOC`", escape::quoted(&shown));
+            let message =
+                format!("the extension of the sound file is {}, but `VOC` in other files", escape::quoted(&shown));
             found.push(place(Code::LipHeader, offset::EXTENSION, message).note("the game does not use it"));
         }
     }
@@ -52,8 +53,8 @@ impl Lip {
         let length = self.length();
         let end = self.markers.last().map_or(0, |marker| marker.position);
         if length.bytes != end {
-            let message = format!("the sound is {} bytes long, but the last marker is at {end}", length.bytes);
-            found.push(place(Code::LipLength, offset::LENGTH, message).note("the markers are used"));
+            let message = format!("the sound file is {} bytes long, but the last marker is at {end}", length.bytes);
+            found.push(place(Code::LipLength, offset::LENGTH, message).note("lipz uses the markers"));
         }
     }
 
@@ -76,18 +77,18 @@ impl Lip {
         let mut add = |message: String| {
             found.push(
                 place(Code::LipName, offset::NAME, message)
-                    .note("the game plays the sound of this name; the key is that of the file"),
+                    .note("the game plays the sound file with this name; the key comes from the name of the LIP file"),
             );
         };
         if !self.name.is_ascii() {
-            add(format!("the name of the sound is not ASCII: {}", escape::quoted(&sound)));
+            add(format!("the name of the sound file is not ASCII: {}", escape::quoted(&sound)));
         } else if !sound.eq_ignore_ascii_case(file_stem) {
             let (sound, file) = (escape::quoted(&sound), escape::quoted(file_stem));
-            add(format!("the name of the sound is {sound}, that of the file {file}"));
+            add(format!("the sound file is called {sound}, but the LIP file {file}"));
         }
         let behind = self.name.iter().skip(sound.chars().count());
         if behind.copied().any(|byte| byte != 0) {
-            add(format!("bytes follow the end of the name of the sound, {}", escape::quoted(&sound)));
+            add(format!("bytes follow the name of the sound file, {}", escape::quoted(&sound)));
         }
     }
 
@@ -103,7 +104,7 @@ impl Lip {
     fn marker_types(&self, found: &mut Vec<Diagnostic>) {
         let diagnostics = self.markers.iter().enumerate().filter_map(|(index, marker)| {
             let message = match (index, marker.kind) {
-                (0, 0) => "the type of the first marker is 0, in other files 1".to_owned(),
+                (0, 0) => "the type of the first marker is 0, but 1 in other files".to_owned(),
                 (_, 0 | 1) => return None,
                 (_, kind) => format!("the type of marker {index} is {kind:#x}, neither 0 nor 1"),
             };
@@ -122,10 +123,10 @@ impl Lip {
         let pairs = self.markers.windows(2).enumerate();
         let diagnostics = pairs.filter_map(|(index, pair)| {
             let [Marker { position: before, .. }, Marker { position, .. }] = pair else { return None };
-            let message = format!("marker {} runs backwards, from {before} to {position}", index + 1);
+            let message = format!("marker {} moves backwards from {before} to {position}", index + 1);
             let diagnostic = place(Code::LipMarkerOrder, self.marker_place(index + 1), message);
-            let note =
-                "as in the game, its phoneme starts at the last place before it, and hides the one that starts there";
+            let note = "as in the game, its phoneme starts at the latest earlier position and hides the phoneme at \
+                that position";
             (position < before).then(|| diagnostic.note(note))
         });
         list(found, diagnostics);

@@ -1,21 +1,21 @@
-//! From bytes to a [`Lip`].
+//! Reading of a [`Lip`] from bytes.
 
 use super::{HEADER_BYTES, Lip, MARKER_BYTES, Marker, NAME_BYTES, VERSION, offset};
 use crate::fallout::place;
 use lipz_diagnostics::{Code, Diagnostic};
 use std::ops::Range;
 
-/// Bytes of a file of version 1: the game's structure with its pointers.
+/// The size of a file of version 1: the game's structure with its pointers.
 const VERSION_1_BYTES: usize = 360;
 
 impl Lip {
-    /// Reads a file. Whatever is unusual in it is kept; [`Lip::oddities`] reports it.
+    /// Reads a file. Irregularities are kept; [`Lip::oddities`] reports them.
     ///
     /// # Errors
-    /// [`Code::LipVersion`] for another version, and for anything that is not a LIP file;
-    /// [`Code::LipCutOff`] for a file that ends before its last marker.
+    /// [`Code::LipVersion`] for a different version, and for anything that is not a LIP file; [`Code::LipCutOff`] for a
+    /// file that ends before its last marker.
     pub fn read(bytes: &[u8]) -> Result<Lip, Box<Diagnostic>> {
-        let header = Header(bytes);
+        let header = LipFileHeader(bytes);
         let version = header.word(offset::VERSION)?;
         if version != VERSION {
             return Err(Box::new(refused_version(version)));
@@ -47,10 +47,10 @@ impl Lip {
     }
 }
 
-/// The file, as far as it is there.
-struct Header<'b>(&'b [u8]);
+/// The bytes of the file, which may be truncated.
+struct LipFileHeader<'b>(&'b [u8]);
 
-impl Header<'_> {
+impl LipFileHeader<'_> {
     fn array<const N: usize>(&self, range: Range<usize>) -> Result<[u8; N], Box<Diagnostic>> {
         let array = self.0.get(range).and_then(|bytes| bytes.try_into().ok());
         array.ok_or_else(|| {
@@ -64,7 +64,7 @@ impl Header<'_> {
     }
 }
 
-/// The first `count` items of `item_bytes` each, and the rest; `None` if there are fewer.
+/// Returns the first `count` items of `item_bytes` each, and the rest; `None` if there are fewer items.
 fn split(bytes: &[u8], count: u32, item_bytes: usize) -> Option<(&[u8], &[u8])> {
     let length = usize::try_from(count).ok()?.checked_mul(item_bytes)?;
     bytes.split_at_checked(length)
@@ -79,21 +79,21 @@ fn cut_off_body(length_bytes: usize, phonemes: u32, markers: u32) -> Diagnostic 
 }
 
 fn whole_again(diagnostic: Diagnostic) -> Diagnostic {
-    diagnostic.help("copy the file again from where it came from; transfer it as binary, not as text")
+    diagnostic.help("copy the file again from its source, in binary mode")
 }
 
 fn refused_version(version: u32) -> Diagnostic {
     let at = |message: String| place(Code::LipVersion, offset::VERSION, message);
     match version {
         1 => at("this is a LIP file of version 1, which lipz does not read".into())
-            .note(format!("version 1 starts with the game's structure as it lay in memory, {VERSION_1_BYTES} bytes"))
-            .help("look for the file of version 2, and report this one: it would be the first"),
+            .note(format!("version 1 starts with a copy of the game's structure in memory, {VERSION_1_BYTES} bytes"))
+            .help("look for a file of version 2, and report this one, which would be the first of its kind"),
         _ if version.swap_bytes() == VERSION => at("the words of this LIP file are little-endian".into())
-            .help("write them big-endian: only the length at 0x10 is little-endian in files of the game"),
+            .help("write them big-endian; only the length at 0x10 is little-endian in files of the game"),
         _ if version.to_be_bytes() == *b"LIP " => {
             at("this is a LIP file of Knights of the Old Republic".into()).help("import it as the format `kotor`")
         }
         _ => at(format!("this is not a LIP file of Fallout 2: its version is {version}, not {VERSION}"))
-            .help("LIP files of the game lie in its data below sound/speech"),
+            .help("name a LIP file from sound/speech in the game's data"),
     }
 }

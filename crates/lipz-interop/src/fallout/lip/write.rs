@@ -1,9 +1,9 @@
-//! From a [`Lip`] to its bytes.
+//! Conversion of a [`Lip`] to bytes.
 
 use super::{HEADER_BYTES, Lip, MARKER_BYTES, VERSION};
 
 impl Lip {
-    /// The bytes of the file. What was read with [`Lip::read`] gives the same bytes again.
+    /// Returns the bytes of the file. A value that was read with [`Lip::read`] produces the same bytes.
     pub fn write(&self) -> Vec<u8> {
         let length = HEADER_BYTES + self.phonemes.len() + self.markers.len() * MARKER_BYTES + self.trailing.len();
         let mut bytes = Vec::with_capacity(length);
@@ -28,7 +28,7 @@ impl Lip {
     }
 }
 
-/// A count as a word. Files are far smaller than it can store.
+/// Returns a count as a word. Files are far smaller than it can store.
 fn count(number: usize) -> [u8; 4] {
     u32::try_from(number).unwrap_or(u32::MAX).to_be_bytes()
 }

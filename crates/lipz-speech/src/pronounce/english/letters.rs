@@ -1,22 +1,22 @@
-//! Letter-to-sound rules for English words that no dictionary has: a tree of decisions, learnt from the dictionary.
+//! Letter-to-sound rules for English words that are in no dictionary: a decision tree, learnt from the dictionary.
 //!
-//! `data/english/letters.bin`: `LZLS`; the number of sounds, and two bytes for each: its phones, 255 for none; for `'`
-//! and `a` to `z` the place of their node, three bytes; then nodes. A node has its sound, which neighbour it asks for
-//! (an index of `NEIGHBOURS`), the number of answers, and the answers: a letter, and the place of the next node; or a
-//! letter plus 128, and its sound. `cargo xtask speech-dictionary` writes it.
+//! `data/english/letters.bin`: `LZLS`; the number of sounds, and two bytes for each: its phones, or 255 for none; for
+//! `'` and `a` to `z` the offset of their node, in three bytes; then nodes. A node has its sound, the neighbour that it
+//! tests (an index of `NEIGHBOURS`), the number of answers, and the answers. An answer is a letter and the offset of
+//! the next node, or a letter plus 128 and its sound. `cargo xtask speech-dictionary` writes the file.
 
 use crate::Phone;
 
 static TREE: &[u8] = include_bytes!("../../../data/english/letters.bin");
 
-/// Where the neighbours stand that a node may ask for.
+/// The relative positions of the neighbours that a node may test.
 const NEIGHBOURS: [isize; 10] = [1, -1, 2, -2, 3, -3, 4, -4, 5, -5];
-/// What stands outside of a word.
+/// The letter outside a word.
 const OUTSIDE: u8 = b'#';
-/// The table of sounds begins behind the name of the format and their number.
+/// The offset of the table of sounds, after the name of the format and their number.
 const SOUNDS: usize = 5;
 
-/// What the rules make of a word of `a` to `z` and `'`. Other characters are silent.
+/// Returns the phones of a word of `a` to `z` and `'`. Other characters are silent.
 pub(crate) fn phones(word: &str) -> Vec<Phone> {
     let letters = word.as_bytes();
     let mut phones = Vec::with_capacity(letters.len());
@@ -29,7 +29,7 @@ pub(crate) fn phones(word: &str) -> Vec<Phone> {
     phones
 }
 
-/// The number of the sound of one letter.
+/// Returns the number of the sound of one letter.
 fn sound(word: &[u8], at: usize) -> Option<u8> {
     let root = match word.get(at)? {
         b'\'' => 0,
@@ -38,7 +38,7 @@ fn sound(word: &[u8], at: usize) -> Option<u8> {
     };
     let roots = SOUNDS + 2 * usize::from(*TREE.get(4)?);
     let mut node = place(roots + 3 * root)?;
-    // Each step asks for another neighbour.
+    // Each step tests a different neighbour.
     for _ in 0..=NEIGHBOURS.len() {
         let &[sound, neighbour, count] = TREE.get(node..node + 3)? else { return None };
         let Some(answer) = answer(word, at, usize::from(neighbour)) else { return Some(sound) };
@@ -68,7 +68,7 @@ fn answer(word: &[u8], at: usize, neighbour: usize) -> Option<u8> {
     Some(place.and_then(|place| word.get(place)).copied().unwrap_or(OUTSIDE))
 }
 
-/// A place in the tree: three bytes.
+/// Reads an offset in the tree, which has three bytes.
 fn place(at: usize) -> Option<usize> {
     let &[one, two, three] = TREE.get(at..at + 3)? else { return None };
     Some(usize::from(one) | usize::from(two) << 8 | usize::from(three) << 16)

@@ -1,4 +1,4 @@
-//! English words: the dictionary, then what is made of its words, then rules.
+//! English words: looked up in the dictionary, then derived from its words, then from rules.
 
 pub(crate) mod letters;
 mod names;
@@ -7,14 +7,15 @@ pub(crate) mod words;
 use super::variants::{add, sequence};
 use crate::{Origin, Phone, Pronunciation};
 
-/// The shortest parts of a compound: shorter ones are found in too many words.
+/// The least length of a part of a compound. Shorter parts match too many words.
 const SHORTEST_PART: usize = 4;
-/// No English word is longer; what is, is not searched for parts.
+/// Longer words are not searched for parts. No English word is longer.
 const LONGEST_COMPOUND: usize = 32;
-/// Unknown words in capitals up to this length may be said letter by letter.
+/// Unknown words in capitals up to this length may be spelled letter by letter.
 const LONGEST_ACRONYM: usize = 5;
 
-/// The pronunciations of a word of Latin letters without accents, and apostrophes; `spelling` is how it was written.
+/// Returns the pronunciations of a word of Latin letters without accents, and apostrophes. `spelling` is the word as
+/// written.
 pub(super) fn pronounce(word: &str, spelling: &str) -> Vec<Pronunciation> {
     let with = |all: Vec<Vec<Phone>>, origin| {
         all.into_iter().map(|phones| Pronunciation { phones, origin }).collect::<Vec<_>>()
@@ -39,17 +40,17 @@ pub(super) fn pronounce(word: &str, spelling: &str) -> Vec<Pronunciation> {
         rules = rules.into_iter().map(with_s).collect();
     }
     all.extend(with(rules, Origin::Rules));
-    // Rules that find nothing to say are no help.
+    // Rules may return no phones.
     all.retain(|pronunciation| !pronunciation.phones.is_empty());
     all
 }
 
-/// Whether the dictionary has the word as it is.
+/// Whether the dictionary contains the word as it is.
 pub(super) fn knows(word: &str) -> bool {
     !words::find(word).is_empty()
 }
 
-/// What the dictionary says: of the word, of the word without an ending or without letters that were drawn out.
+/// Returns the dictionary's pronunciations of the word, or of the word without an ending or drawn-out letters.
 fn known(word: &str) -> Vec<Vec<Phone>> {
     let found = words::find(word);
     if !found.is_empty() {
@@ -77,7 +78,7 @@ fn known(word: &str) -> Vec<Vec<Phone>> {
     })
 }
 
-/// The ending of the plural and of *'s*.
+/// Adds the ending of the plural and of *'s*.
 fn with_s(mut phones: Vec<Phone>) -> Vec<Phone> {
     use Phone::{Ch, F, Ih, Jh, K, P, S, Sh, T, Th, Z, Zh};
     match phones.last() {
@@ -88,8 +89,8 @@ fn with_s(mut phones: Vec<Phone>) -> Vec<Phone> {
     phones
 }
 
-/// `Nooooo`, `gooood`: the word with one of each letter that stands there three times or more, and with two: the
-/// likelier first, which is one at the end and two inside.
+/// Returns a drawn-out word (`Nooooo`, `gooood`) with each letter that occurs three times or more reduced to one, and
+/// to two. The more likely comes first: one at the end of a word, two inside.
 fn drawn_out(word: &str) -> Vec<String> {
     let with = |count: usize| {
         let runs = word.as_bytes().chunk_by(|one, two| one == two);
@@ -104,7 +105,7 @@ fn drawn_out(word: &str) -> Vec<String> {
     if at_end { vec![with(1), twice] } else { vec![twice, with(1)] }
 }
 
-/// The word as two words of the dictionary, the most even pair: `moon` and `stone`.
+/// Splits the word into two words of the dictionary, such as `moon` and `stone`, of the most similar lengths.
 fn compound(word: &str) -> Vec<Vec<Phone>> {
     let length = word.len();
     if !(2 * SHORTEST_PART..=LONGEST_COMPOUND).contains(&length) || !word.is_ascii() {

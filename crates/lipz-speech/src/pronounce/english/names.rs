@@ -32,7 +32,7 @@ const NAMES: [&[Phone]; 26] = [
     &[Z, Iy],
 ];
 
-/// The names of all letters of a word in lower case.
+/// Returns the names of all letters of a word in lower case.
 pub(super) fn spelled(word: &str) -> Vec<Phone> {
     let names = word.bytes().filter(u8::is_ascii_lowercase).map(|letter| NAMES[usize::from(letter - b'a')]);
     names.flatten().copied().collect()

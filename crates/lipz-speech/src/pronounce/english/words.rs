@@ -1,11 +1,11 @@
-//! The English dictionary: 126,000 words of the CMU Pronouncing Dictionary, looked up in their packed form.
+//! The English dictionary: 126,000 words of the CMU Pronouncing Dictionary, which are looked up in packed form.
 //!
-//! `data/english/words.bin`: `LZDW`; the numbers of words and blocks and a checksum of all, four bytes each; the lengths
-//! of three canonical Huffman codes, a byte per symbol; for each block the bit where it begins, four bytes; then
-//! bits, the first one highest in its byte. A block has 32 words in their order. A word has the number of letters
-//! that it shares with the one before (none in the first of a block), the other letters, their end, and its
-//! pronunciations: phones, or one symbol if the rules of `letters.rs` say the same; between two of them, and after the
-//! last, a symbol of its own. `cargo xtask speech-dictionary` writes it.
+//! `data/english/words.bin`: `LZDW`; the numbers of words and blocks and a checksum of all words, four bytes each; the
+//! lengths of three canonical Huffman codes, a byte per symbol; for each block the offset of its first bit, four bytes;
+//! then bits, from the highest in each byte. A block has 32 words in alphabetical order. A word consists of the number
+//! of letters that it shares with the one before (absent in the first of a block), the other letters, an end symbol,
+//! and its pronunciations. A pronunciation is a list of phones, or one symbol if the rules of `letters.rs` produce the
+//! same; one symbol separates pronunciations, and another ends them. `cargo xtask speech-dictionary` writes the file.
 
 use super::letters;
 use crate::Phone;
@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 static BYTES: &[u8] = include_bytes!("../../../data/english/words.bin");
 
-/// Name of the format, three numbers.
+/// The size of the header: the name of the format, and three numbers.
 const HEADER: usize = 16;
 const SHARED: usize = 32;
 const LETTERS: [u8; 28] = *b"'.abcdefghijklmnopqrstuvwxyz";
@@ -33,10 +33,11 @@ static CODES: LazyLock<[Code; 3]> = LazyLock::new(|| {
     })
 });
 
-/// All pronunciations of a word in lower case, the most usual first; none if the dictionary does not have it.
+/// Returns all pronunciations of a word in lower case, the most common first, or none if the dictionary does not
+/// contain it.
 pub(crate) fn find(word: &str) -> Vec<Vec<Phone>> {
     let word = word.as_bytes();
-    // The last block that begins with this word or one before it.
+    // Find the last block whose first word is not after this word.
     let (mut low, mut high) = (0, number(8));
     while high - low > 1 {
         let middle = low + (high - low) / 2;
@@ -57,7 +58,7 @@ pub(crate) fn find(word: &str) -> Vec<Vec<Phone>> {
     Vec::new()
 }
 
-/// A number of the header, or the place of a block.
+/// Reads a number of the header, or the offset of a block.
 fn number(at: usize) -> usize {
     let bytes = BYTES.get(at..at + 4).and_then(|bytes| <[u8; 4]>::try_from(bytes).ok());
     bytes.map_or(0, |bytes| u32::from_le_bytes(bytes) as usize)
@@ -65,12 +66,12 @@ fn number(at: usize) -> usize {
 
 /// A word with the symbols of its pronunciations.
 #[derive(Debug, Default, Clone)]
-struct Entry {
+struct WordEntry {
     letters: Vec<u8>,
     sounds: Vec<usize>,
 }
 
-impl Entry {
+impl WordEntry {
     fn pronunciations(&self) -> Vec<Vec<Phone>> {
         let one = |symbols: &[usize]| match symbols {
             [AS_RULES] => letters::phones(std::str::from_utf8(&self.letters).unwrap_or_default()),
@@ -80,20 +81,20 @@ impl Entry {
     }
 }
 
-/// Reads entries from the beginning of a block on.
+/// Reads entries from the start of a block on.
 struct Reader {
     bit: usize,
-    entry: Entry,
+    entry: WordEntry,
 }
 
 impl Reader {
     fn new(block: usize) -> Reader {
         let blocks = HEADER + SHARED + LETTERS.len() + 1 + PHONES + 3;
         let bits = blocks + 4 * number(8);
-        Reader { bit: 8 * bits + number(blocks + 4 * block), entry: Entry::default() }
+        Reader { bit: 8 * bits + number(blocks + 4 * block), entry: WordEntry::default() }
     }
 
-    fn next(&mut self) -> Option<&Entry> {
+    fn next(&mut self) -> Option<&WordEntry> {
         let [shared, letters, sounds] = &*CODES;
         let shared = shared.read(&mut self.bit)?;
         self.entry.letters.truncate(shared);
@@ -110,11 +111,11 @@ impl Reader {
     }
 }
 
-/// A canonical Huffman code: shorter codes first, those of a length in the order of their symbols.
+/// A canonical Huffman code: shorter codes come first, and codes of equal length are sorted by symbol.
 struct Code {
-    /// Symbols in the order of their codes.
+    /// The symbols, sorted by code.
     symbols: Vec<usize>,
-    /// How many codes have each length; the index is the length.
+    /// The number of codes of each length, which is the index.
     counts: [usize; 33],
 }
 
@@ -131,7 +132,7 @@ impl Code {
         Code { symbols, counts }
     }
 
-    /// The symbol at a bit, which moves behind it; none at the end of the data.
+    /// Reads the symbol at `bit` and advances it, or returns `None` at the end of the data.
     fn read(&self, bit: &mut usize) -> Option<usize> {
         let (mut code, mut first, mut before) = (0, 0, 0);
         for count in self.counts.iter().skip(1) {
@@ -176,7 +177,8 @@ mod tests {
         }
     }
 
-    /// The checksum is over what the dictionary says, not over the packed bytes: this reads as `xtask` wrote.
+    /// The checksum covers the content of the dictionary, not the packed bytes, so a match proves that they are read as
+    /// `xtask` wrote them.
     #[test]
     fn every_word_is_read_as_it_was_written() {
         let mut hash = 0x811c_9dc5_u32;

@@ -9,16 +9,16 @@ use crate::Phone;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 use table::Rule;
-pub(super) use table::Table;
+pub(super) use table::RuleTable;
 use unicode_normalization::UnicodeNormalization;
 
 macro_rules! tables {
     ($($code:literal)*) => {
         /// The tables by the codes of their languages; `und` is for all others.
-        static TABLES: LazyLock<HashMap<&str, LazyLock<Table>>> = LazyLock::new(|| {
-            let mut tables: HashMap<&str, LazyLock<Table>> = HashMap::new();
+        static TABLES: LazyLock<HashMap<&str, LazyLock<RuleTable>>> = LazyLock::new(|| {
+            let mut tables: HashMap<&str, LazyLock<RuleTable>> = HashMap::new();
             $(tables.insert($code, LazyLock::new(|| {
-                Table::parse(include_str!(concat!("../../../data/languages/", $code, ".txt"))).0
+                RuleTable::parse(include_str!(concat!("../../../data/languages/", $code, ".txt"))).0
             }));)*
             tables
         });
@@ -31,16 +31,16 @@ macro_rules! tables {
 
 tables! { "bg" "ca" "cs" "de" "es" "fi" "fr" "it" "nl" "pl" "pt" "ru" "tr" "uk" "und" }
 
-/// The table of a language, if it has one.
-pub(super) fn table(code: &str) -> Option<&'static Table> {
+/// Returns the table of a language, if it has one.
+pub(super) fn table(code: &str) -> Option<&'static RuleTable> {
     TABLES.get(code).map(|table| &**table)
 }
 
-/// Unknown words in capitals up to this length may be said letter by letter.
+/// Unknown words in capitals up to this length may be spelled letter by letter.
 const LONGEST_ACRONYM: usize = 5;
 
-impl Table {
-    /// All pronunciations of a word, as it is spelled.
+impl RuleTable {
+    /// Returns all pronunciations of a word with this spelling.
     pub(super) fn pronounce(&self, spelling: &str, origin: Origin) -> Vec<Pronunciation> {
         let word: String = spelling.nfc().flat_map(|c| self.lower(c)).collect();
         let mut all: Vec<Pronunciation> = Vec::new();
@@ -65,7 +65,7 @@ impl Table {
         all
     }
 
-    /// Reads a word part by part, where apostrophes divide it: `c'est`.
+    /// Reads the parts of a word between apostrophes: `c'est`.
     fn parts(&self, word: &str) -> Vec<Vec<Phone>> {
         if !word.contains('\'') {
             return self.read(word);
@@ -75,7 +75,7 @@ impl Table {
         sequence(&parts.collect::<Vec<_>>())
     }
 
-    /// A character in lower case, as this language has it: Turkish has two kinds of `i`.
+    /// Converts a character to lower case by the rules of the language. Turkish has two kinds of `i`.
     fn lower(&self, c: char) -> Vec<char> {
         match c {
             '’' | 'ʼ' => vec!['\''],
@@ -85,15 +85,15 @@ impl Table {
         }
     }
 
-    /// The names of its letters, if all have one.
+    /// Returns the names of the word's letters, if all have one.
     fn spelled(&self, word: &str) -> Option<Vec<Phone>> {
         let names: Option<Vec<_>> = word.chars().filter(|c| c.is_alphabetic()).map(|c| self.names.get(&c)).collect();
         let parts: Vec<Vec<Vec<Phone>>> = names?.into_iter().map(|name| self.read(name)).collect();
         sequence(&parts).into_iter().next().filter(|phones| !phones.is_empty())
     }
 
-    /// What the rules make of a word in lower case: one pronunciation per alternative and per place of the stress, if
-    /// nothing tells where that is.
+    /// Applies the rules to a word in lower case. Returns one pronunciation per alternative, and per stressed vowel if
+    /// the stress is unknown.
     fn read(&self, word: &str) -> Vec<Vec<Phone>> {
         let letters = self.letters(word);
         let mut all = Vec::new();
@@ -109,8 +109,8 @@ impl Table {
         all
     }
 
-    /// The characters of a word that rules know; for others what they are without accents. A letter that stands there
-    /// three times or more is drawn out, and counts twice.
+    /// Returns the characters of a word, without accents where rules only have the plain letter. A letter that occurs
+    /// three times or more in a row is drawn out, and counts twice.
     fn letters(&self, word: &str) -> Vec<char> {
         let mut letters: Vec<char> = Vec::with_capacity(word.len());
         let mut push = |c: char| {
@@ -127,7 +127,7 @@ impl Table {
         letters
     }
 
-    /// Applies the rules once, with these alternatives; also says how many alternatives there are.
+    /// Applies the rules once, with these alternatives. Also returns the number of alternatives.
     fn apply(&self, letters: &[char], stress: Option<usize>, alternative: usize) -> (Vec<Phone>, usize) {
         let mut phones = Vec::with_capacity(letters.len());
         let (mut at, mut alternatives) = (0, 1);

@@ -1,25 +1,26 @@
-//! Where a word is stressed, as far as its spelling tells.
+//! The stressed syllable of a word, as far as its spelling shows it.
 
 use super::super::variants::MOST;
-use super::Table;
+use super::RuleTable;
 
-/// How a language tells where words are stressed.
+/// A language's rule for the stress.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub(super) enum Stress {
-    /// It does not matter for the sounds, or rules find it by the letters around.
+    /// The stress does not affect the phones, or rules derive it from the neighbouring letters.
     #[default]
     None,
-    /// Anywhere, and nothing tells, but for letters that are always stressed: each vowel may be.
+    /// Any vowel may be stressed, unless the word contains a letter that is always stressed.
     Anywhere {
         /// `ё`.
         always: Vec<char>,
     },
-    /// On the vowel with an accent; without one on the last but one after weak endings, otherwise on the last.
+    /// The vowel with an accent is stressed. Without accents, it is the last but one after weak endings, otherwise the
+    /// last.
     Accents { accents: Vec<char>, weak: Vec<String> },
 }
 
 impl Stress {
-    /// `anywhere ё`, or `accents áé… weak a as …`.
+    /// Parses `anywhere ё`, or `accents áé… weak a as …`.
     pub(super) fn parse(text: &str) -> Option<Stress> {
         let mut fields = text.split_whitespace();
         match fields.next()? {
@@ -33,8 +34,8 @@ impl Stress {
         }
     }
 
-    /// The index of the stressed vowel, the likeliest first; `None` where all are read as stressed.
-    pub(super) fn places(&self, table: &Table, letters: &[char]) -> Vec<Option<usize>> {
+    /// Returns the indices of the stressed vowel, the most likely first; `None` if all vowels are read as stressed.
+    pub(super) fn places(&self, table: &RuleTable, letters: &[char]) -> Vec<Option<usize>> {
         let vowels = || (0..letters.len()).filter(|at| letters.get(*at).is_some_and(|c| table.vowels.contains(c)));
         match self {
             Stress::None => vec![None],
@@ -43,7 +44,7 @@ impl Stress {
                     return vec![Some(at)];
                 }
                 let mut places: Vec<usize> = vowels().collect();
-                // The middle of a word is likelier than its ends.
+                // The middle of a word is more likely than its ends.
                 let middle = places.len() / 2;
                 if let Some(likeliest) = (middle < places.len()).then(|| places.remove(middle)) {
                     places.insert(0, likeliest);
@@ -65,8 +66,8 @@ impl Stress {
     }
 }
 
-/// Whether a vowel is no syllable: `i` and `u` after another vowel, and `u` in `gua` and `qua`.
-fn is_glide(table: &Table, letters: &[char], at: usize) -> bool {
+/// Whether a vowel does not form a syllable: `i` and `u` after another vowel, and `u` in `gua` and `qua`.
+fn is_glide(table: &RuleTable, letters: &[char], at: usize) -> bool {
     let is_vowel = |at: usize| letters.get(at).is_some_and(|c| table.vowels.contains(c));
     let before = at.checked_sub(1).and_then(|before| letters.get(before));
     match letters.get(at) {

@@ -1,4 +1,4 @@
-//! The tables of letter-to-sound rules as text: `data/languages/README.md` describes them.
+//! The text format of tables of letter-to-sound rules, described in `data/languages/README.md`.
 
 use super::stress::Stress;
 use crate::Phone;
@@ -8,14 +8,14 @@ use std::collections::HashMap;
 
 /// The letter-to-sound rules of a language.
 #[derive(Default, Debug)]
-pub(in crate::pronounce) struct Table {
-    /// Rules by their first letter: long ones first, then those with more context, then in the order of the table.
+pub(in crate::pronounce) struct RuleTable {
+    /// The rules by their first letter: long ones first, then those with more context, then in the order of the table.
     pub(super) rules: HashMap<char, Vec<Rule>>,
-    /// Words that no rule explains.
+    /// Words that do not follow the rules.
     pub(super) words: HashMap<String, Vec<Vec<Phone>>>,
     /// The names of letters, spelled in the language.
     pub(super) names: HashMap<char, String>,
-    /// Words that end with another sound before a vowel.
+    /// Words that end with an additional sound before a vowel.
     pub(in crate::pronounce) links: HashMap<String, Phone>,
     pub(super) vowels: Vec<char>,
     pub(super) stress: Stress,
@@ -23,32 +23,32 @@ pub(in crate::pronounce) struct Table {
     pub(super) dotless: bool,
 }
 
-/// `before<letters>after  sounds`.
+/// A rule: `before<letters>after  sounds`.
 #[derive(Debug)]
 pub(super) struct Rule {
     pub(super) letters: Vec<char>,
-    /// What stands before the letters, the nearest first.
+    /// The context before the letters, the nearest first.
     pub(super) before: Vec<Item>,
     pub(super) after: Vec<Item>,
-    /// One or several alternatives.
+    /// One or more alternatives.
     pub(super) sounds: Vec<Sounds>,
 }
 
-/// What letters stand for in a stressed syllable, and in others.
+/// The sounds of letters in a stressed syllable, and in unstressed ones.
 #[derive(Debug)]
 pub(super) struct Sounds {
     pub(super) stressed: Vec<Phone>,
     pub(super) unstressed: Vec<Phone>,
 }
 
-/// One place of the context of a rule.
+/// One position of the context of a rule.
 #[derive(Debug)]
 pub(super) enum Item {
-    /// The end of the word, or something that is no letter: an apostrophe.
+    /// The end of the word, or a character other than a letter: an apostrophe.
     Edge,
     /// One of these letters.
     One(Vec<char>),
-    /// None of these letters.
+    /// A letter that is not one of these.
     NotOne(Vec<char>),
 }
 
@@ -63,13 +63,13 @@ impl Item {
     }
 }
 
-/// The numbers of lines that are no rules.
+/// The numbers of invalid lines.
 pub(super) type BadLines = Vec<usize>;
 
-impl Table {
-    /// Reads a table. Lines that are wrong are left out; a test finds them in ours.
-    pub(super) fn parse(text: &str) -> (Table, BadLines) {
-        let mut table = Table::default();
+impl RuleTable {
+    /// Reads a table. Invalid lines are skipped; a test checks that the tables of this crate have none.
+    pub(super) fn parse(text: &str) -> (RuleTable, BadLines) {
+        let mut table = RuleTable::default();
         let mut classes: HashMap<char, Vec<char>> = HashMap::new();
         let mut bad = BadLines::new();
         for (index, line) in text.lines().enumerate() {
@@ -150,7 +150,7 @@ fn rule(pattern: &str, sounds: &str, classes: &HashMap<char, Vec<char>>) -> Opti
     Some(Rule { letters: letters.chars().collect(), before, after: items(after, classes)?, sounds: sounds? })
 }
 
-/// Phones by their names; `-` is none.
+/// Returns phones from their names; `-` stands for none.
 fn phones(text: &str) -> Option<Vec<Phone>> {
     match text.trim() {
         "-" => Some(Vec::new()),
@@ -159,7 +159,8 @@ fn phones(text: &str) -> Option<Vec<Phone>> {
     }
 }
 
-/// The places of a context: a letter, a class in capitals, `#` for an edge, `[…]` for one of several, `[^…]` for none.
+/// Parses the positions of a context: a letter, a class in capitals, `#` for an edge, `[…]` for one of several letters,
+/// `[^…]` for a letter that is not one of them.
 fn items(text: &str, classes: &HashMap<char, Vec<char>>) -> Option<Vec<Item>> {
     let letters = |text: &str| {
         let all = text.chars().map(|c| classes.get(&c).cloned().or((!c.is_uppercase()).then(|| vec![c])));

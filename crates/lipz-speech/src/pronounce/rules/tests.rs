@@ -1,4 +1,4 @@
-//! The tables as a whole, and words of each language whose sounds are known.
+//! Tests of the tables as a whole, and of words of each language whose pronunciation is known.
 
 use super::*;
 
@@ -10,13 +10,13 @@ fn said(code: &str, word: &str) -> Vec<String> {
 #[test]
 fn every_line_of_every_table_is_understood() {
     for (code, source) in SOURCES {
-        let (table, bad) = Table::parse(source);
+        let (table, bad) = RuleTable::parse(source);
         assert!(bad.is_empty(), "{code}: lines {bad:?}");
         assert!(table.rules.len() > 20 && !table.vowels.is_empty(), "{code}");
     }
 }
 
-/// The name of each letter can be read, and no letter of the alphabet is forgotten.
+/// Each letter of the alphabet has a sound and a name that can be read.
 #[test]
 fn every_letter_has_a_name_and_a_sound() {
     for (code, _) in SOURCES {
@@ -43,7 +43,7 @@ fn a_rule_that_can_never_apply_is_a_mistake() {
     }
 }
 
-/// Words with their first pronunciation, or with all of them.
+/// Checks the first pronunciation of words, or all of them.
 fn check(code: &str, words: &[(&str, &[&str])]) {
     for (word, expected) in words {
         let mut all = said(code, word);

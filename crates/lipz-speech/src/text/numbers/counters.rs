@@ -1,23 +1,23 @@
-//! Korean numbers before what they count: `3시` is *se si*, not *sam si*.
+//! Korean numbers before counters: `3시` is *se si*, not *sam si*.
 
-/// Native numbers as they stand before a counter: tens, then ones.
+/// Native numbers in the form used before a counter: tens, then ones.
 const TENS: [&str; 10] = ["", "열", "스물", "서른", "마흔", "쉰", "예순", "일흔", "여든", "아흔"];
 const ONES: [&str; 10] = ["", "한", "두", "세", "네", "다섯", "여섯", "일곱", "여덟", "아홉"];
 
-/// What is counted with native numbers: hours, things, people, years of age, animals, times, bottles, cups, books, machines, months,
-/// sheets, sets, pairs, flowers, trees, houses, ships, kinds, places, laps, boards.
+/// The counters of native numbers: hours, things, people, years of age, animals, times, bottles, cups, books, machines,
+/// months, sheets, sets, pairs, flowers, trees, houses, ships, kinds, places, laps, boards.
 const COUNTERS: [&str; 24] = [
     "시", "개", "명", "사람", "살", "마리", "번", "병", "잔", "권", "대", "달", "장", "벌", "켤레", "송이", "그루",
     "채", "척", "가지", "군데", "바퀴", "판", "곳",
 ];
-/// What begins like a counter, but is not counted so: months, years, countries.
+/// Words that begin like a counter, but do not use native numbers: months, years, countries.
 const OTHERS: [&str; 3] = ["개월", "개년", "개국"];
-/// Hours up to that of a clock are native numbers, later ones are those of timetables.
+/// Hours of a clock use native numbers. Later hours are those of timetables.
 const HOURS_OF_A_CLOCK: u64 = 12;
-/// From here on, `20대` are people of that age, and `31번` is a number: not native first.
+/// From here on, `20대` are people of that age and `31번` is a number, so the native number is not the first choice.
 const LARGE: u64 = 20;
 
-/// The native number, if one is said before what a text begins with, and whether it is likelier than the other.
+/// Returns the native number, if one may be used before this text, and whether it is more likely than the other.
 pub(super) fn native(number: u64, text: &str) -> Option<(String, bool)> {
     let counted = text.strip_prefix([' ', '\u{a0}']).unwrap_or(text);
     let is_counted = COUNTERS.iter().any(|counter| counted.starts_with(counter));
@@ -34,7 +34,7 @@ pub(super) fn native(number: u64, text: &str) -> Option<(String, bool)> {
     words(number).map(|words| (words, is_likely))
 }
 
-/// A number below a hundred.
+/// Returns a number below 100 in words.
 pub(super) fn words(number: u64) -> Option<String> {
     let number = usize::try_from(number).ok()?;
     let (tens, ones) = (TENS.get(number / 10)?, ONES.get(number % 10)?);

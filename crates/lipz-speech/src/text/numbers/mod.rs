@@ -1,4 +1,4 @@
-//! Numbers and signs of a text in words: cardinals, ordinals, years, decimals, money, percent, times of day.
+//! Numbers and signs in words: cardinals, ordinals, years, decimals, money, percentages, times of day.
 
 mod counters;
 mod dates;
@@ -11,27 +11,27 @@ mod units;
 use super::Spelling;
 use rules::{LARGEST, Rules, Use};
 
-/// Blanks that group digits.
+/// Spaces and apostrophes that group digits.
 const GROUPING: [char; 5] = [' ', '\u{a0}', '\u{2009}', '\u{202f}', '’'];
-/// Signs of money.
+/// Currency signs.
 const MONEY: [char; 6] = ['€', '$', '£', '¥', '₽', '₺'];
-/// The earliest and the latest number that may be a year.
+/// The range of numbers that may be years.
 const YEARS: std::ops::RangeInclusive<u64> = 1_100..=2_099;
-/// More digits are said one by one.
+/// Numbers with more digits are read digit by digit.
 const MOST_DIGITS: usize = 15;
 
-/// A number as it stands in a text.
+/// A number in a text.
 #[derive(Default, Debug)]
-struct Found {
+struct FoundNumber {
     /// The digits before the decimal mark, and after it.
     whole: String,
     decimals: String,
     grouped: bool,
-    /// Where it ends.
+    /// Where the number ends.
     end: usize,
 }
 
-/// A fraction in one character, as its language has it or as two numbers.
+/// Returns a one-character fraction in words, with the word of its language or as two numbers.
 fn fraction(code: &str, rules: &Rules, c: char) -> Option<String> {
     if let Some(word) = signs::word(code, c, false) {
         return Some(word.to_owned());
@@ -41,7 +41,7 @@ fn fraction(code: &str, rules: &Rules, c: char) -> Option<String> {
     Some(format!("{} {}", cardinal(rules, above.trim())?, cardinal(rules, below.trim())?))
 }
 
-/// The number or the sign that begins at `at` of a text, with all ways to say it.
+/// Returns the number or sign that begins at `at`, with all its readings.
 pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
     let rest = text.get(at..)?;
     let before = text.get(..at)?.chars().next_back();
@@ -63,7 +63,7 @@ pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
     let money = rest.get(start..)?.chars().next().filter(|c| MONEY.contains(c));
     start += money.map_or(0, char::len_utf8);
     if let Some(found) = number(code, rest, start) {
-        // A word such as `3D` is none.
+        // In a word such as `3D`, the digit is not a number.
         let (end, mut readings) = readings(code, rules, rest, &found, money)?;
         let day = found.whole.parse().ok().filter(|_| end == found.end && found.decimals.is_empty());
         if let Some(ordinal) = day.filter(|day| dates::is_behind_month(code, text.get(..at).unwrap_or_default(), *day))
@@ -83,7 +83,7 @@ pub(crate) fn spelled(code: &str, text: &str, at: usize) -> Option<Spelling> {
     spelling(first.len_utf8(), vec![word.to_owned()])
 }
 
-/// A row of digits in words: as a number if it is short, else digit by digit.
+/// Returns the readings of a row of digits: as a number if it is short, otherwise digit by digit.
 pub(crate) fn row(code: &str, digits: &str) -> Vec<String> {
     let Some(rules) = rules::find(code) else { return Vec::new() };
     let digits: String = any_ascii::any_ascii(digits).chars().filter(char::is_ascii_digit).collect();
@@ -91,7 +91,7 @@ pub(crate) fn row(code: &str, digits: &str) -> Vec<String> {
     whole.or_else(|| one_by_one(rules, &digits)).into_iter().collect()
 }
 
-/// A digit of any script.
+/// Returns the ASCII digit for a digit of any script.
 fn digit(c: char) -> Option<char> {
     if c.is_ascii_digit() {
         return Some(c);
@@ -100,10 +100,10 @@ fn digit(c: char) -> Option<char> {
     plain.chars().next().filter(|digit| c.is_numeric() && plain.len() == 1 && digit.is_ascii_digit())
 }
 
-/// The digits at `start`, with what groups them and with decimals.
-fn number(code: &str, text: &str, start: usize) -> Option<Found> {
+/// Returns the digits at `start`, with grouping and decimals.
+fn number(code: &str, text: &str, start: usize) -> Option<FoundNumber> {
     let (group, decimal) = if signs::has_decimal_point(code) { (',', '.') } else { ('.', ',') };
-    let mut found = Found { end: start, ..Found::default() };
+    let mut found = FoundNumber { end: start, ..FoundNumber::default() };
     let digits = |from: usize| -> (String, usize) {
         let rest = text.get(from..).unwrap_or_default();
         let digits: Vec<(char, usize)> = rest.chars().map_while(|c| Some((digit(c)?, c.len_utf8()))).collect();
@@ -140,8 +140,15 @@ fn number(code: &str, text: &str, start: usize) -> Option<Found> {
     Some(found)
 }
 
-/// All ways to say a number with what is beside it, and where that ends; none if it is part of a word.
-fn readings(code: &str, rules: &Rules, text: &str, found: &Found, money: Option<char>) -> Option<(usize, Vec<String>)> {
+/// Returns all readings of a number with adjacent signs, and the end of these, or `None` if the number is part of a
+/// word.
+fn readings(
+    code: &str,
+    rules: &Rules,
+    text: &str,
+    found: &FoundNumber,
+    money: Option<char>,
+) -> Option<(usize, Vec<String>)> {
     let rest = text.get(found.end..)?;
     if found.decimals.is_empty() && !found.grouped && money.is_none() {
         if let Some((length, reading)) = time(code, rules, &found.whole, rest) {
@@ -159,14 +166,14 @@ fn readings(code: &str, rules: &Rules, text: &str, found: &Found, money: Option<
     }
     let mut all = plain(rules, found);
     let one = found.whole == "1" && found.decimals.is_empty();
-    // Behind the number, maybe after a blank: percent, degrees, money.
+    // After the number, with or without a space: percent, degrees, money.
     let blank = rest.chars().next().filter(|c| GROUPING[..4].contains(c)).map_or(0, char::len_utf8);
     let behind = rest.get(blank..).and_then(|rest| rest.chars().next());
     let sign = behind.filter(|c| matches!(c, '%' | '°') || MONEY.contains(c) && money.is_none());
     let word = money.or(sign).and_then(|sign| signs::word(code, sign, one));
     let end = found.end + if money.is_none() && word.is_some() { blank + sign.map_or(0, char::len_utf8) } else { 0 };
     if let Some(word) = word {
-        // Chinese and Turkish have percent before the number.
+        // In Chinese and Turkish, percent precedes the number.
         let leads = sign == Some('%') && matches!(code, "zh" | "tr");
         let with = |number: &String| if leads { format!("{word} {number}") } else { format!("{number} {word}") };
         all = all.iter().map(with).collect();
@@ -191,11 +198,11 @@ fn readings(code: &str, rules: &Rules, text: &str, found: &Found, money: Option<
     Some((end, all))
 }
 
-/// All ways to say a number with its unit.
-fn with_unit(code: &str, rules: &Rules, found: &Found, unit: &units::Unit) -> Vec<String> {
+/// Returns all readings of a number with its unit.
+fn with_unit(code: &str, rules: &Rules, found: &FoundNumber, unit: &units::MeasureUnit) -> Vec<String> {
     let one = found.whole == "1" && found.decimals.is_empty();
     let numbers = plain(rules, found);
-    // Before a noun, one is another word: `ein Kilo`.
+    // The number one has a different form before a noun: `ein Kilo`.
     let before_noun = |words: &String| match (code, one) {
         ("de", true) => "ein".to_owned(),
         ("ca" | "es" | "it", true) => "un".to_owned(),
@@ -208,8 +215,8 @@ fn with_unit(code: &str, rules: &Rules, found: &Found, unit: &units::Unit) -> Ve
     numbers.iter().map(before_noun).flat_map(with).collect()
 }
 
-/// A number without anything beside it.
-fn plain(rules: &Rules, found: &Found) -> Vec<String> {
+/// Returns the readings of a number alone.
+fn plain(rules: &Rules, found: &FoundNumber) -> Vec<String> {
     let digits = || one_by_one(rules, &found.whole);
     let Some(whole) = cardinal(rules, &found.whole) else { return digits().into_iter().collect() };
     if !found.decimals.is_empty() {
@@ -234,7 +241,7 @@ fn plain(rules: &Rules, found: &Found) -> Vec<String> {
     all
 }
 
-/// `10:30`, with hours and minutes that a clock has.
+/// Returns the reading of a valid time of day, such as `10:30`.
 fn time(code: &str, rules: &Rules, hours: &str, rest: &str) -> Option<(usize, String)> {
     let minutes = rest.strip_prefix(':')?.get(..2)?;
     let more = rest.get(3..)?.starts_with(|c: char| c.is_alphanumeric());
@@ -256,7 +263,7 @@ fn time(code: &str, rules: &Rules, hours: &str, rest: &str) -> Option<(usize, St
     Some((3, parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")))
 }
 
-/// `3rd`, `2e`, `1º`, and in English `1980s`.
+/// Returns the readings of `3rd`, `2e`, `1º`, and in English `1980s`.
 fn with_suffix(code: &str, rules: &Rules, digits: &str, rest: &str) -> Option<(usize, Vec<String>)> {
     let letters = rest.find(|c: char| !c.is_alphabetic() && c != '°').unwrap_or(rest.len());
     let suffix = rest.get(..letters).filter(|suffix| !suffix.is_empty())?;
@@ -281,8 +288,8 @@ fn with_suffix(code: &str, rules: &Rules, digits: &str, rest: &str) -> Option<(u
     None
 }
 
-/// The decimals of an amount of money, if they are cents.
-fn cents(rules: &Rules, found: &Found) -> Option<String> {
+/// Returns the decimals of an amount of money, if they are cents.
+fn cents(rules: &Rules, found: &FoundNumber) -> Option<String> {
     let cents = found.decimals.trim_start_matches('0');
     (found.decimals.len() == 2 && !cents.is_empty()).then(|| cardinal(rules, cents)).flatten()
 }
@@ -302,7 +309,7 @@ fn spell(rules: &Rules, digits: &str, how: Use) -> Option<String> {
     rules.spell(value, how)
 }
 
-/// A number; with leading zeros, it is said digit by digit.
+/// Returns a number in words. With leading zeros, it is read digit by digit.
 fn cardinal(rules: &Rules, digits: &str) -> Option<String> {
     let plain = digits.len() == 1 || !digits.starts_with('0');
     plain.then(|| spell(rules, digits, Use::Cardinal)).flatten()

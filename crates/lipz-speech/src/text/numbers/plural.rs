@@ -1,11 +1,11 @@
-//! Forms of words that go with a number: *tysiące*, *tysięcy*.
+//! Forms of words after a number: *tysiące*, *tysięcy*.
 
-/// The form for a whole number, of a list such as `(cardinal,one{…}few{…}other{…}`.
+/// Returns the form for an integer, from a list such as `(cardinal,one{…}few{…}other{…}`.
 pub(super) fn choose<'r>(code: &str, number: u64, forms: &'r str) -> &'r str {
     form(category(code, number), forms).unwrap_or_else(|| of_decimals(forms))
 }
 
-/// The form for a number with decimals: that for all that no other form is for.
+/// Returns the form for a number with decimals: the form for all other numbers.
 pub(super) fn of_decimals(forms: &str) -> &str {
     form("other", forms).unwrap_or_default()
 }
@@ -16,7 +16,7 @@ fn form<'r>(name: &str, forms: &'r str) -> Option<&'r str> {
     forms.get(start..start + end)
 }
 
-/// The category of a whole number, as CLDR has it for the languages whose rules ask.
+/// Returns the CLDR plural category of an integer, for the languages whose rules use it.
 /// <https://www.unicode.org/cldr/charts/latest/supplemental/language_plural_rules.html>
 fn category(code: &str, number: u64) -> &'static str {
     let (ten, hundred) = (number % 10, number % 100);

@@ -1,6 +1,7 @@
 //! Roman numerals up to 39: `Henry VIII`, `Act II`.
 
-/// The numeral at the beginning of a text, two letters at least: its length in bytes and its value.
+/// Reads the numeral at the start of a text, which must have at least two letters. Returns its length in bytes and its
+/// value.
 pub(super) fn read(text: &str) -> Option<(usize, u64)> {
     let length = text.find(|c: char| !c.is_alphanumeric()).unwrap_or(text.len());
     let numeral = text.get(..length).filter(|numeral| (2..=7).contains(&numeral.len()))?;

@@ -1,18 +1,18 @@
-//! Numbers in words, by the rules of CLDR (RBNF).
+//! Numbers in words, according to the rules of CLDR (RBNF).
 //!
-//! `data/numbers/rules.txt` has for each language (`@en`) sets of rules: `%0:` for numbers, `%1:` for years, `%2:` for
-//! ordinals, others that these lead to. A rule is the
-//! smallest number that it is for, maybe `/radix`, and a text: `<<` is the number divided by the greatest power of the
-//! radix (10) that is not above that smallest number, `>>` the rest, `=%set=` the number by another set; what is in `[ ]`
-//! falls away without a rest. <https://unicode.org/reports/tr35/tr35-numbers.html#Rule-Based_Number_Formatting>
+//! `data/numbers/rules.txt` has sets of rules for each language (`@en`): `%0:` for numbers, `%1:` for years, `%2:` for
+//! ordinals, and the sets to which these refer. A rule consists of the smallest number to which it applies, an optional
+//! `/radix`, and a text. In the text, `<<` is the number divided by the greatest power of the radix (10) that is not
+//! above that smallest number, `>>` the remainder, and `=%set=` the number by another set. Text in `[ ]` is omitted if
+//! there is no remainder. <https://unicode.org/reports/tr35/tr35-numbers.html#Rule-Based_Number_Formatting>
 
 use super::plural;
 use std::collections::HashMap;
 use std::sync::{LazyLock, OnceLock};
 
-/// The largest number that is said as one; larger ones are said digit by digit.
+/// The largest number that is read as one. Larger ones are read digit by digit.
 pub(super) const LARGEST: u64 = 999_999_999_999_999;
-/// Rules call each other; ours need fewer steps than that.
+/// The maximum depth of recursion between rules. The rules in use need less.
 const DEEPEST: usize = 64;
 /// The set of rules for numbers.
 const CARDINAL: &str = "%0";
@@ -22,7 +22,7 @@ static LANGUAGES: LazyLock<HashMap<&str, (&str, OnceLock<Rules>)>> = LazyLock::n
     parts.filter_map(|part| part.split_once('\n')).map(|(code, text)| (code, (text, OnceLock::new()))).collect()
 });
 
-/// What a number is in a text.
+/// The use of a number in a text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Use {
     Cardinal,
@@ -39,9 +39,9 @@ pub(super) struct Rules {
 
 #[derive(Default, Debug)]
 struct Set {
-    /// By their smallest numbers.
+    /// Sorted by their smallest numbers.
     rules: Vec<Rule>,
-    /// What is said for a decimal mark.
+    /// The word for a decimal mark.
     point: Option<&'static str>,
     minus: Option<&'static str>,
 }
@@ -53,14 +53,14 @@ struct Rule {
     text: &'static str,
 }
 
-/// The rules of a language; English for those that have none.
+/// Returns the rules of a language, or those of English if it has none.
 pub(super) fn find(code: &str) -> Option<&'static Rules> {
     let (code, (text, rules)) = LANGUAGES.get_key_value(code).or_else(|| LANGUAGES.get_key_value("en"))?;
     Some(rules.get_or_init(|| Rules { code, sets: parse(text) }))
 }
 
 impl Rules {
-    /// A number in words; none for one that rules only write in digits.
+    /// Returns a number in words, or `None` if the rules write it only in digits.
     pub(super) fn spell(&self, number: u64, how: Use) -> Option<String> {
         if number > LARGEST {
             return None;
@@ -76,17 +76,17 @@ impl Rules {
         (!words.is_empty() && !words.contains(|c: char| c.is_ascii_digit())).then_some(words)
     }
 
-    /// What is said for the decimal mark: *point*.
+    /// Returns the word for the decimal mark: *point*.
     pub(super) fn point(&self) -> &'static str {
         self.found(|set| set.point).unwrap_or_default()
     }
 
-    /// What is said for a minus.
+    /// Returns the word for a minus.
     pub(super) fn minus(&self) -> &'static str {
         self.found(|set| set.minus).unwrap_or_default()
     }
 
-    /// Looks in the set for numbers, and in those that it leads to.
+    /// Searches the set for numbers, and the sets to which it refers.
     fn found(&self, what: impl Fn(&Set) -> Option<&'static str>) -> Option<&'static str> {
         let mut set = self.sets.get(CARDINAL)?;
         for _ in 0..DEEPEST {
@@ -103,7 +103,7 @@ impl Rules {
         let depth = depth.checked_sub(1)?;
         let at = set.rules.partition_point(|rule| rule.smallest <= number).checked_sub(1)?;
         let mut rule = set.rules.get(at)?;
-        // A rule for what has a rest is not for a number that has none: 1,100 is no *eleven hundred and*.
+        // A rule with a remainder does not apply to numbers without one: 1,100 is not *eleven hundred and*.
         let has_rest = rule.text.contains('>');
         if has_rest && number.is_multiple_of(rule.divisor) && !rule.smallest.is_multiple_of(rule.divisor) {
             rule = at.checked_sub(1).and_then(|at| set.rules.get(at)).unwrap_or(rule);
@@ -111,7 +111,7 @@ impl Rules {
         self.text(set, rule, rule.text, number, out, depth)
     }
 
-    /// Writes the text of a rule for a number.
+    /// Appends the text of a rule for a number.
     fn text(
         &self,
         set: &Set,
@@ -158,7 +158,7 @@ impl Rules {
                     } else {
                         self.number(other, value, out, depth)?;
                     }
-                    // `>>>` is `>>` without a rule that we would have to avoid.
+                    // `>>>` is `>>` without a certain rule, which does not matter here.
                     text = after.get(end + 1..)?;
                     text = if mark == b'>' && name.is_empty() { text.strip_prefix('>').unwrap_or(text) } else { text };
                 }
@@ -178,7 +178,7 @@ fn parse(text: &'static str) -> HashMap<&'static str, Set> {
             continue;
         }
         let Some((descriptor, rule)) = line.split_once(':') else { continue };
-        // An apostrophe keeps the blanks behind it.
+        // An apostrophe preserves the spaces after it.
         let rule = rule.strip_prefix('\'').unwrap_or(rule);
         let set = sets.entry(name).or_default();
         match descriptor {
@@ -186,7 +186,7 @@ fn parse(text: &'static str) -> HashMap<&'static str, Set> {
             "-x" => set.minus = Some(rule.split(['>', '=']).next().unwrap_or_default().trim()),
             _ => {
                 let (smallest, radix) = descriptor.split_once('/').unwrap_or((descriptor, "10"));
-                // A `>` behind the number: the next smaller power.
+                // Each `>` after the number selects the next smaller power.
                 let plain = |text: &str| text.trim_end_matches('>').replace(',', "").parse::<u64>().ok();
                 let (Some(smallest), Some(radix)) = (plain(smallest), plain(radix).filter(|radix| *radix > 1)) else {
                     continue;
@@ -199,14 +199,14 @@ fn parse(text: &'static str) -> HashMap<&'static str, Set> {
     sets
 }
 
-/// What stands between the two parts of a decimal number.
+/// Returns the text between the two parts of a decimal number.
 fn between(rule: &'static str) -> Option<&'static str> {
     let (_, rest) = rule.strip_prefix('<')?.split_once('<')?;
     let (point, _) = rest.split_once('>')?;
     Some(point.trim()).filter(|point| !point.is_empty() && !point.contains('$'))
 }
 
-/// The greatest power of the radix that is not above a number, `lower` steps smaller.
+/// Returns the greatest power of the radix that is not above a number, `lower` steps smaller.
 fn divisor(number: u64, radix: u64, lower: usize) -> u64 {
     let mut power = 1_u64;
     while let Some(next) = power.checked_mul(radix).filter(|next| *next <= number) {

@@ -1,4 +1,4 @@
-//! Words for signs: `%`, `€`, `&`. `data/numbers/signs.txt` has them.
+//! Words for signs: `%`, `€`, `&`. They come from `data/numbers/signs.txt`.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
@@ -19,18 +19,18 @@ static SIGNS: LazyLock<HashMap<&str, Signs>> = LazyLock::new(|| {
     lines.filter_map(line).collect()
 });
 
-/// The word for a sign beside a number, or alone; none if the language has none here.
+/// Returns the word for a sign alone or next to a number, or `None` if the language does not have one.
 pub(super) fn word(code: &str, sign: char, beside_one: bool) -> Option<&'static str> {
     let signs = SIGNS.get(code)?;
     let one = || signs.get(format!("{sign}1").as_str()).filter(|_| beside_one);
     one().or_else(|| signs.get(sign.encode_utf8(&mut [0; 4]) as &str)).map(String::as_str)
 }
 
-/// Whether a point begins decimals, and a comma groups digits. Elsewhere it is the other way round.
+/// Whether a point begins decimals and a comma groups digits, rather than vice versa.
 pub(super) fn has_decimal_point(code: &str) -> bool {
     match SIGNS.get(code) {
         Some(signs) => signs.get(".").is_some_and(|mark| mark == "."),
-        // Many languages of Asia and Africa; in Europe and South America the comma begins decimals.
+        // Many languages of Asia and Africa. In Europe and South America, a comma begins decimals.
         None => matches!(
             code,
             "und"

@@ -1,4 +1,4 @@
-//! Numbers as people write them.
+//! Tests of numbers in their usual notations.
 
 use super::*;
 

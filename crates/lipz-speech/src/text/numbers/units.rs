@@ -1,11 +1,11 @@
-//! Units behind numbers: `5 kg`, `20 °C`, `3 zł`. `data/numbers/units.txt` has their names, by CLDR, and `spoken-units.txt` what
-//! people also say.
+//! Units after numbers: `5 kg`, `20 °C`, `3 zł`. `data/numbers/units.txt` has their names from CLDR, and
+//! `spoken-units.txt` has colloquial ones.
 
 use super::plural;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-/// Symbols, each with a form for each category of numbers.
+/// Symbols, each with the forms for the categories of numbers.
 type Units = Vec<(&'static str, &'static str)>;
 
 static UNITS: LazyLock<HashMap<&str, Units>> = LazyLock::new(|| {
@@ -24,34 +24,35 @@ static UNITS: LazyLock<HashMap<&str, Units>> = LazyLock::new(|| {
     units
 });
 
-/// `kg кг one{# килограмм}…`
+/// Returns the entries of a line such as `kg кг one{# килограмм}…`.
 fn entries(line: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let head = line.get(..line.find('{').unwrap_or(0)).unwrap_or_default();
     let (symbols, forms) = line.split_at(head.rfind(' ').unwrap_or(0));
     symbols.split(' ').map(move |symbol| (symbol, forms))
 }
 
-/// Blanks between a number and its unit.
+/// Spaces between a number and its unit.
 const BLANKS: [char; 4] = [' ', '\u{a0}', '\u{2009}', '\u{202f}'];
-/// Symbols of one letter that are one behind a blank, too, where others are words: `5 s bratrem`.
+/// One-letter symbols that remain units after a space. Others are words there: `5 s bratrem`.
 const AFTER_BLANK: [char; 9] = ['g', 'h', 'l', 'm', 't', 'г', 'л', 'м', 'т'];
 
-/// Symbols that are common words behind a blank: `en 1990 mi padre`, `nel 1990 ha detto`.
+/// Symbols that are common words after a space: `en 1990 mi padre`, `nel 1990 ha detto`.
 const WORDS: [(&str, &str); 7] =
     [("es", "ha"), ("es", "mi"), ("it", "ha"), ("it", "mi"), ("ca", "ha"), ("ca", "mi"), ("pl", "mi")];
 
 /// A unit in a text.
-pub(super) struct Unit {
-    /// How many bytes it is, with the blank before it.
+pub(super) struct MeasureUnit {
+    /// The length in bytes, including the space before it.
     pub(super) length: usize,
-    /// Whether it is one of degrees, whose name often is left out.
+    /// Whether it is a unit of degrees, whose name is often omitted.
     pub(super) is_of_degrees: bool,
     code: &'static str,
     forms: Vec<&'static str>,
 }
 
-/// The unit with which a text begins, maybe after a blank; none if the letters are those of a word.
-pub(super) fn find(code: &str, text: &str) -> Option<Unit> {
+/// Returns the unit at the start of a text, with or without a space before it, or `None` if the letters belong to a
+/// word.
+pub(super) fn find(code: &str, text: &str) -> Option<MeasureUnit> {
     let (code, units) = UNITS.get_key_value(code)?;
     let blank = text.chars().next().filter(|c| BLANKS.contains(c)).map_or(0, char::len_utf8);
     let rest = text.get(blank..)?;
@@ -71,11 +72,13 @@ pub(super) fn find(code: &str, text: &str) -> Option<Unit> {
     let fits = |symbol: &&str| rest.starts_with(symbol) && ends(symbol) && !is_word(symbol);
     let symbol = units.iter().map(|(symbol, _)| *symbol).filter(fits).max_by_key(|symbol| symbol.len())?;
     let forms = units.iter().filter(|(known, _)| *known == symbol).map(|(_, forms)| *forms).collect();
-    Some(Unit { length: blank + symbol.len(), is_of_degrees: symbol.starts_with(['°', '℃', '℉']), code, forms })
+    Some(MeasureUnit {
+        length: blank + symbol.len(), is_of_degrees: symbol.starts_with(['°', '℃', '℉']), code, forms
+    })
 }
 
-impl Unit {
-    /// All names for this whole number, or for one with decimals; `#` is where the number stands.
+impl MeasureUnit {
+    /// Returns all names for this integer, or for a number with decimals. `#` stands for the number.
     pub(super) fn names(&self, number: Option<u64>) -> impl Iterator<Item = &'static str> {
         self.forms.iter().map(move |forms| match number {
             Some(number) => plural::choose(self.code, number, forms),
@@ -96,7 +99,8 @@ mod tests {
             assert!(units.len() > 30, "{language:?}");
             for (symbol, forms) in units {
                 for number in [Some(1), Some(3), Some(5), Some(21), None] {
-                    let unit = Unit { length: 0, is_of_degrees: false, code: language.code(), forms: vec![forms] };
+                    let unit =
+                        MeasureUnit { length: 0, is_of_degrees: false, code: language.code(), forms: vec![forms] };
                     let names: Vec<&str> = unit.names(number).collect();
                     assert!(names.iter().all(|name| name.matches('#').count() == 1), "{symbol} {number:?} {names:?}");
                 }

@@ -1,10 +1,10 @@
-//! `lipz check --baseline`: diagnostics that a project has known for long, in a file.
+//! `lipz check --baseline`: a file with the existing diagnostics of a project, which are not reported again.
 
 use crate::Abort;
 use crate::console::{self, counted};
 use crate::reporter::Reporter;
 use crate::shared::formats::unreadable;
-use crate::shared::inputs::Worked;
+use crate::shared::inputs::RunResult;
 use crate::shared::output_file;
 use crate::shared::text_record::from_root;
 use clap::Args;
@@ -16,19 +16,19 @@ use std::{env, fs, io};
 /// Which diagnostics are passed over.
 #[derive(Args, Debug)]
 pub(super) struct BaselineFlags {
-    /// Pass over the diagnostics that this file counts, by file and rule: only new ones are reported
+    /// Hide the diagnostics recorded in FILE, and report only new ones
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
 
-    /// Write the diagnostics of today into that file. What it says about files that are not checked stays
+    /// Record the current diagnostics in the file of --baseline
     #[arg(long, requires = "baseline")]
     write_baseline: bool,
 }
 
 impl BaselineFlags {
-    /// Removes what is known from the reports of a run, and adds what is wrong with the baseline; or writes it. Gives a line
-    /// about that, for people.
-    pub(super) fn apply(&self, run: &mut Worked<'_>, reporter: &mut Reporter) -> Result<String, Abort> {
+    /// Removes the diagnostics of the baseline from the reports of a run and adds problems of the baseline file; or
+    /// writes the baseline. Returns a line for people about the result.
+    pub(super) fn apply(&self, run: &mut RunResult<'_>, reporter: &mut Reporter) -> Result<String, Abort> {
         let Some(file) = &self.baseline else { return Ok(String::new()) };
         output_file::refuse_source(file, reporter)?;
         let text = match fs::read_to_string(file) {
@@ -36,16 +36,16 @@ impl BaselineFlags {
             Err(error) if self.write_baseline && error.kind() == io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(reporter.fail(unreadable(file, &error))),
         };
-        let names = Names::new(file);
+        let names = BaselinePaths::new(file);
         let inputs: BTreeSet<String> = run.inputs.iter().map(|input| names.of(&input.name())).collect();
         let name = |path: &str| names.of(path);
-        // A file that is gone has no diagnostics either.
+        // A deleted file has no diagnostics either.
         let is_checked = |path: &str| inputs.contains(path) || !names.folder.join(path).exists();
         let (known, faults) = Baseline::parse(&text);
         let shown = console::path(file);
         if self.write_baseline {
             if !text.is_empty() && known == Baseline::default() && !faults.is_empty() {
-                // It is some other file.
+                // It is not a baseline file.
                 return Err(reporter.refuse(vec![Report::from_bytes(shown, text.as_bytes(), faults)]));
             }
             let mut written = Baseline::from_reports(&run.reports, name);
@@ -53,32 +53,32 @@ impl BaselineFlags {
             output_file::write(file, written.to_string().as_bytes(), reporter)?;
             written.pass_over(&mut run.reports, name);
             reports::sort(&mut run.reports);
-            return Ok(format!("{} in {shown}\n", counted(written.count(), "known diagnostic")));
+            return Ok(format!("{} recorded in {shown}\n", counted(written.count(), "known diagnostic")));
         }
         let mut about = faults;
         about.extend(known.left_over(&run.reports, name, is_checked));
         let passed = known.pass_over(&mut run.reports, name);
         run.reports.push(Report::from_bytes(shown.clone(), text.as_bytes(), about));
         reports::sort(&mut run.reports);
-        Ok(format!("{} of {shown} passed over\n", counted(passed, "known diagnostic")))
+        Ok(format!("{} hidden by {shown}\n", counted(passed, "known diagnostic")))
     }
 }
 
-/// What a baseline calls files: by their paths below its folder, with `/`, wherever the command runs.
-struct Names {
+/// File names in a baseline: paths relative to its folder, with `/`, regardless of the working directory.
+struct BaselinePaths {
     current: PathBuf,
     folder: PathBuf,
 }
 
-impl Names {
-    fn new(baseline: &Path) -> Names {
+impl BaselinePaths {
+    fn new(baseline: &Path) -> BaselinePaths {
         let current = env::current_dir().unwrap_or_default();
         let mut folder = from_root(&current, baseline);
         folder.pop();
-        Names { current, folder }
+        BaselinePaths { current, folder }
     }
 
-    /// The name of the file at a path.
+    /// Returns the name for the file at a path.
     fn of(&self, path: &str) -> String {
         let path = from_root(&self.current, Path::new(path));
         let below = path.strip_prefix(&self.folder).unwrap_or(&path);

@@ -1,26 +1,26 @@
 //! `lipz check`: the diagnostics of source files, and their certain fixes.
 
 mod baseline;
-mod fixing;
+mod fallout_heads;
+mod fix_result;
 mod statistics;
 pub(crate) mod translations;
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::audio_flags::AudioFlags;
-use crate::shared::inputs::{Worked, with_inputs};
+use crate::shared::audio_flag::AudioFlag;
+use crate::shared::inputs::{RunResult, with_inputs};
 use crate::shared::output_file;
-use crate::shared::project_flags::hide_of_banks;
-use crate::shared::rewriting::{Rewriting, files};
+use crate::shared::rewrite_mode::{RewriteMode, files};
 use crate::shared::settings_file::Project;
 use crate::shared::sources::{Sources, retain_own};
 use crate::shared::stdio;
 use baseline::BaselineFlags;
-use clap::Args;
-use fixing::{Fixing, fix_all};
+use clap::{Args, ValueEnum};
+use fix_result::{FixResult, fix_all};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::Report;
@@ -29,15 +29,14 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use translations::Translations;
 
-/// Check Lipz files without packing them.
+/// Check Lipz files, recordings and translations.
 ///
-/// With a folder of recordings, clips and recordings are compared, too: missing ones, and other lengths.
-/// Translations are compared with the default locale, and with what lipz-texts.txt says they were made from.
+/// With a folder of recordings, lipz also reports clips without a recording, recordings without a clip, and different
+/// lengths. Translations are compared with the default locale, and with the source texts recorded in lipz-texts.txt.
 ///
-/// --fix applies the fixes that are certain: those that do not change the bank, and those of errors whose
-/// intent is beyond doubt. The remaining diagnostics are reported and decide the exit code.
+/// --fix applies only safe fixes: those that do not change the bank, and those of errors with one possible meaning. The
+/// remaining diagnostics are reported and decide the exit code.
 #[derive(Args, Debug)]
-#[command(mut_args(hide_of_banks))]
 #[command(after_help = "Examples:
   lipz check
   lipz check voices
@@ -45,56 +44,66 @@ use translations::Translations;
   lipz check - < draft.lipz
   lipz check voices --audio recordings
   lipz check --diff voices
-  lipz check --statistics voices
+  lipz check voices --show stats
+  lipz check --fallout-heads data/art/heads
   lipz check voices --cache check.cache
   lipz check voices --baseline baseline.txt --write-baseline
-  lipz check --format junit voices > lipz.xml")]
+  lipz check --output-format junit voices > lipz.xml")]
 pub(crate) struct Check {
     #[command(flatten)]
     sources: Sources,
 
     #[command(flatten)]
-    audio: AudioFlags,
+    audio: AudioFlag,
 
     #[command(flatten)]
     baseline: BaselineFlags,
 
-    /// Apply the fixes that are certain
+    /// Apply the safe fixes
     #[arg(long)]
     fix: bool,
 
     /// Show the fixes as a unified diff, and write nothing
-    #[arg(long, visible_alias = "dry-run")]
+    #[arg(long)]
     diff: bool,
 
-    /// Remember in FILE the Lipz files in which nothing was found, so that the next check reads only those that
-    /// changed. It finds the same, and is safe to delete. Not the cache of `lipz pack`
+    /// Cache in FILE, so that the next check reads only changed files
+    ///
+    /// The file lists the Lipz files without diagnostics, and is safe to delete. It is not the cache of `lipz pack`.
     #[arg(long, value_name = "FILE")]
     cache: Option<PathBuf>,
 
-    /// Show how often each rule has reported, instead of the diagnostics
-    #[arg(long, conflicts_with = "diff")]
-    statistics: bool,
+    /// Show the number of diagnostics of each rule instead of the diagnostics
+    #[arg(long, value_enum, value_name = "WHAT", conflicts_with = "diff")]
+    show: Option<CheckView>,
 
-    /// Print these counts as JSON
-    #[arg(long, requires = "statistics")]
-    json: bool,
+    /// Check images of Fallout 2's talking heads instead: FRM files, lists and folders
+    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ["sources", "fix", "diff", "cache", "show"])]
+    fallout_heads: Vec<PathBuf>,
 }
 
-/// What to say of a project whose translations may all be out of date, and how to be told no more.
-const UNRECORDED: &str = "hint: nobody knows what the translations were made from, so none can be out of date. `lipz accept --all` \
-                          records them as they are today; with `stale-translation = \"allow\"` under [lints] in lipz.toml this \
-                          hint ends\n";
+/// The hint for a project that does not record its source texts.
+const UNRECORDED: &str = "hint: lipz cannot detect stale translations yet. Run `lipz approve --all` to start recording source \
+                          texts, or set `stale-translation = \"allow\"` in [lints] of lipz.toml\n";
+
+#[derive(ValueEnum, Clone, Copy, Debug)]
+enum CheckView {
+    /// Counts for each rule
+    Stats,
+}
 
 impl Run for Check {
     fn prints_result(&self) -> bool {
-        self.diff || self.statistics
+        self.diff || self.show.is_some() || !self.fallout_heads.is_empty()
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        if !self.fallout_heads.is_empty() {
+            return fallout_heads::run(&self.fallout_heads, self.sources.is_quiet(), reporter);
+        }
         let mut project = self.sources.project(reporter)?;
         self.audio.apply(&mut project.settings.audio);
-        // Only a bank has what is read of recordings for it.
+        // The contents of recordings matter only for a bank.
         project.settings.audio.in_bank = false;
         self.cache.iter().try_for_each(|cache| output_file::refuse_source(cache, reporter))?;
         let (settings, quiet) = (&project.settings, self.sources.is_quiet());
@@ -103,9 +112,9 @@ impl Run for Check {
             return Err(reporter.usage("standard input cannot be fixed in place", tip));
         }
         let fixing = match (self.fix, self.diff) {
-            (_, true) => fix_all(settings, quiet, Rewriting::Diff),
-            (true, false) => fix_all(settings, quiet, Rewriting::InPlace),
-            (false, false) => Fixing::default(),
+            (_, true) => fix_all(settings, quiet, RewriteMode::Diff),
+            (true, false) => fix_all(settings, quiet, RewriteMode::InPlace),
+            (false, false) => FixResult::default(),
         };
         let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, self.cache.as_deref(), quiet);
         if self.sources.names_single_files() {
@@ -115,10 +124,10 @@ impl Run for Check {
         run.reports.extend(fixing.unwritten);
         let passed_over = self.baseline.apply(&mut run, reporter)?;
         let outcome = run.outcome();
-        if self.statistics {
-            statistics::print(&run.reports, reporter.wants_json(self.json), reporter)?;
+        if self.show.is_some() {
+            statistics::print(&run.reports, reporter.wants_json(), reporter)?;
         }
-        if !self.statistics || !reporter.is_for_people() {
+        if self.show.is_none() || !reporter.is_for_people() {
             reporter.add(run.reports);
         }
         if self.diff {
@@ -131,7 +140,7 @@ impl Run for Check {
         }
         if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
-            // While there are errors, there is other work to do; warnings do not keep it away.
+            // Errors come first. Warnings do not suppress the hint.
             if is_unrecorded && project.file.is_some() {
                 reporter.summary(UNRECORDED)?;
             }
@@ -140,19 +149,20 @@ impl Run for Check {
     }
 }
 
-/// All that is wrong with a project: its Lipz files, some of which have other texts than on disk, by name; their
-/// recordings; and their translations. Also whether nothing is known of these. With a cache, only files that changed are read.
+/// Returns all problems of a project: of its Lipz files, some of which may be replaced in memory, by name; of their
+/// recordings; and of their translations. Also returns whether the source texts of these are unrecorded. With a cache,
+/// only changed files are read.
 pub(crate) fn checked(
     project: &Project,
     in_memory: &HashMap<String, String>,
     cache: Option<&Path>,
     quiet: bool,
-) -> (Worked<'static>, bool) {
+) -> (RunResult<'static>, bool) {
     let settings = &project.settings;
     let mut translations = None;
     let mut run = with_inputs(settings, None, quiet, |compiler, inputs| {
         let inputs = instead(inputs, in_memory);
-        // Each file is read once, for both.
+        // Each file is read once, for both checks.
         match Translations::open(project, &inputs) {
             Ok(opened) => {
                 let lint = |input: &Input, bytes: &[u8]| opened.lint(input, bytes);
@@ -171,11 +181,11 @@ pub(crate) fn checked(
     let translations = translations.unwrap_or_else(|| translations::check(project, &inputs, quiet));
     run.reports.extend(translations.reports);
     lipz_diagnostics::reports::sort(&mut run.reports);
-    run.reports.dedup(); // both read the record of mouths
+    run.reports.dedup(); // both read the sync record
     (run, translations.is_unrecorded)
 }
 
-/// The inputs, those with other texts than on disk with these.
+/// Returns the inputs, with the texts of `in_memory` in place of those on disk.
 fn instead<'i>(inputs: &'i [Input], in_memory: &HashMap<String, String>) -> Cow<'i, [Input]> {
     if in_memory.is_empty() {
         return Cow::Borrowed(inputs);
@@ -190,7 +200,7 @@ fn instead<'i>(inputs: &'i [Input], in_memory: &HashMap<String, String>) -> Cow<
     inputs.iter().map(instead).collect()
 }
 
-/// What does not belong together: clips and recordings, if the project has a folder of them.
+/// Returns mismatches between clips and recordings, if the project has a folder of recordings.
 fn with_recordings(settings: &Settings, inputs: &[Input], quiet: bool) -> Vec<Report> {
     if settings.audio.folder.is_none() {
         return Vec::new();

@@ -1,26 +1,26 @@
-//! What is wrong with translations: those that are older than their source, or say something else.
+//! Problems of translations: those that are older than their source, or that do not match it.
 
 use crate::console;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
-use lipz_compiler::{Compiler, Input, Linted, Options};
+use lipz_compiler::{Compiler, Input, LintResult, Options};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::locale::{canonical_tag, text_name};
 use lipz_texts::{TextLints, has_translations};
 
-/// What is wrong with the translations of a project.
+/// The problems of a project's translations.
 #[derive(Default)]
-pub(crate) struct Checked {
+pub(crate) struct TranslationCheck {
     pub(crate) reports: Vec<Report>,
-    /// Whether there are translations, and no record that knows what they were made from.
+    /// Whether there are translations, but no record of their source texts.
     pub(crate) is_unrecorded: bool,
 }
 
-/// How the translations of a project are compared: with its default locale, or with what they were made from.
+/// The comparison of translations with the default locale, or with their recorded source texts.
 pub(super) struct Translations<'p> {
     options: &'p Options,
     file: RecordFile,
-    /// What is odd about the record.
+    /// Warnings about lines of the record.
     odd_lines: Option<Report>,
     /// `None` if nothing can be compared.
     source_locale: Option<String>,
@@ -28,7 +28,7 @@ pub(super) struct Translations<'p> {
 
 impl<'p> Translations<'p> {
     /// # Errors
-    /// If the record cannot be read, or is another file.
+    /// If the record cannot be read, or the file is not a record.
     pub(super) fn open(project: &'p Project, inputs: &[Input]) -> Result<Translations<'p>, Report> {
         let options = &project.settings.options;
         let (file, odd_lines) = RecordFile::open(project, inputs)?;
@@ -38,12 +38,12 @@ impl<'p> Translations<'p> {
         Ok(Translations { options, file, odd_lines, source_locale })
     }
 
-    /// What is wrong with the translations of a file. Counted are those that have some which no record knows.
-    pub(super) fn lint(&self, input: &Input, bytes: &[u8]) -> Linted {
+    /// Returns the problems of a file's translations, and counts the file if some of its translations are unrecorded.
+    pub(super) fn lint(&self, input: &Input, bytes: &[u8]) -> LintResult {
         let Some(source_locale) = self.source_locale.as_ref().filter(|_| has_translations(bytes)) else {
-            return Linted::default();
+            return LintResult::default();
         };
-        let Some(document) = lipz_file::parse(bytes).document else { return Linted::default() };
+        let Some(document) = lipz_file::parse(bytes).document else { return LintResult::default() };
         let is_recorded = self.file.exists();
         let texts = || document.elements.iter().filter(|one| text_name(&one.name.text).is_some());
         let lints = TextLints::new(source_locale.as_str())
@@ -58,47 +58,47 @@ impl<'p> Translations<'p> {
             report
         });
         let report = report.filter(|report| !report.diagnostics.is_empty());
-        Linted::new(report, !is_recorded && texts().nth(1).is_some())
+        LintResult::new(report, !is_recorded && texts().nth(1).is_some())
     }
 
-    /// All that decides about the translations besides the Lipz files and the options.
+    /// Returns all inputs of these checks except the Lipz files and the options, as bytes to compare.
     pub(super) fn beside(&self) -> Vec<u8> {
-        // The same record in another folder is about other files.
+        // The same record in a different folder belongs to different files.
         let place = [&[u8::from(self.file.exists())], self.file.folders().as_slice(), &[0]].concat();
         match self.file.renamed.is_empty() {
             true => [place.as_slice(), self.file.bytes()].concat(),
-            // What is known of a file that was renamed depends on which files are no more.
+            // Whether a file counts as renamed depends on the deleted files.
             false => [place.as_slice(), self.file.record.to_string().as_bytes()].concat(),
         }
     }
 
-    /// What is wrong with them, as was found in files of which so many were counted.
-    pub(super) fn found(self, reports: Vec<Report>, marked: usize) -> Checked {
+    /// Returns the result, from the reports and the number of counted files.
+    pub(super) fn found(self, reports: Vec<Report>, marked: usize) -> TranslationCheck {
         let mut of_record = Vec::from_iter(self.odd_lines);
         of_record.iter_mut().for_each(|report| self.options.apply_levels(report));
         of_record.retain(|report| !report.diagnostics.is_empty());
         of_record.extend(reports);
-        // Who does not want to know which translations are stale need not know why none is.
+        // If the lint is off, the hint is not useful.
         let is_asked = self.options.get_levels().severity(Code::StaleTranslation).is_some();
-        Checked { reports: of_record, is_unrecorded: is_asked && marked > 0 }
+        TranslationCheck { reports: of_record, is_unrecorded: is_asked && marked > 0 }
     }
 }
 
-/// Compares the translations of a project.
-pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Checked {
+/// Checks the translations of a project.
+pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> TranslationCheck {
     let translations = match Translations::open(project, inputs) {
         Ok(opened) => opened,
-        Err(report) => return Checked { reports: vec![report], is_unrecorded: false },
+        Err(report) => return TranslationCheck { reports: vec![report], is_unrecorded: false },
     };
     if translations.source_locale.is_none() {
         return translations.found(Vec::new(), 0);
     }
     let bar = console::progress_bar(inputs.len(), quiet);
     let compiler = Compiler::new(translations.options.clone()).progress(|files| bar.inc(files));
-    // What cannot be read is reported by the check of the files.
+    // The check of the files reports those that cannot be read.
     let linted = compiler.each_file(inputs, |input, bytes| translations.lint(input, bytes));
     bar.finish_and_clear();
-    let linted: Vec<Linted> = linted.into_iter().filter_map(Result::ok).collect();
+    let linted: Vec<LintResult> = linted.into_iter().filter_map(Result::ok).collect();
     let marked = linted.iter().filter(|linted| linted.is_marked).count();
     translations.found(linted.into_iter().filter_map(|linted| linted.report).collect(), marked)
 }

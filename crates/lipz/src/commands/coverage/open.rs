@@ -1,19 +1,19 @@
-//! Segments that are to be translated, as a document for programs.
+//! Segments to translate, as a document for programs.
 
 use lipz_texts::{LocaleWork, OpenSegment, Progress, words};
 use serde::Serialize;
 
-/// A segment that is missing or stale.
+/// A missing or stale segment.
 #[derive(Serialize)]
 pub(super) struct OpenRow<'w> {
     key: &'w str,
-    /// From 1; none for the only one of its clip.
+    /// Its number from 1; `None` for the only segment of a clip.
     #[serde(skip_serializing_if = "Option::is_none")]
     segment: Option<usize>,
     locale: &'w str,
     state: &'static str,
     source: &'w str,
-    /// The source text that the translation was made from, if that is known and another one.
+    /// The source text of the translation, if it is recorded and has changed.
     #[serde(skip_serializing_if = "Option::is_none")]
     translated_from: Option<&'w str>,
     #[serde(skip_serializing_if = "str::is_empty")]
@@ -23,7 +23,7 @@ pub(super) struct OpenRow<'w> {
     cost: Option<f64>,
 }
 
-/// The segments of a locale that are meant.
+/// Returns the selected segments of a locale.
 pub(super) fn rows<'w>(
     work: &'w LocaleWork,
     is_meant: impl Fn(Progress) -> bool,

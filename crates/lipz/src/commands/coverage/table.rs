@@ -8,10 +8,10 @@ use lipz_texts::{Amount, LocaleWork, Progress, Work, cost_of};
 use serde::Serialize;
 use std::fmt::Write;
 
-/// What is said of a bank without locales.
-pub(super) const NO_TEXTS: &str = "no clip has a text; those of a split bank are in its text banks (--texts)";
+/// The message for a bank without locales.
+pub(super) const NO_TEXTS: &str = "no clip has a text; add the text banks of a split bank: BANK+TEXTS";
 
-/// How much of a bank is translated.
+/// Returns the coverage of a bank.
 pub(super) fn of_bank(name: &str, found: &[Coverage]) -> String {
     let Some(first) = found.first() else {
         return format!("{name}: {NO_TEXTS}\n");
@@ -21,7 +21,7 @@ pub(super) fn of_bank(name: &str, found: &[Coverage]) -> String {
     let _ = writeln!(
         text,
         "  {:<12} {:>9} {:>7} {:>8} {:>9} {:>8}  falls back to",
-        "locale", "covered", "texts", "same", "fallback", "nothing"
+        "locale", "covered", "texts", "same", "fallback", "no text"
     );
     for coverage in found {
         let mut fallbacks: Vec<String> = coverage
@@ -44,7 +44,7 @@ pub(super) fn of_bank(name: &str, found: &[Coverage]) -> String {
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    text.push_str("\nsame: the text is that of the default locale, letter by letter\n");
+    text.push_str("\nsame: the text is identical to that of the default locale\n");
     text
 }
 
@@ -52,13 +52,12 @@ fn fallback_count(coverage: &Coverage) -> usize {
     coverage.fallbacks.values().map(Vec::len).sum()
 }
 
-/// What is left to translate, by segments and words.
+/// Returns the remaining translation work, in segments and words.
 pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
     let Some(first) = work.locales.first() else { return String::new() };
     let (segments, words) =
         (console::counted(first.all().segments, "segment"), console::counted(first.all().words, "word"));
-    let mut text =
-        format!("\nto be translated from {}: {segments} with {words}\n\n", escape::text(&work.source_locale));
+    let mut text = format!("\nto translate from {}: {segments} with {words}\n\n", escape::text(&work.source_locale));
     let mut head = format!("  {:<12} {:>9}", "locale", "words");
     for progress in Progress::ALL {
         let _ = write!(head, " {:>10}", progress.name());
@@ -74,13 +73,13 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
         let cost = cost_per_word.map(|cost| format!(" {:>12}", cost_of(to_do, cost)));
         let _ = writeln!(text, " {:>12}{}", grouped(to_do), cost.unwrap_or_default());
     }
-    text.push_str("\nwords: those translated; the columns behind it count segments\n");
+    text.push_str("\nwords: the translated share; the next columns count segments\n");
     let (translated, unknown) = work.unknown();
     if unknown > 0 {
         let _ = writeln!(
             text,
-            "unknown: {} of {}, of which nobody knows the source text, and so whether it has changed;\n`lipz accept --all` \
-             takes that of today for it",
+            "unknown: {} of {} without a recorded source text, which may be stale;\n`lipz approve --all` \
+             records the current source texts",
             grouped(unknown),
             console::counted(translated, "translated segment")
         );
@@ -88,7 +87,7 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
     text
 }
 
-/// A row for each locale, with all numbers. Tags and numbers need no quotes.
+/// Returns a row for each locale, with all numbers. Tags and numbers need no quotes.
 pub(super) fn csv(found: &[Coverage], work: Option<&Work>, cost_per_word: Option<f64>) -> String {
     let mut text = "locale,clips,covered percent,texts,same,fallback,nothing".to_owned();
     if work.is_some() {
@@ -141,7 +140,7 @@ fn of_locale<'w>(work: &'w Work, tag: &str) -> Option<&'w LocaleWork> {
 
 /// A locale in the JSON document.
 #[derive(Serialize)]
-pub(super) struct Row<'a> {
+pub(super) struct CoverageRow<'a> {
     #[serde(flatten)]
     coverage: &'a Coverage,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -157,7 +156,7 @@ struct WorkRow {
     reviewed: AmountRow,
     #[serde(rename = "final")]
     done: AmountRow,
-    /// Of what is translated, that of which nobody knows what it was made from.
+    /// The part of the translated amount whose source texts are unrecorded.
     unknown: AmountRow,
     words_to_do: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -170,11 +169,15 @@ struct AmountRow {
     words: usize,
 }
 
-/// The document: coverage, with the work of each locale if it is known.
-pub(super) fn document<'a>(found: &'a [Coverage], work: Option<&Work>, cost_per_word: Option<f64>) -> Vec<Row<'a>> {
+/// Returns the coverage as a document, with the work of each locale if it is available.
+pub(super) fn document<'a>(
+    found: &'a [Coverage],
+    work: Option<&Work>,
+    cost_per_word: Option<f64>,
+) -> Vec<CoverageRow<'a>> {
     let row = |coverage: &'a Coverage| {
         let own = work.and_then(|work| Some((work, of_locale(work, &coverage.tag)?)));
-        Row { coverage, work: own.map(|(work, locale)| work_row(&work.source_locale, locale, cost_per_word)) }
+        CoverageRow { coverage, work: own.map(|(work, locale)| work_row(&work.source_locale, locale, cost_per_word)) }
     };
     found.iter().map(row).collect()
 }

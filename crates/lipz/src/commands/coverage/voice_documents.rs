@@ -1,4 +1,4 @@
-//! How much is dubbed, for spreadsheets, programs and browsers.
+//! Coverage of voices for spreadsheets, programs and browsers.
 
 use crate::console::{counted, grouped};
 use lipz_compiler::VoiceCoverage;
@@ -6,20 +6,20 @@ use lipz_texts::{csv_table, html, html_page};
 use serde::Serialize;
 use std::fmt::Write;
 
-/// Lines of a voice that the page shows; it counts the others.
+/// The most lines per voice that the page lists. It counts the rest.
 const SHOWN: usize = 500;
 
-/// A line that a voice does not have.
+/// A line that a voice lacks.
 #[derive(Serialize)]
 pub(super) struct Line<'v> {
     /// The key of the original.
     pub(super) key: &'v str,
     voice: &'v str,
-    /// The voice that is heard instead.
+    /// The voice that plays instead.
     played: &'v str,
 }
 
-/// The lines that a voice does not have, in the order of their keys.
+/// Returns the lines that a voice lacks, sorted by key.
 pub(super) fn lines<'v>(voice: &'v VoiceCoverage, all: &'v [VoiceCoverage]) -> Vec<Line<'v>> {
     let original = all.iter().find(|voice| voice.is_original).map_or("", |voice| &voice.tag);
     let line = |played: &'v str| move |key: &'v String| Line { key, voice: &voice.tag, played };
@@ -29,14 +29,14 @@ pub(super) fn lines<'v>(voice: &'v VoiceCoverage, all: &'v [VoiceCoverage]) -> V
     lines
 }
 
-/// A row for each line that a voice does not have.
+/// Returns a row for each line that a voice lacks.
 pub(super) fn csv_of_lines(lines: &[Line<'_>]) -> Vec<u8> {
     let head = ["key", "voice", "played"];
     let rows = lines.iter().map(|line| [line.key, line.voice, line.played]);
     csv_table(std::iter::once(head).chain(rows).map(|row| row.map(str::to_owned).to_vec()))
 }
 
-/// A row for each voice, with all numbers.
+/// Returns a row for each voice, with all numbers.
 pub(super) fn csv(found: &[VoiceCoverage]) -> Vec<u8> {
     let head = [
         "voice",
@@ -66,11 +66,11 @@ pub(super) fn csv(found: &[VoiceCoverage]) -> Vec<u8> {
     csv_table(std::iter::once(head.map(str::to_owned).to_vec()).chain(rows))
 }
 
-/// A page for people.
+/// Returns a page for people.
 pub(super) fn page(found: &[VoiceCoverage], name: &str) -> String {
     let lines_of_bank = found.first().map_or(0, |voice| voice.lines);
     let mut out = format!(
-        "<p>{} with a mouth.</p>\n<div class=\"wide\"><table>\n<caption>Lines, by whether they are dubbed</caption>\n\
+        "<p>{} with visemes.</p>\n<div class=\"wide\"><table>\n<caption>Lines by voice</caption>\n\
          <tr><th>voice</th><th class=\"bar\"></th><th class=\"n\">done</th><th class=\"n\">dubbed</th>\
          <th class=\"n\">other voices</th><th class=\"n\">missing</th><th class=\"n\">to record</th></tr>\n",
         counted(lines_of_bank, "line")
@@ -98,7 +98,7 @@ pub(super) fn page(found: &[VoiceCoverage], name: &str) -> String {
     html_page(&format!("Dubs of {name}"), &out)
 }
 
-/// The lines that a voice does not have.
+/// Adds the lines that a voice lacks.
 fn details(voice: &VoiceCoverage, found: &[VoiceCoverage], out: &mut String) {
     let lines = lines(voice, found);
     if lines.is_empty() {
@@ -107,8 +107,8 @@ fn details(voice: &VoiceCoverage, found: &[VoiceCoverage], out: &mut String) {
     let tag = html(&voice.tag);
     let _ = writeln!(
         out,
-        "<h2 id=\"{tag}\">{tag}</h2>\n<details open=\"\"><summary>{} to be recorded</summary>\n<div class=\"wide\"><table>\n\
-         <tr><th>clip</th><th>is heard in</th></tr>",
+        "<h2 id=\"{tag}\">{tag}</h2>\n<details open=\"\"><summary>{} to record</summary>\n<div class=\"wide\"><table>\n\
+         <tr><th>clip</th><th>plays in</th></tr>",
         counted(lines.len(), "line")
     );
     for line in lines.iter().take(SHOWN) {
@@ -121,12 +121,12 @@ fn details(voice: &VoiceCoverage, found: &[VoiceCoverage], out: &mut String) {
     out.push_str("</details>\n");
 }
 
-/// Lines that are heard in another voice than the original's.
+/// Returns the number of lines that play in neither this voice nor the original's.
 fn others(voice: &VoiceCoverage) -> usize {
     voice.other_voices.values().map(Vec::len).sum()
 }
 
-/// Cut off behind the tenths.
+/// Returns the percentage, truncated to one decimal place.
 fn percent(voice: &VoiceCoverage) -> f64 {
     (voice.percent() * 10.0).floor() / 10.0
 }

@@ -1,39 +1,39 @@
-//! How much of a dialogue is dubbed in each voice.
+//! The dubbed share of a dialogue in each voice.
 
 use super::voice_documents;
 use crate::Outcome;
 use crate::console::{counted, grouped};
-use crate::reporter::{Abort, Ended, Reporter};
+use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::locales::locale_name;
 use lipz_compiler::VoiceCoverage;
 use lipz_diagnostics::{Code, Report, escape};
 use lipz_file::locale::canonical_tag;
 use std::fmt::Write;
 
-/// How the answer looks.
+/// The format of the output.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Look {
-    /// For people.
+    /// A table for people.
     Table,
     Json,
     Csv,
     Html,
 }
 
-/// Prints the voices of a bank, or the lines that are `missing` in one of them.
+/// Prints the voices of a bank, or the lines that one of them lacks, if `missing` names it.
 pub(super) fn run(
     found: &[VoiceCoverage],
     name: &str,
     missing: Option<&str>,
     look: Look,
     reporter: &mut Reporter,
-) -> Ended {
+) -> CommandResult {
     if found.is_empty() && (look != Look::Json || missing.is_some()) {
-        let help = "name the voices and their keys in lipz.toml: [voices] de-de = \"de/{key}\"";
+        let help = "add the voices and their keys to [voices] of lipz.toml, such as de-de = \"de/{key}\"";
         return Err(reporter.fail(Report::failure(
             name,
             Code::NoSuchLocale,
-            "no clip of the bank is a dub".to_owned(),
+            "the bank does not contain dubs".to_owned(),
             help,
         )));
     }
@@ -50,7 +50,7 @@ pub(super) fn run(
     Ok(Outcome::Clean)
 }
 
-/// The lines that a voice does not have.
+/// Prints the lines that a voice lacks.
 fn print_lines(
     voice: &VoiceCoverage,
     found: &[VoiceCoverage],
@@ -71,28 +71,28 @@ fn print_lines(
     }
 }
 
-/// The voice with this tag; if there is none, the report names those that there are.
+/// Returns the voice with this tag, or a report with the available tags.
 fn choose_voice<'v>(asked: &str, name: &str, found: &'v [VoiceCoverage]) -> Result<&'v VoiceCoverage, Report> {
     let canonical = canonical_tag(asked, true);
     let wanted = canonical.as_deref().unwrap_or(asked);
     found.iter().find(|voice| voice.tag == wanted).ok_or_else(|| {
         let tags: Vec<_> = found.iter().map(|voice| escape::text(&voice.tag)).collect();
         let help = format!(
-            "there are {}; [voices] in lipz.toml names others: {wanted} = \"{wanted}/{{key}}\"",
+            "choose one of {}, or add {wanted} = \"{wanted}/{{key}}\" to [voices] of lipz.toml",
             tags.join(", ")
         );
-        let message = format!("no voice is {}", escape::quoted(asked));
+        let message = format!("the bank has no voice {}", escape::quoted(asked));
         Report::failure(name, Code::NoSuchLocale, message, &help)
     })
 }
 
-/// The voices, a line each; empty for a bank without dubs.
+/// Returns the voices, one per line, or an empty string for a bank without dubs.
 pub(super) fn table(found: &[VoiceCoverage]) -> String {
     let Some(first) = found.first() else { return String::new() };
-    let mut text = format!("\n{} with a mouth\n\n", counted(first.lines, "line"));
+    let mut text = format!("\n{} with visemes\n\n", counted(first.lines, "line"));
     let _ = writeln!(
         text,
-        "  {:<12} {:>9} {:>7} {:>11} {:>8} {:>11}  others",
+        "  {:<12} {:>9} {:>7} {:>11} {:>8} {:>11}  other voices",
         "voice", "dubbed", "lines", "time", "missing", "to record"
     );
     for voice in found {
@@ -116,6 +116,6 @@ pub(super) fn table(found: &[VoiceCoverage]) -> String {
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    text.push_str("\nmissing: the original is played; others: the dub in another voice is\n");
+    text.push_str("\nmissing: the original plays; other voices: their dub plays\n");
     text
 }

@@ -1,4 +1,4 @@
-//! The work of a project's Lipz files: what is missing in each locale, and what is stale.
+//! The remaining work in a project's Lipz files: missing and stale texts of each locale.
 
 use crate::console;
 use crate::reporter::{Abort, Reporter};
@@ -7,11 +7,11 @@ use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use lipz_compiler::Compiler;
 use lipz_file::locale::canonical_tag;
-use lipz_texts::{Texts, Work, texts_of};
+use lipz_texts::{ClipTexts, Work, texts_of};
 use std::collections::BTreeSet;
 
-/// The work in all locales that the files have, and in those that are `wanted`. None without a default locale, from which
-/// texts are translated.
+/// Returns the work in all locales of the files and in those of `wanted`, or `None` without a default locale to
+/// translate from.
 pub(super) fn of_project(
     project: &Project,
     wanted: &[String],
@@ -22,7 +22,7 @@ pub(super) fn of_project(
     let Some(source_locale) = options.get_default_locale().and_then(|locale| canonical_tag(locale, true)) else {
         return Ok(None);
     };
-    // What is wrong with the files is reported when they are packed.
+    // Problems of the files are reported when they are packed.
     let (inputs, _) = find(&project.settings);
     let (file, odd_lines) = RecordFile::open(project, &inputs).map_err(|report| reporter.fail(report))?;
     reporter.add(Vec::from_iter(odd_lines));
@@ -33,7 +33,7 @@ pub(super) fn of_project(
         texts_of(&document, options.get_default_locale())
     });
     bar.finish_and_clear();
-    let mut clips: Vec<(&str, String, Texts)> = inputs
+    let mut clips: Vec<(&str, String, ClipTexts)> = inputs
         .iter()
         .zip(texts)
         .filter_map(|(input, texts)| Some((input.key.as_str(), file.name(input), texts.ok()?)))

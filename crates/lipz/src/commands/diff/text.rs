@@ -13,18 +13,17 @@ use std::fmt::Write;
 use std::iter::zip;
 use unicode_width::UnicodeWidthStr;
 
-/// Clips of one kind that are shown unless all are asked for.
+/// The most clips of one kind that are shown without `--all`.
 const SHOWN_CLIPS: usize = 50;
-/// Texts and events of one clip that are shown unless all are asked for.
+/// The most texts and events of one clip that are shown without `--all`.
 const SHOWN_IN_CLIP: usize = 20;
 
-/// The differences, those of each kind under each other, and a closing summary. `names` are those
-/// of the sides.
+/// Returns the differences, grouped by kind, and a closing summary. `names` are those of the two sides.
 pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) -> String {
     let (shown_clips, shown_in_clip) = if all { (usize::MAX, usize::MAX) } else { (SHOWN_CLIPS, SHOWN_IN_CLIP) };
     let mut out = format!("{} -> {}\n", names.0, names.1);
     if difference.is_empty() {
-        let _ = writeln!(out, "no difference in {}", counted(difference.same, "clip"));
+        let _ = writeln!(out, "no differences in {}", counted(difference.same, "clip"));
         return out;
     }
     out.push('\n');
@@ -42,7 +41,7 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
     list(&mut out, "changed dub", &mut difference.dubs.iter().map(dub));
     list(&mut out, "removed clip", &mut difference.removed.iter().map(|key| format!("- {}", only_old(key))));
     list(&mut out, "added clip", &mut difference.added.iter().map(|key| format!("+ {}", only_new(key))));
-    let renamed = |pair: &lipz_compiler::diff::Renamed<'_>| {
+    let renamed = |pair: &lipz_compiler::diff::RenamedClip<'_>| {
         format!("= {} -> {} (renamed)", only_old(pair.old), only_new(pair.new))
     };
     list(&mut out, "renamed clip", &mut difference.renamed.iter().map(renamed));
@@ -51,7 +50,7 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
     out
 }
 
-/// `… and 12 more changed clips`, if more than `shown` are there.
+/// Adds `… and 12 more changed clips` if there are more than `shown`.
 fn more(out: &mut String, margin: &str, count: usize, shown: usize, what: &str) {
     if let Some(hidden) = count.checked_sub(shown).filter(|hidden| *hidden > 0) {
         let _ = writeln!(out, "{margin}… and {} (--all shows them)", counted(hidden, &format!("more {what}")));
@@ -67,7 +66,7 @@ fn locales(out: &mut String, difference: &Difference<'_>) {
     }
     for change in &difference.fallbacks {
         let tags = |tags: &BTreeSet<String>| match tags.len() {
-            0 => "nothing".to_owned(),
+            0 => "none".to_owned(),
             _ => tags.iter().map(|tag| locale_name(tag)).collect::<Vec<_>>().join(", "),
         };
         let from = arrow(Change { old: &change.from.old, new: &change.from.new }, tags);
@@ -89,14 +88,14 @@ fn voices(out: &mut String, difference: &Difference<'_>) {
     }
 }
 
-/// Which clip is played instead of an original.
+/// Returns the clip that plays instead of an original, before and after.
 fn dub(change: &DubChange<'_>) -> String {
     let clip = |key: Option<&str>| key.map_or("the original".to_owned(), |key| escape::text(key).into_owned());
     let (key, voice) = (escape::text(change.key), escape::text(change.voice));
     format!("~ {key} in {voice}  {}", arrow(change.clip, clip))
 }
 
-/// Names a profile, and gives it as it is in both banks; says so if only one of them has it.
+/// Names a profile and returns it from both banks; notes if only one of them has it.
 fn of_both<P>(out: &mut String, name: &str, profile: Change<Option<P>>) -> Option<(P, P)> {
     let (line, both) = match profile {
         Change { old: Some(old), new: Some(new) } => (format!("~ {}", escape::text(name)), Some((old, new))),
@@ -107,7 +106,7 @@ fn of_both<P>(out: &mut String, name: &str, profile: Change<Option<P>>) -> Optio
     both
 }
 
-/// The parts of a babble profile that differ, or that one bank has none of this name.
+/// Adds the changed parts of a babble profile, or that one bank lacks it.
 fn babble(out: &mut String, change: &BabbleChange<'_>) {
     let Some((old, new)) = of_both(out, &format!("babble profile {}", change.name), change.profile) else { return };
     if old.rate() != new.rate() {
@@ -127,7 +126,7 @@ fn babble(out: &mut String, change: &BabbleChange<'_>) {
     }
 }
 
-/// The settings of a face profile that differ, or that one bank has none of this name.
+/// Adds the changed settings of a face profile, or that one bank lacks it.
 fn face(out: &mut String, change: &FaceChange<'_>) {
     let Some((old, new)) = of_both(out, &format!("face profile {}", change.name), change.profile) else { return };
     for (setting, (old, new)) in zip(face::SETTINGS, zip(face::numbers(&old), face::numbers(&new))) {
@@ -138,12 +137,12 @@ fn face(out: &mut String, change: &FaceChange<'_>) {
     }
 }
 
-/// `old -> new`.
+/// Returns `old -> new`.
 fn arrow<T>(change: Change<T>, shown: impl Fn(T) -> String) -> String {
     format!("{} -> {}", shown(change.old), shown(change.new))
 }
 
-/// The clip with everything about it that changed, without a line break at the end.
+/// Returns the clip with all its changes, without a line break at the end.
 fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
     let mut out = format!("~ {}\n", escape::text(clip.key));
     let unspecified = || "unspecified".to_owned();
@@ -158,13 +157,13 @@ fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
         fact("viseme type", arrow(change, name));
     }
     if let Some(frames) = clip.frames {
-        let count = |count: Option<u32>| count.map_or("no mouth shapes".into(), |count| grouped(count as usize));
+        let count = |count: Option<u32>| count.map_or("no visemes".into(), |count| grouped(count as usize));
         let counts = match frames.counts {
-            Change { old: Some(old), new: Some(new) } if old == new => format!("of {}", grouped(old as usize)),
-            counts => format!("({})", arrow(counts, count)),
+            Change { old: Some(old), new: Some(new) } if old == new => format!("of {} differ", grouped(old as usize)),
+            counts => format!("differ ({})", arrow(counts, count)),
         };
-        let first = frames.first.map_or(String::new(), |first| format!(", the first is frame {first}"));
-        fact("frames", format!("{} differ {counts}{first}", grouped(frames.differing as usize)));
+        let first = frames.first.map_or(String::new(), |first| format!(", first at frame {first}"));
+        fact("frames", format!("{} {counts}{first}", grouped(frames.differing as usize)));
     }
     if let Some(starts) = &clip.segment_starts {
         fact("segments", segments(starts));
@@ -191,7 +190,7 @@ fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
     out
 }
 
-/// How many segments there are, or the first that starts elsewhere.
+/// Returns the change in the number of segments, or the first segment with a different start.
 fn segments(starts: &Change<Vec<u32>>) -> String {
     let in_both = starts.old.iter().zip(&starts.new);
     let moved = in_both.clone().filter(|(old, new)| old != new).count();
@@ -207,7 +206,7 @@ fn segments(starts: &Change<Vec<u32>>) -> String {
     parts.join(", ")
 }
 
-/// The old and the new string of a segment under each other.
+/// Adds the old and the new string of a segment, one below the other.
 fn both(out: &mut String, name: &str, change: Change<Option<&str>>) {
     let (old, new) = match (change.old, change.new) {
         (Some(old), Some(new)) => {
@@ -231,7 +230,7 @@ fn summary(out: &mut String, difference: &Difference<'_>) {
         (difference.added.len(), "added"),
         (difference.renamed.len(), "renamed"),
         (difference.changed.len(), "changed"),
-        (difference.same, "the same"),
+        (difference.same, "unchanged"),
     ];
     let parts: Vec<_> = counts
         .into_iter()

@@ -1,4 +1,4 @@
-//! Two texts with the words marked that differ.
+//! Two texts with marked differences.
 
 use anstyle::{AnsiColor, Style};
 use lipz_diagnostics::escape;
@@ -8,8 +8,8 @@ use std::fmt::Write;
 const OLD: Style = AnsiColor::Red.on_default();
 const NEW: Style = AnsiColor::Green.on_default();
 
-/// Both texts as they are shown one above the other: in colours of their own, with the words
-/// underlined that the other does not have.
+/// Returns both texts for display one above the other: in different colours, with the words underlined that the other
+/// text lacks.
 pub(super) fn marked(old: &str, new: &str) -> (String, String) {
     if old.is_empty() || new.is_empty() {
         return (only_old(old), only_new(new));
@@ -27,12 +27,12 @@ pub(super) fn marked(old: &str, new: &str) -> (String, String) {
     (side(OLD, ChangeTag::Delete), side(NEW, ChangeTag::Insert))
 }
 
-/// A text that only the old side has.
+/// Returns a text that only the old side has.
 pub(super) fn only_old(text: &str) -> String {
     alone(text, OLD)
 }
 
-/// A text that only the new side has.
+/// Returns a text that only the new side has.
 pub(super) fn only_new(text: &str) -> String {
     alone(text, NEW)
 }
@@ -48,7 +48,7 @@ fn alone(text: &str, style: Style) -> String {
 mod tests {
     use super::*;
 
-    /// The style sequences as brackets: `[` begins a marked word.
+    /// Returns the style sequences as brackets: `[` begins a marked word.
     fn seen(text: &str) -> String {
         let (old, new) = (OLD.underline().to_string(), NEW.underline().to_string());
         let marks = text.replace(&old, "[").replace(&new, "[");

@@ -1,4 +1,4 @@
-//! The page about a code as a terminal shows it: wrapped, with bold headings.
+//! The page of a rule for a terminal: wrapped, with bold headings.
 
 use anstyle::Style;
 use lipz_diagnostics::Code;
@@ -6,20 +6,20 @@ use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::fmt::{Display, Write};
 use std::mem;
 
-/// What stands before each line of a block of code.
+/// The indentation of each line of a code block.
 const CODE_INDENT: &str = "    ";
 
-/// Longer lines are hard to read, however wide the terminal is.
+/// The longest line. Longer ones are hard to read, even on wide terminals.
 const WIDEST: usize = 100;
 
 const STRONG: Style = Style::new().bold();
 
-/// The text in bold, on a terminal.
+/// Returns the text in bold for a terminal.
 pub(crate) fn heading(text: &str) -> String {
     format!("{STRONG}{text}{STRONG:#}")
 }
 
-/// Number, name, level and summary, then the page, in lines of at most `width` columns.
+/// Returns number, name, level and summary, then the page, in lines of at most `width` columns.
 pub(crate) fn terminal(code: Code, width: usize) -> String {
     let title = heading(&format!("{code} {}", code.name()));
     let mut text = format!("{title} ({} by default)\n{}\n", super::default_level(code), code.summary());
@@ -42,7 +42,7 @@ pub(crate) fn terminal(code: Code, width: usize) -> String {
     text
 }
 
-/// A paragraph, an item of a list or a block of code.
+/// A paragraph, a list item or a code block.
 #[derive(Default)]
 struct Block {
     text: String,
@@ -64,7 +64,7 @@ impl Block {
             return String::new();
         }
         let (first, others) = if self.is_item { ("* ", "  ") } else { ("", "") };
-        // Names and flags with hyphens stay whole: people copy them.
+        // Names and flags with hyphens are not wrapped, because people copy them.
         let options = textwrap::Options::new(width)
             .initial_indent(first)
             .subsequent_indent(others)

@@ -1,8 +1,8 @@
-//! `lipz explain`: the pages about codes.
+//! `lipz explain`: the pages of rules.
 
 mod markdown;
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::{Outcome, console};
@@ -10,21 +10,17 @@ use clap::Args;
 use lipz_diagnostics::{Code, Report, escape, suggest};
 use std::fmt::Write;
 
-/// Explain a rule by its code: what it reports, why, an example, and the fix.
+/// Explain a rule: its meaning, an example and the fix.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz explain LZ0401
   lipz explain 401
   lipz explain foreign-code
-  lipz explain --list")]
+  lipz explain")]
 pub(crate) struct Explain {
-    /// The code or name of a rule; without it, all are listed
+    /// Code or name of a rule [default: list all rules]
     #[arg(value_name = "CODE")]
     code: Option<String>,
-
-    /// List all rules
-    #[arg(long, conflicts_with = "code")]
-    list: bool,
 }
 
 impl Run for Explain {
@@ -32,12 +28,12 @@ impl Run for Explain {
         true
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let Some(text) = &self.code else {
             reporter.print(&list())?;
             return Ok(Outcome::Clean);
         };
-        // As diagnostics show it, `error[LZ0401]:`, it can be copied here.
+        // Accept the form from diagnostics, such as `error[LZ0401]:`, because people paste it.
         let copied = text.rsplit('[').next().unwrap_or(text).trim_end_matches([':', ']']);
         match numbered(copied).as_deref().unwrap_or(copied).parse() {
             Ok(code) => reporter.print(&markdown::terminal(code, console::width())).map(|()| Outcome::Clean),
@@ -49,7 +45,7 @@ impl Run for Explain {
     }
 }
 
-/// The codes by group, one a line.
+/// Returns the codes by group, one per line.
 fn list() -> String {
     let width = Code::ALL.iter().map(|code| code.name().len()).max().unwrap_or(0);
     let mut text = String::new();
@@ -64,12 +60,12 @@ fn list() -> String {
     text
 }
 
-/// The level of a rule, unless a project sets another.
+/// Returns the level of a rule, unless a project sets a different one.
 pub(super) fn default_level(code: Code) -> String {
     if code.is_allowed_by_default() { "allowed".to_owned() } else { code.default_severity().to_string() }
 }
 
-/// The code that has only its number, or this without zeros, for a name: `401`, `LZ401`.
+/// Returns the full code for a number, with or without prefix and zeros: `401`, `LZ401`.
 fn numbered(text: &str) -> Option<String> {
     let number =
         text.get(..2).filter(|start| start.eq_ignore_ascii_case("lz")).map_or(text, |start| &text[start.len()..]);
@@ -77,10 +73,10 @@ fn numbered(text: &str) -> Option<String> {
     Some(format!("LZ{number:04}"))
 }
 
-/// What to do about a code that does not exist. Numbers are all alike: only names have a nearest one.
+/// Returns the help for an unknown code. All numbers look alike, so that only for names a similar one is suggested.
 fn instead(text: &str) -> String {
     match suggest::nearest(text, Code::ALL.iter().map(|code| code.name())) {
         Some(name) => format!("did you mean `{name}`?"),
-        None => "`lipz explain --list` lists the rules".to_owned(),
+        None => "list the rules with `lipz explain`".to_owned(),
     }
 }

@@ -1,10 +1,11 @@
-//! `lipz inspect`: what is in a bank, or in the Lipz files that one is made of.
+//! `lipz inspect`: shows the contents of a bank, or of the bank that Lipz files would make.
 
 mod recorded;
 mod set;
+mod stats;
 
 use crate::Abort;
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_or_sources::DialogueArguments;
@@ -13,7 +14,7 @@ use crate::shared::locales::choose;
 use crate::shared::set_file::SetFile;
 use crate::shared::settings_file::Project;
 use crate::{Outcome, console};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use lipz_bank::{ClipId, Dialogue, Locale};
 use lipz_compiler::inspect::{BankSummary, ClipDetails, ClipSummary, LayerSummary, Timeline};
 use lipz_compiler::{MinCoverage, face};
@@ -23,40 +24,45 @@ use std::fmt::Write;
 use std::iter::zip;
 use unicode_width::UnicodeWidthStr;
 
-/// Show what is in a bank or in Lipz files: a summary, the list of clips, or one clip as a timeline.
+/// Show a bank or Lipz files: a summary, one clip as a timeline, or statistics.
 ///
-/// Lipz files are packed in memory, with the flags of `lipz pack`. A file that is named alone is shown at once. A timeline
-/// has the texts of the default locale under the mouth, or those of the first `--locale`.
+/// Lipz files are packed in memory. A single file is shown as a timeline, with the texts of the default locale, or of the
+/// first --locale. If a project has recordings, --show=stats also counts missing, unused and unclear ones.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz inspect [BANK] [KEY] [OPTIONS]")]
 #[command(after_help = "Examples:
   lipz inspect voices/act1/mara-hello.lipz
   lipz inspect voices act1/mara-hello --locale de-de
   lipz inspect dialogue.lipzbank
-  lipz inspect dialogue.lipzbank --list act1/
+  lipz inspect dialogue.lipzbank act1/ --show clips
+  lipz inspect voices --show stats
   lipz inspect dialogue.lipzset
   lipz inspect dialogue.lipzbank act1/mara-hello --locale de-de
-  lipz inspect dialogue.lipzbank act1/mara-hello --json
-  lipz inspect dialogue.lipzbank act1/mara-hello --texts dialogue.de-de.lipztexts")]
+  lipz inspect dialogue.lipzbank act1/mara-hello --output-format json
+  lipz inspect dialogue.lipzbank+dialogue.de-de.lipztexts act1/mara-hello")]
 pub(crate) struct Inspect {
     #[command(flatten)]
     dialogue: DialogueArguments,
 
-    /// The clip to show
+    /// Clip to show; with --show=clips, the start of keys
     #[arg(value_name = "KEY")]
     pub(crate) key: Option<String>,
 
-    /// List the clips whose keys start with PREFIX
-    #[arg(long, value_name = "PREFIX", num_args = 0..=1, default_missing_value = "", conflicts_with = "key")]
-    pub(crate) list: Option<String>,
+    /// Show the list of clips, or statistics
+    #[arg(long, value_enum, value_name = "WHAT")]
+    show: Option<InspectView>,
 
-    /// Show texts in this locale only; may be given several times
-    #[arg(long, value_name = "LOCALE", conflicts_with = "list")]
+    /// Only texts in this locale; may be given several times
+    #[arg(long, value_name = "LOCALE", conflicts_with = "show")]
     pub(crate) locale: Vec<String>,
+}
 
-    /// Print JSON
-    #[arg(long)]
-    pub(crate) json: bool,
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum InspectView {
+    /// A line for each clip
+    Clips,
+    /// Clips, seconds, words, visemes, and bytes for each section
+    Stats,
 }
 
 impl Run for Inspect {
@@ -64,11 +70,15 @@ impl Run for Inspect {
         true
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        if self.show == Some(InspectView::Stats) {
+            return stats::run(&self.dialogue, self.key.as_deref(), reporter);
+        }
+        let prefix = self.show.map(|_| self.key.as_deref().unwrap_or_default());
         let (named, project) = match self.set(reporter)? {
             None => self.files(reporter)?,
-            Some(set) => match (&self.key, &self.list) {
-                // One bank is enough.
+            Some(set) => match (self.key.as_ref().filter(|_| prefix.is_none()), prefix) {
+                // A single bank is sufficient.
                 (Some(key), _) => {
                     let number = set.index(reporter)?.bank_of(ClipId::from_key(key));
                     let file = set.bank(number, reporter)?;
@@ -76,19 +86,15 @@ impl Run for Inspect {
                 }
                 (None, Some(_)) => self.files(reporter)?,
                 (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
-                (None, None) if self.dialogue.has_texts() => {
-                    let tip = "name a clip, or one bank of the set";
-                    return Err(reporter.usage("`--texts` is about the texts of one bank, and this is a set", tip));
-                }
-                (None, None) => return set::inspect(&set, self.json, reporter),
+                (None, None) => return set::inspect(&set, reporter),
             },
         };
         let files = named.verified(reporter)?;
         let dialogue = named.dialogue(&files, reporter)?;
-        let json = reporter.wants_json(self.json);
+        let json = reporter.wants_json();
         let is_one = self.dialogue.names_file() && dialogue.clip_count() == 1;
         let only = dialogue.clips().next().filter(|_| is_one).map(|clip| clip.key());
-        match (self.key.as_deref().or(only), &self.list) {
+        match (self.key.as_deref().or(only), prefix) {
             (_, Some(prefix)) => list(&dialogue, prefix, json, reporter)?,
             (None, None) if !self.locale.is_empty() => return Err(Inspect::no_clip(reporter)),
             (Some(key), None) => {
@@ -102,9 +108,9 @@ impl Run for Inspect {
 }
 
 impl Inspect {
-    /// The set that is named, if it is one without patches.
+    /// Returns the set that the arguments name, if it has no patches.
     fn set(&self, reporter: &mut Reporter) -> Result<Option<SetFile>, Abort> {
-        match self.dialogue.bank_path() {
+        match self.dialogue.bank_without_options(reporter)? {
             Some(path) => SetFile::open(path, reporter),
             None => Ok(None),
         }
@@ -112,10 +118,10 @@ impl Inspect {
 
     fn no_clip(reporter: &mut Reporter) -> Abort {
         let tip = "name a clip of the bank, or a Lipz file";
-        reporter.usage("`--locale` is about the texts of one clip, and none is named", tip)
+        reporter.usage("`--locale` applies only to a clip, but no clip is named", tip)
     }
 
-    /// The files, and the project if they are made of that. Who looks at clips has not translated all of them yet.
+    /// Returns the files, and the project if they come from one. Incomplete translations are allowed here.
     fn files(&self, reporter: &mut Reporter) -> Result<(DialogueFiles, Option<Project>), Abort> {
         if self.dialogue.is_bank() {
             return Ok((self.dialogue.files(reporter)?, None));
@@ -137,7 +143,7 @@ fn clip(
     let clip = dialogue.clip_by_key(key).ok_or_else(|| {
         let near = near_keys(dialogue, key);
         let help = match near.is_empty() {
-            true => "`--list` lists the clips of the bank".to_owned(),
+            true => "list the clips of the bank with `--show clips`".to_owned(),
             false => format!("did you mean {}?", near.join(", ")),
         };
         let message = format!("the bank has no clip {}", escape::quoted(key));
@@ -153,24 +159,24 @@ fn clip(
         locales = all;
     }
     if !ClipDetails::is_bounded(dialogue, &clip, &locales) {
-        let message = format!("{} repeats more texts and events than can be shown", escape::quoted(clip.key()));
-        let help = "this bank was not made by lipz: pack it again from its sources";
+        let message = format!("{} repeats too many texts and events to be shown", escape::quoted(clip.key()));
+        let help = "pack the bank again from its sources with lipz";
         return Err(reporter.fail(Report::failure(path, Code::BankDamaged, message, help)));
     }
-    if reporter.wants_json(arguments.json) {
+    if reporter.wants_json() {
         let clip = ClipDetails::new(dialogue, &clip, &locales);
         return reporter
             .print_json(&recorded::WithRecording { clip: &clip, recorded: recorded.as_ref().map(Into::into) });
     }
     if arguments.locale.is_empty() {
-        // The first is the one that the bands show.
+        // The default locale comes first, because the bands show the first one.
         locales.sort_by_key(|locale| dialogue.default_locale() != Some(*locale));
     }
     let timeline = Timeline::default().width(console::width()).styled(true).render(dialogue, &clip, &locales);
     reporter.print(&(timeline + &recorded.map_or(String::new(), |recorded| recorded::text(&recorded))))
 }
 
-/// Keys that contain the last part of the one asked for, or else are spelled almost like it.
+/// Returns keys that contain the last part of the requested key, or else those with a similar spelling.
 fn near_keys(dialogue: &Dialogue<'_>, key: &str) -> Vec<String> {
     let mut keys: Vec<&str> = dialogue.clips().map(|clip| clip.key()).collect();
     keys.sort_unstable();
@@ -178,7 +184,7 @@ fn near_keys(dialogue: &Dialogue<'_>, key: &str) -> Vec<String> {
     let mut near: Vec<&str> =
         keys.iter().copied().filter(|known| !wanted.is_empty() && known.contains(wanted)).collect();
     if near.is_empty() {
-        // Who names no folder means the last part.
+        // A key without a folder is compared with the last parts.
         let compared = |known| if key.contains('/') { known } else { last_part(known) };
         let distance = |known| suggest::distance(key, compared(known));
         let mut ranked: Vec<(usize, &str)> = keys.iter().filter_map(|known| Some((distance(known)?, *known))).collect();
@@ -188,7 +194,7 @@ fn near_keys(dialogue: &Dialogue<'_>, key: &str) -> Vec<String> {
     near.into_iter().take(3).map(|key| format!("`{}`", escape::text(key))).collect()
 }
 
-/// What stands behind the last `/` of a key.
+/// Returns the part after the last `/` of a key.
 fn last_part(key: &str) -> &str {
     key.rsplit('/').next().unwrap_or(key)
 }
@@ -214,9 +220,9 @@ fn list(dialogue: &Dialogue<'_>, prefix: &str, json: bool, reporter: &mut Report
     reporter.print(&text)
 }
 
-/// What a layer says about the banks below it.
+/// Returns what a layer states about the banks below it.
 fn about_layer(layer: &LayerSummary<'_>) -> String {
-    let mut text = format!("  a layer over {}\n", layer.over.join(", "));
+    let mut text = format!("  patch over {}\n", layer.over.join(", "));
     if !layer.removed_clips.is_empty() {
         let removed = console::counted(layer.removed_clips.len(), "clip");
         let ids: Vec<&str> = layer.removed_clips.iter().take(SHOWN_IDS).map(String::as_str).collect();
@@ -230,7 +236,7 @@ fn about_layer(layer: &LayerSummary<'_>) -> String {
     text
 }
 
-/// Ids of removed clips that a summary shows; JSON has all.
+/// The most ids of removed clips that a summary shows. JSON contains all.
 const SHOWN_IDS: usize = 8;
 
 fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Reporter) -> Result<(), Abort> {

@@ -1,4 +1,4 @@
-//! What `lipz inspect` says about the recording of a clip of Lipz files.
+//! The recording of a clip in `lipz inspect`.
 
 use crate::Abort;
 use crate::reporter::Reporter;
@@ -10,7 +10,7 @@ use lipz_sync::RecordedClip;
 use serde::Serialize;
 use std::fmt::Write;
 
-/// What is known of the recording of a clip, if its project has recordings.
+/// Returns data about the recording of a clip, if its project has recordings.
 pub(super) fn find(project: &Project, key: &str, reporter: &mut Reporter) -> Result<Option<RecordedClip>, Abort> {
     if project.settings.audio.folder.is_none() {
         return Ok(None);
@@ -19,7 +19,7 @@ pub(super) fn find(project: &Project, key: &str, reporter: &mut Reporter) -> Res
     RecordedClip::find(&project.settings, &inputs, key).map_err(|report| reporter.fail(report))
 }
 
-/// The recording, for people.
+/// Returns a text about the recording for people.
 pub(super) fn text(recorded: &RecordedClip) -> String {
     let (path, seconds) = (escape::text(&recorded.path), recorded.length_us as f64 / 1e6);
     // Writing to a string cannot fail.
@@ -29,7 +29,7 @@ pub(super) fn text(recorded: &RecordedClip) -> String {
         let _ = writeln!(out, "  {}  {path}", escape::text(locale));
     }
     if !recorded.doubtful.is_empty() {
-        out.push_str("  doubtful words (listen there)\n");
+        out.push_str("  uncertain words (listen and check)\n");
     }
     for word in &recorded.doubtful {
         let _ = writeln!(out, "    {:>7.2} s  {}", word.start_us as f64 / 1e6, escape::text(&word.word));
@@ -37,7 +37,7 @@ pub(super) fn text(recorded: &RecordedClip) -> String {
     out
 }
 
-/// A clip, with the recording that it has in its project.
+/// A clip with its recording.
 #[derive(Serialize)]
 pub(super) struct WithRecording<'r, 'd> {
     #[serde(flatten)]
@@ -52,12 +52,12 @@ pub(super) struct Details<'r> {
     path: &'r str,
     length_us: u64,
     state: &'static str,
-    doubtful: Vec<Word<'r>>,
+    doubtful: Vec<WordRow<'r>>,
     dubs: Vec<Dub<'r>>,
 }
 
 #[derive(Serialize)]
-struct Word<'r> {
+struct WordRow<'r> {
     start_us: u64,
     word: &'r str,
 }
@@ -75,7 +75,7 @@ impl<'r> From<&'r RecordedClip> for Details<'r> {
             path,
             length_us: *length_us,
             state: state.name(),
-            doubtful: doubtful.iter().map(|found| Word { start_us: found.start_us, word: &found.word }).collect(),
+            doubtful: doubtful.iter().map(|found| WordRow { start_us: found.start_us, word: &found.word }).collect(),
             dubs: dubs.iter().map(|(locale, path)| Dub { locale, path: path.as_deref() }).collect(),
         }
     }

@@ -1,6 +1,6 @@
 //! `lipz inspect` of a set of banks.
 
-use crate::reporter::{Ended, Reporter};
+use crate::reporter::{CommandResult, Reporter};
 use crate::shared::set_file::SetFile;
 use crate::{Outcome, console};
 use lipz_bank::files::SetIndex;
@@ -8,11 +8,11 @@ use lipz_diagnostics::escape;
 use serde::Serialize;
 use std::fmt::Write;
 
-/// What the index says.
+/// The contents of the index.
 #[derive(Serialize)]
 struct SetSummary<'d> {
     clips: u64,
-    /// Clips that are in another bank than that of their id.
+    /// The number of clips in a different bank than their ids imply.
     moved_clips: usize,
     bytes: u64,
     fingerprint: String,
@@ -20,7 +20,7 @@ struct SetSummary<'d> {
     banks: Vec<BankOfSet<'d>>,
 }
 
-/// What the index says of a bank.
+/// The entry of the index about a bank.
 #[derive(Serialize)]
 struct BankOfSet<'d> {
     file: &'d str,
@@ -30,14 +30,14 @@ struct BankOfSet<'d> {
     fingerprint: String,
 }
 
-/// Shows what the index of a set says, after verifying its banks.
-pub(super) fn inspect(set: &SetFile, json: bool, reporter: &mut Reporter) -> Ended {
+/// Shows the index of a set, after verifying its banks.
+pub(super) fn inspect(set: &SetFile, reporter: &mut Reporter) -> CommandResult {
     let index = set.index(reporter)?;
     for number in 0..index.bank_count() {
         let file = set.bank(number, reporter)?;
         set.verify_bank(number, &file, reporter)?;
     }
-    summary(&SetSummary::new(&index), set.name(), reporter.wants_json(json), reporter)
+    summary(&SetSummary::new(&index), set.name(), reporter.wants_json(), reporter)
 }
 
 impl<'d> SetSummary<'d> {
@@ -64,7 +64,7 @@ impl<'d> SetSummary<'d> {
     }
 }
 
-fn summary(summary: &SetSummary<'_>, path: &str, json: bool, reporter: &mut Reporter) -> Ended {
+fn summary(summary: &SetSummary<'_>, path: &str, json: bool, reporter: &mut Reporter) -> CommandResult {
     if json {
         reporter.print_json(summary)?;
         return Ok(Outcome::Clean);

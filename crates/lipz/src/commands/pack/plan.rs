@@ -1,66 +1,63 @@
-//! One run of packing: what it works with, and what it gave.
+//! One packing run: its input and its result.
 
 use super::Pack;
-use super::destination::{self, Destination, Made, Split};
+use super::destination::{self, Destination, PackedBank, Split};
 use super::layer;
 use crate::Abort;
 use crate::reporter::Reporter;
-use crate::shared::inputs::{Found, Worked, with_found, with_inputs};
+use crate::shared::inputs::{FoundInputs, RunResult, with_found, with_inputs};
 use crate::shared::settings_file::Project;
 use crate::shared::{output_file, stdio};
 use crate::{Outcome, console};
-use lipz_compiler::{Compiled, Compiler, Delivered, Input, Memory, Phases, Replace, dependencies, depfile};
-use lipz_sync::KnownRecordings;
+use lipz_compiler::{Compiled, Compiler, DeliveredFiles, Input, Memory, Phases, Replace, dependencies, depfile};
+use lipz_sync::FactsCache;
 use std::mem;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// What a run works with: the project as it is now, under the command line's arguments.
+/// The input of a run: the project in its current state, with the command line's arguments.
 pub(crate) struct Plan {
     pub(crate) project: Project,
     pub(crate) output: PathBuf,
     destination: Destination,
     depfile: Option<PathBuf>,
-    /// The folder in which a settings file would apply that is not there yet.
+    /// The folder in which a new settings file would take effect.
     settings_folder: Option<PathBuf>,
 }
 
-/// What one of many runs leaves to the next, which reads only what changed.
+/// Results that one of several runs keeps for the next, which reads only changed files.
 #[derive(Default)]
-pub(crate) struct Remembered {
+pub(crate) struct PackMemory {
     clips: Memory,
-    recordings: KnownRecordings,
+    recordings: FactsCache,
 }
 
-/// What a run made.
-pub(crate) struct Packed {
+/// The result of a run.
+pub(crate) struct PackResult {
     pub(super) clip_count: usize,
-    /// Clips that a cache spared.
+    /// The number of clips taken from a cache.
     pub(super) recalled: usize,
-    delivered: Delivered,
-    /// What a layer changes.
+    delivered: DeliveredFiles,
+    /// A summary of a layer's changes.
     layer: Option<String>,
-    /// Failed if the cache or the depfile could not be written: the bank is where it belongs all the same.
+    /// Failed if the cache or the depfile could not be written. The bank is written nevertheless.
     pub(crate) outcome: Outcome,
-    /// The time it took to find the files.
+    /// The time for finding the files.
     pub(super) discover: Duration,
-    /// The times of all that followed.
+    /// The times of the following phases.
     pub(super) phases: Phases,
 }
 
 impl Plan {
-    /// The plan that the arguments and the settings file give. What is wrong with them is printed, and
-    /// how the run ends is returned.
+    /// Creates the plan from the arguments and the settings file. Prints their problems and returns how the run ends.
     pub(super) fn new(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         arguments.audio.apply(&mut settings.audio);
-        let strip = arguments.strip.unwrap_or(settings.options.get_strip());
-        settings.options = mem::take(&mut settings.options).strip(strip);
         let output = match (&arguments.output, &settings.output) {
             (Some(output), _) => output.clone(),
             (None, Some(output)) if stdio::is_meant(output) => {
-                let tip = "name a file there; only `--output -` means standard output";
+                let tip = "set a file there; only `--output -` means standard output";
                 return Err(reporter.usage("`output` in lipz.toml is `-`", tip));
             }
             (None, Some(output)) => output.clone(),
@@ -76,7 +73,7 @@ impl Plan {
         let bank = Some(("the bank", output.as_path())).filter(|(_, path)| !stdio::is_meant(path));
         let depfile = arguments.depfile.as_deref().map(|path| ("the depfile", path));
         let settings_file = project.file.as_deref().map(|path| ("the settings", path));
-        // A cache replaces nothing but a cache.
+        // A cache must not overwrite files of other kinds.
         let cache_file = cache.as_deref().map(|path| ("the cache", path));
         for read_or_cache in [settings_file, cache_file] {
             let files: Vec<_> = read_or_cache.into_iter().chain(bank).chain(depfile).collect();
@@ -87,10 +84,7 @@ impl Plan {
             None if arguments.sources.settings_file().is_some() => beside(&settings.sources),
             _ => None,
         };
-        let split = Split {
-            locales: arguments.split_locales.unwrap_or(settings.split_locales),
-            voices: arguments.split_voices.unwrap_or(settings.split_voices),
-        };
+        let split = Split { locales: settings.split_locales, voices: settings.split_voices };
         let cache = cache.as_deref();
         if !arguments.over.is_empty() {
             let destination = layer::destination(arguments, &output, split, reporter)?;
@@ -101,32 +95,31 @@ impl Plan {
         Ok(Plan { project, output, destination, depfile: arguments.depfile.clone(), settings_folder })
     }
 
-    /// Whether standard input is read or standard output has the bank: that works once.
+    /// Whether only one run is possible, because it reads standard input or writes the bank to standard output.
     pub(crate) fn works_once(&self) -> bool {
         let mut sources = self.project.settings.sources.iter();
         self.destination.is_standard_output() || sources.any(|path| stdio::is_meant(path))
     }
 
-    /// Packs once. Diagnostics are shown; if there are errors, nothing is written.
-    pub(super) fn run(&self, quiet: bool, reporter: &mut Reporter) -> Result<Packed, Abort> {
+    /// Packs once. Shows the diagnostics, and writes nothing if there are errors.
+    pub(super) fn run(&self, quiet: bool, reporter: &mut Reporter) -> Result<PackResult, Abort> {
         let work = |compiler: &Compiler<'_>, inputs: &[Input]| self.destination.make(compiler, inputs);
         let mut run = with_inputs(&self.project.settings, None, quiet, work);
         let made = made(&mut run, reporter)?;
         self.packed(&run, made, Replace::Always, Ok(()), reporter)
     }
 
-    /// Packs once of many times, the inputs that were found: what is remembered is not made again, and files are replaced by
-    /// other bytes only. If it is known which files can have `changed` since the run that is remembered, no other is
-    /// looked at.
+    /// Packs these inputs as one of several runs. Remembered results are reused, and files are replaced only if their
+    /// bytes change. If `changed` names the files that can have changed since the remembered run, no others are read.
     pub(crate) fn run_again(
         &self,
-        memory: &mut Remembered,
-        found: Found<'_>,
+        memory: &mut PackMemory,
+        found: FoundInputs<'_>,
         changed: Option<&[usize]>,
         quiet: bool,
         reporter: &mut Reporter,
-    ) -> Result<Packed, Abort> {
-        let Remembered { clips, recordings } = memory;
+    ) -> Result<PackResult, Abort> {
+        let PackMemory { clips, recordings } = memory;
         let mut run = with_found(&self.project.settings, found, Some(recordings), quiet, |compiler, inputs| {
             self.destination.make_again(clips, compiler, inputs, changed)
         });
@@ -135,17 +128,17 @@ impl Plan {
         self.packed(&run, made, Replace::IfDifferent, remembered, reporter)
     }
 
-    /// Brings the bank to where it is not yet, and writes what belongs to it.
+    /// Writes a bank that is still in memory, and the files that accompany it.
     fn packed(
         &self,
-        run: &Worked<'_, Made>,
-        made: Made,
+        run: &RunResult<'_, PackedBank>,
+        made: PackedBank,
         replace: Replace,
         remembered: Result<(), Abort>,
         reporter: &mut Reporter,
-    ) -> Result<Packed, Abort> {
+    ) -> Result<PackResult, Abort> {
         let layer = match &made {
-            Made::Bytes(bank) if self.destination.is_layer() => Some(layer::summary(bank)),
+            PackedBank::Bytes(bank) if self.destination.is_layer() => Some(layer::summary(bank)),
             _ => None,
         };
         let delivered = self.destination.deliver(made, replace, reporter)?;
@@ -153,7 +146,7 @@ impl Plan {
         let written = written.and_then(|()| self.write_depfile(&run.inputs, replace, reporter));
         let outcome = remembered.and(written);
         let Compiled { recalled, phases, .. } = &run.compiled;
-        Ok(Packed {
+        Ok(PackResult {
             clip_count: run.inputs.len(),
             recalled: *recalled,
             delivered,
@@ -164,8 +157,8 @@ impl Plan {
         })
     }
 
-    /// Refuses a depfile that is one of the files that were packed: which they are depends on the locales and the voices.
-    fn refuse_depfile(&self, delivered: &Delivered, reporter: &mut Reporter) -> Result<(), Abort> {
+    /// Refuses a depfile with the path of a packed file. These paths depend on the locales and the voices.
+    fn refuse_depfile(&self, delivered: &DeliveredFiles, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(depfile) = &self.depfile else { return Ok(()) };
         for file in &delivered.files {
             output_file::refuse_same(&[("a packed file", &file.path), ("the depfile", depfile)], reporter)?;
@@ -173,12 +166,12 @@ impl Plan {
         Ok(())
     }
 
-    /// Writes what the bank depends on, if that was asked for. Reports why that is not possible.
+    /// Writes the dependencies of the bank, if requested. Reports errors.
     fn write_depfile(&self, inputs: &[Input], replace: Replace, reporter: &mut Reporter) -> Result<(), Abort> {
         let Some(path) = &self.depfile else { return Ok(()) };
         let mut dependencies = dependencies(&self.project.settings, inputs).map_err(|report| reporter.fail(report))?;
         dependencies.extend(lipz_sync::dependencies(&self.project.settings));
-        // A folder that outputs change would be newer than them after each run.
+        // A folder that contains outputs would be newer than these after each run.
         let has_output = |folder: &PathBuf| [&self.output, path].iter().any(|file| is_in(file, folder));
         dependencies.extend(self.settings_folder.clone().filter(|folder| !has_output(folder)));
         dependencies.sort_unstable();
@@ -189,8 +182,8 @@ impl Plan {
     }
 }
 
-/// What a run has made; its diagnostics are shown.
-fn made(run: &mut Worked<'_, Made>, reporter: &mut Reporter) -> Result<Made, Abort> {
+/// Returns the result of a run, and shows its diagnostics.
+fn made(run: &mut RunResult<'_, PackedBank>, reporter: &mut Reporter) -> Result<PackedBank, Abort> {
     let outcome = run.outcome();
     let reports = mem::take(&mut run.reports);
     match run.compiled.bank.take() {
@@ -202,13 +195,13 @@ fn made(run: &mut Worked<'_, Made>, reporter: &mut Reporter) -> Result<Made, Abo
     }
 }
 
-/// The folder beside whose entries the first source is, in which people create a settings file.
+/// Returns the folder that contains the first source, where people create a settings file.
 fn beside(sources: &[PathBuf]) -> Option<PathBuf> {
     let folder = sources.first()?.ancestors().find(|path| path.is_dir())?.parent()?;
     Some(if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder.to_owned() })
 }
 
-/// Whether a file is an entry of the folder.
+/// Whether a file is directly in the folder.
 fn is_in(file: &Path, folder: &Path) -> bool {
     let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     match (parent.canonicalize(), folder.canonicalize()) {
@@ -217,18 +210,18 @@ fn is_in(file: &Path, folder: &Path) -> bool {
     }
 }
 
-impl Packed {
-    /// A line for each file that was written.
+impl PackResult {
+    /// Returns a line for each written file.
     pub(super) fn summary(&self) -> String {
         destination::summary(&self.delivered, &self.contents())
     }
 
-    /// What was packed, as messages call it.
+    /// Describes the packed content for messages.
     fn contents(&self) -> String {
         self.layer.clone().unwrap_or_else(|| console::counted(self.clip_count, "clip"))
     }
 
-    /// One line about all files, and whether any is another than before.
+    /// Returns one line about all files, and whether any of them changed.
     pub(crate) fn message(&self) -> String {
         destination::message(&self.delivered, &self.contents())
     }

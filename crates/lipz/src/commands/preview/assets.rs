@@ -1,5 +1,6 @@
-//! The files of the page, in the binary: `page/` is the page, `web/` what it takes from the npm package. There are links to
-//! its sources, of which `cargo package` makes files, and its module, which `cargo xtask web` builds and compares.
+//! The files of the page, embedded in the binary: `page/` is the page, and `web/` its files from the npm package. Its
+//! JavaScript files are links, which `cargo package` replaces with files. `cargo xtask web` builds and compares its
+//! module.
 
 /// A file of the page.
 pub(super) struct Asset {
@@ -74,14 +75,14 @@ assets! {
     "web/words.js"
 }
 
-/// The file at a path below the address of the page; the page itself at its address.
+/// Returns the file at a path below the address of the page, or the page itself for an empty path.
 pub(super) fn named(path: &str) -> Option<&'static Asset> {
     let path = if path.is_empty() { "page/index.html" } else { path };
     ALL.iter().find(|asset| asset.path == path)
 }
 
 impl Asset {
-    /// What browsers take it for: they refuse modules that are not said to be JavaScript.
+    /// Returns the media type, without which browsers refuse modules.
     pub(super) fn media_type(&self) -> &'static str {
         match self.path.rsplit_once('.') {
             Some((_, "html")) => "text/html; charset=utf-8",

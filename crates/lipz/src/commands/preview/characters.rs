@@ -1,4 +1,4 @@
-//! Who is in a clip: whom its events name, who speaks by its texts, and whose name is in its key.
+//! The characters of a clip: those in its events, the speakers in its texts, and those whose names are in its key.
 
 use super::version::Version;
 use crate::shared::characters::in_events;
@@ -7,10 +7,10 @@ use lipz_compiler::Documents;
 use lipz_file::{Value, locale::text_name, text};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// The characters of clips, by their keys.
+/// The characters of clips, by clip key.
 pub(super) type Characters = BTreeMap<String, BTreeSet<String>>;
 
-/// The characters of each clip that has some, by its key.
+/// Returns the characters of each clip that has any, by clip key.
 pub(super) fn of_clips(version: &Version, bank: &Dialogue<'_>) -> Characters {
     let mut found = Characters::new();
     let mut spellings = Spellings::default();
@@ -30,7 +30,7 @@ pub(super) fn of_clips(version: &Version, bank: &Dialogue<'_>) -> Characters {
     for key in keys {
         found.entry(key.to_owned()).or_default().extend(in_key(key, &names));
     }
-    // A dub is spoken by whoever speaks its original.
+    // A dub has the speaker of its original.
     for (clip, original) in bank.clips().filter_map(|clip| Some((clip, clip.original()?))) {
         let of_original = found.get(original.key()).cloned().unwrap_or_default();
         found.entry(clip.key().to_owned()).or_default().extend(of_original);
@@ -38,7 +38,7 @@ pub(super) fn of_clips(version: &Version, bank: &Dialogue<'_>) -> Characters {
     found
 }
 
-/// The first spelling of each name that was seen: `Mara` of a text is `mara` of the events.
+/// The first spelling found of each name: `Mara` in a text is `mara` in the events.
 #[derive(Default)]
 struct Spellings(BTreeMap<String, String>);
 
@@ -47,7 +47,7 @@ impl Spellings {
         self.0.entry(name.to_lowercase()).or_insert_with(|| name.to_owned()).clone()
     }
 
-    /// All names by the number of their words, and by these.
+    /// Returns all names by their number of words, and by these words.
     fn by_words(&self) -> ByWords<'_> {
         let mut names = ByWords::new();
         for name in self.0.values() {
@@ -60,11 +60,11 @@ impl Spellings {
     }
 }
 
-/// Names by the number of their words, and by these: some names have the same, as `Old_Man` and `old-man`.
+/// Names by their number of words, and by these words. Several names can have the same words: `Old_Man` and `old-man`.
 type ByWords<'s> = BTreeMap<usize, HashMap<Vec<String>, Vec<&'s String>>>;
 
-/// The names whose words stand in a key, one after another: `Old_Man` is in `act1/old-man-hello`. Looking at each name for each
-/// key would take minutes where there are very many of both.
+/// Returns the names whose words occur next to each other in a key: `Old_Man` is in `act1/old-man-hello`. Comparing
+/// each name with each key would take minutes for large numbers of both.
 fn in_key(key: &str, names: &ByWords<'_>) -> BTreeSet<String> {
     let key = words(key);
     let mut found = BTreeSet::new();
@@ -75,9 +75,9 @@ fn in_key(key: &str, names: &ByWords<'_>) -> BTreeSet<String> {
     found
 }
 
-/// The key of a clip and a name, for each `{speaker: …}` in its texts. A bank without files has none.
+/// Returns a clip key and a name for each `{speaker: …}` in the texts. A bank without files has none.
 fn speakers(bytes: &[u8], bank: &Dialogue<'_>) -> Vec<(String, String)> {
-    // Most projects name nobody in this way, and then no file is made of the bank.
+    // Most projects do not name speakers this way. Then the bank need not be decompiled.
     if !text::may_name_speakers(bytes) {
         return Vec::new();
     }
@@ -95,7 +95,7 @@ fn speakers(bytes: &[u8], bank: &Dialogue<'_>) -> Vec<(String, String)> {
     documents.iter().filter_map(Result::ok).flat_map(of_document).collect()
 }
 
-/// The words of a key or name, in small letters: `act1`, `mara`, `good` and `evening` of `act1/Mara-good_evening`.
+/// Returns the words of a key or name in lower case: `act1`, `mara`, `good` and `evening` of `act1/Mara-good_evening`.
 fn words(key: &str) -> Vec<String> {
     key.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
 }

@@ -1,6 +1,6 @@
-//! One clip: its file as it is, and what is known about it besides.
+//! One clip: its current file, and other data about it.
 
-use super::places::{Placed, placed};
+use super::placed_diagnostic::{PlacedDiagnostic, placed};
 use super::version::Version;
 use crate::console;
 use lipz_compiler::WordTime;
@@ -9,34 +9,34 @@ use lipz_sync::PhoneTime;
 use serde::Serialize;
 use std::fs;
 
-/// A clip, as the page gets it.
+/// A clip, as it is sent to the page.
 #[derive(Serialize)]
 pub(super) struct ClipPage {
     key: String,
-    /// The path of its file; none in a bank.
+    /// The path of its file; `None` in a bank.
     path: Option<String>,
-    /// The file as it was read: a change says which file it is a change of.
+    /// The file as it was read. Changes refer to it.
     source: Option<String>,
-    /// The elements with strings, in the order of the file.
+    /// The elements with strings, in file order.
     elements: Vec<(String, String)>,
-    words: Vec<Word>,
-    /// On a page without a server, which cannot be asked for them.
+    words: Vec<RecordedWord>,
+    /// Only on a page without a server from which it could fetch them.
     #[serde(skip_serializing_if = "Option::is_none")]
     phones: Option<Vec<Phone>>,
     has_sound: bool,
-    diagnostics: Vec<Placed>,
+    diagnostics: Vec<PlacedDiagnostic>,
 }
 
-/// A word that the lip sync has heard.
+/// A word that the lip sync found in the recording.
 #[derive(Serialize)]
-struct Word {
+struct RecordedWord {
     text: String,
     start_ms: u32,
     end_ms: u32,
     is_doubtful: bool,
 }
 
-/// A sound of speech that the lip sync has heard.
+/// A phone that the lip sync found in the recording.
 #[derive(Serialize)]
 pub(super) struct Phone {
     phone: String,
@@ -44,7 +44,7 @@ pub(super) struct Phone {
     end_ms: u32,
 }
 
-/// Phones, as the page gets them.
+/// Returns phones as they are sent to the page.
 pub(super) fn phones(heard: &[PhoneTime]) -> Vec<Phone> {
     let phone =
         |heard: &PhoneTime| Phone { phone: heard.phone.clone(), start_ms: heard.start_ms, end_ms: heard.end_ms };
@@ -52,7 +52,7 @@ pub(super) fn phones(heard: &[PhoneTime]) -> Vec<Phone> {
 }
 
 impl ClipPage {
-    /// The clip with this key, as its file is now; none if the project has no such clip.
+    /// Returns the clip with this key from its current file, or `None` if the project has no such clip.
     pub(super) fn new(version: &Version, key: &str) -> Option<ClipPage> {
         let Some(path) = version.files.get(key) else {
             let has_clip = lipz_bank::Bank::open(&version.bank).is_ok_and(|bank| bank.clip_by_key(key).is_some());
@@ -71,7 +71,7 @@ impl ClipPage {
             path: Some(console::path(path)),
             words: words(version, key, &elements),
             phones: None,
-            // A file that cannot be read whole cannot be edited.
+            // A file that cannot be read completely cannot be edited.
             source: document.is_some().then(|| source.clone()).flatten(),
             has_sound: version.recordings.find(key).is_some(),
             diagnostics: placed(&version.reports_of(key)),
@@ -79,7 +79,7 @@ impl ClipPage {
         })
     }
 
-    /// The same for a page that writes nothing and asks nobody.
+    /// Returns the clip for a page without a server.
     pub(super) fn alone(self, heard: &[PhoneTime]) -> ClipPage {
         ClipPage { source: None, phones: Some(phones(heard)), ..self }
     }
@@ -98,13 +98,13 @@ impl ClipPage {
     }
 }
 
-/// The words of the text that the mouth was made of: the times know which it is.
-fn words(version: &Version, key: &str, elements: &[(String, String)]) -> Vec<Word> {
+/// Returns the words of the text that the visemes were made from. The word times identify this text.
+fn words(version: &Version, key: &str, elements: &[(String, String)]) -> Vec<RecordedWord> {
     let Some(times) = version.words.get(key) else { return Vec::new() };
     let of_text = |text: &String| {
         let word = |word: WordTime| {
             let WordTime { start_ms, end_ms, is_doubtful, range } = word;
-            Some(Word { text: text.get(range)?.to_owned(), start_ms, end_ms, is_doubtful })
+            Some(RecordedWord { text: text.get(range)?.to_owned(), start_ms, end_ms, is_doubtful })
         };
         times.of_text(text).into_iter().filter_map(word).collect::<Vec<_>>()
     };

@@ -1,9 +1,9 @@
-//! Changes of a clip: packed in memory for the page, and written into the Lipz file.
+//! Changes of a clip: packed in memory for the page, or written to the Lipz file.
 
-use super::places::{Placed, elements_with_errors, placed};
+use super::placed_diagnostic::{PlacedDiagnostic, elements_with_errors, placed};
 use super::version::Version;
 use crate::interrupt;
-use crate::shared::rewriting::diff;
+use crate::shared::rewrite_mode::diff;
 use lipz_compiler::{Compiler, Content, Input, MinCoverage, rewrite_file};
 use lipz_diagnostics::Report;
 use lipz_diagnostics::reports::have_errors;
@@ -16,79 +16,79 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// What the page asks for.
+/// A request of the page.
 #[derive(Deserialize)]
-pub(super) struct Change {
+pub(super) struct DraftRequest {
     key: String,
-    /// The file that the page has read.
+    /// The file as the page read it.
     source: String,
-    /// The elements that are others now.
+    /// The changed elements.
     elements: BTreeMap<String, String>,
 }
 
-/// What became of it.
+/// The result of a change.
 #[derive(Serialize)]
 #[serde(tag = "result", rename_all = "snake_case")]
-pub(super) enum Changed {
-    /// The draft, as a file. Its bank follows, if there is one: of all in the file that has no errors.
-    Draft { source: String, has_bank: bool, diagnostics: Vec<Placed> },
-    /// It is in the file, which is this now.
+pub(super) enum DraftAnswer {
+    /// The draft as a file. If `has_bank`, a bank follows, made from the parts of the file without errors.
+    Draft { source: String, has_bank: bool, diagnostics: Vec<PlacedDiagnostic> },
+    /// Saved; `source` is the new file.
     Saved { source: String },
-    /// The draft has errors: the file is as it was.
-    Errors { diagnostics: Vec<Placed> },
-    /// Somebody has changed the file since the page read it: it is as they left it.
+    /// The draft has errors. The file stays unchanged.
+    Errors { diagnostics: Vec<PlacedDiagnostic> },
+    /// The file has changed since the page read it. It stays as it is.
     Conflict { theirs: String, yours: String },
-    /// Why nothing was done.
+    /// Refused for this reason.
     Refused { message: String },
 }
 
-impl Change {
-    /// Packs the clip as it would be. Gives the bank of what has no errors, too.
-    pub(super) fn draft(&self, version: &Version) -> (Changed, Option<Vec<u8>>) {
+impl DraftRequest {
+    /// Packs the clip with the change. Also returns the bank of the parts without errors.
+    pub(super) fn draft(&self, version: &Version) -> (DraftAnswer, Option<Vec<u8>>) {
         let source = match self.applied(version) {
             Ok(source) => source,
-            Err(message) => return (Changed::Refused { message }, None),
+            Err(message) => return (DraftAnswer::Refused { message }, None),
         };
-        let Packed { bank, has_errors, diagnostics, .. } = self.packed(version, &source);
+        let PackedClip { bank, has_errors, diagnostics, .. } = self.packed(version, &source);
         let right = if has_errors { self.right_part(version, &source) } else { None };
         let bank = bank.or_else(|| self.packed(version, &right?).bank);
-        (Changed::Draft { source, has_bank: bank.is_some(), diagnostics }, bank)
+        (DraftAnswer::Draft { source, has_bank: bank.is_some(), diagnostics }, bank)
     }
 
-    /// Writes the change into the file of the clip, if that is as the page has read it, and packs with it.
-    pub(super) fn save(&self, version: &Version) -> Changed {
+    /// Writes the change into the clip's file, if that still matches what the page read, and packs the file.
+    pub(super) fn save(&self, version: &Version) -> DraftAnswer {
         let Some(path) = version.files.get(&self.key) else {
-            return Changed::Refused { message: "the project has no such file any more".to_owned() };
+            return DraftAnswer::Refused { message: "the file is no longer in the project".to_owned() };
         };
         let source = match self.applied(version) {
             Ok(source) => source,
-            Err(message) => return Changed::Refused { message },
+            Err(message) => return DraftAnswer::Refused { message },
         };
         if let Some(conflict) = self.conflict(path, &source) {
             return conflict;
         }
-        let Packed { has_errors, diagnostics, .. } = self.packed(version, &source);
+        let PackedClip { has_errors, diagnostics, .. } = self.packed(version, &source);
         if has_errors {
-            return Changed::Errors { diagnostics };
+            return DraftAnswer::Errors { diagnostics };
         }
         let written = interrupt::whole(|| rewrite_file(path, self.source.as_bytes(), source.as_bytes()));
         match written {
-            Ok(()) => Changed::Saved { source },
-            // Somebody may have been faster.
+            Ok(()) => DraftAnswer::Saved { source },
+            // The file may have changed in between.
             Err(report) => self.conflict(path, &source).unwrap_or_else(|| {
                 let messages = report.diagnostics.iter().map(|found| found.message.clone());
-                Changed::Refused { message: messages.collect::<Vec<_>>().join("; ") }
+                DraftAnswer::Refused { message: messages.collect::<Vec<_>>().join("; ") }
             }),
         }
     }
 
-    /// The file with the change, in the layout that it has.
+    /// Returns the file with the change, in its existing layout.
     fn applied(&self, version: &Version) -> Result<String, String> {
-        let before = parse(self.source.as_bytes()).document.ok_or("the file has errors of syntax")?;
+        let before = parse(self.source.as_bytes()).document.ok_or("the file has syntax errors")?;
         let mut after = before.clone();
         for (name, text) in &self.elements {
             if !matches!(name.as_str(), "visemes" | "events") && text_name(name).is_none() {
-                return Err(format!("`{name}` is no element that can be edited here"));
+                return Err(format!("`{name}` cannot be edited on this page"));
             }
             set(&mut after, name, text);
         }
@@ -97,14 +97,15 @@ impl Change {
         Ok(rewrite(&self.source, &before, &after, style))
     }
 
-    /// The clip, packed as the project is, and what is wrong with it. A dub needs its original: the texts are there.
-    fn packed(&self, version: &Version, source: &str) -> Packed {
+    /// Packs the clip with the project's options, and returns its problems. A dub needs its original, which has the
+    /// texts.
+    fn packed(&self, version: &Version, source: &str) -> PackedClip {
         let original = self.original(version);
         let as_it_is = original.as_ref().map(|original| original.input(version, original.source.clone()));
         let (mut bank, own) = self.compiled(version, source, as_it_is);
         let has_errors = have_errors(&own) || bank.is_none() && original.is_none();
         if bank.is_none() && !has_errors {
-            // The original has errors, which are not those of the dub: what is right of it stands in for it.
+            // Errors of the original do not belong to the dub. The correct parts of the original are sufficient.
             let right = original.and_then(|original| {
                 let right = original.right_part(version, &original.source)?;
                 Some(original.input(version, right))
@@ -112,12 +113,12 @@ impl Change {
             bank = self.compiled(version, source, right).0;
         }
         let diagnostics = placed(&own);
-        Packed { bank, has_errors, wrong: elements_with_errors(&diagnostics), diagnostics }
+        PackedClip { bank, has_errors, wrong: elements_with_errors(&diagnostics), diagnostics }
     }
 
-    /// The bank of the clip and its original, and what is wrong with the clip.
+    /// Returns the bank of the clip and its original, and the problems of the clip.
     fn compiled(&self, version: &Version, source: &str, original: Option<Input>) -> (Option<Vec<u8>>, Vec<Report>) {
-        // How much of the project is translated, one clip does not tell.
+        // A single clip cannot show the coverage of the project.
         let options = version.options.clone().min_coverage(MinCoverage::new());
         let own = self.input(version, source.to_owned());
         let name = own.name();
@@ -127,20 +128,20 @@ impl Change {
         (compiled.bank.filter(|_| !have_errors(&own)), own)
     }
 
-    /// The original of the clip, as it is, if the clip is a dub.
-    fn original(&self, version: &Version) -> Option<Change> {
+    /// Returns the unchanged original of the clip, if the clip is a dub.
+    fn original(&self, version: &Version) -> Option<DraftRequest> {
         let key = version.options.get_voices().original_of(&self.key, |key| version.files.contains_key(key))?;
         let source = String::from_utf8(fs::read(version.files.get(&key)?).ok()?).ok()?;
-        Some(Change { key, source, elements: BTreeMap::new() })
+        Some(DraftRequest { key, source, elements: BTreeMap::new() })
     }
 
-    /// The file of the clip with this text.
+    /// Returns the clip's file with this text.
     fn input(&self, version: &Version, source: String) -> Input {
         let name = version.files.get(&self.key).map_or_else(String::new, |path| crate::console::path(path));
         Input { key: self.key.clone(), content: Content::Bytes { name, bytes: source.into_bytes() } }
     }
 
-    /// The file without the elements that have errors; none if something else is wrong.
+    /// Returns the file without the elements that have errors, or `None` if there are other errors.
     fn right_part(&self, version: &Version, source: &str) -> Option<String> {
         let whole = parse(source.as_bytes()).document?;
         let mut wrong = BTreeSet::new();
@@ -152,7 +153,7 @@ impl Change {
             if !packed.has_errors {
                 return Some(rest);
             }
-            // Without one element, another may be wrong: each turn leaves out more of them.
+            // Removing one element can make another invalid, so that each round removes more of them.
             if packed.wrong.is_subset(&wrong) {
                 return None;
             }
@@ -160,29 +161,29 @@ impl Change {
         }
     }
 
-    /// The two changes of the file, if it is another one than the page has read.
-    fn conflict(&self, path: &Path, mine: &str) -> Option<Changed> {
+    /// Returns both versions of the file, if it has changed since the page read it.
+    fn conflict(&self, path: &Path, mine: &str) -> Option<DraftAnswer> {
         let now = fs::read(path).ok()?;
         if now == self.source.as_bytes() {
             return None;
         }
         let name = crate::console::path(path);
         let theirs = diff(&name, self.source.as_bytes(), &String::from_utf8_lossy(&now));
-        Some(Changed::Conflict { theirs, yours: diff(&name, self.source.as_bytes(), mine) })
+        Some(DraftAnswer::Conflict { theirs, yours: diff(&name, self.source.as_bytes(), mine) })
     }
 }
 
 /// A clip, packed.
-struct Packed {
-    /// None if it has errors.
+struct PackedClip {
+    /// `None` if it has errors.
     bank: Option<Vec<u8>>,
     has_errors: bool,
-    /// The elements that have errors.
+    /// The elements with errors.
     wrong: BTreeSet<String>,
-    diagnostics: Vec<Placed>,
+    diagnostics: Vec<PlacedDiagnostic>,
 }
 
-/// Gives an element another text; a new one comes behind the last text, a mouth first.
+/// Sets the text of an element. A new element goes after the last text, new visemes to the start.
 fn set<'s>(document: &mut Document<'s>, name: &str, text: &str) {
     let value = Value::String(JsonString::from(Cow::Owned(text.to_owned())));
     if let Some(element) = document.elements.iter_mut().find(|element| element.name.text == name) {

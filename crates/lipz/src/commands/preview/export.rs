@@ -1,7 +1,7 @@
-//! `lipz preview --export`: the page as a folder that is opened from a disk, with banks and sounds inside.
+//! `lipz preview --output`: the page as a folder to open from a disk, including banks and recordings.
 //!
-//! A page from a disk may fetch nothing and import no module beside it. So its modules are in the page, as an import map of
-//! data addresses, and its data are scripts.
+//! Pages opened from a disk must not fetch files or import modules. Therefore, the page contains its modules as an
+//! import map of data addresses, and its data are scripts.
 
 use super::assets::{self, Asset};
 use super::clip::ClipPage;
@@ -20,19 +20,19 @@ use std::path::{Path, PathBuf};
 
 /// The folder of the scripts with data.
 const DATA: &str = "data";
-/// The line of the page that a server needs, and in whose place the modules come.
+/// The line of the served page that the embedded modules replace.
 const START: &str = "    <script type=\"module\" src=\"page/main.js\"></script>\n";
 
-/// Whether a folder may be written: it is missing or empty, or has an exported page.
+/// Whether the folder may be written: if it is missing or empty, or contains an exported page.
 pub(super) fn is_free(folder: &Path) -> bool {
     let is_export = folder.join(DATA).join("clips.js").is_file();
     is_export || fs::read_dir(folder).map_or(!folder.exists(), |mut entries| entries.next().is_none())
 }
 
-/// Writes the page and all that it needs into a folder. Gives the number of its clips and of its recordings, or what is
-/// wrong; files of an older page that this one does not have are removed.
+/// Writes the page and all its files into a folder, and removes files of an older export that are not needed. Returns
+/// the number of its clips and of its recordings, or the problem.
 pub(super) fn export(version: &Version, phones: &Phones, folder: &Path) -> Result<(usize, usize), Vec<Report>> {
-    let mut export = Export { folder, files: Files::new(), written: BTreeSet::new() };
+    let mut export = PageExport { folder, files: Files::new(), written: BTreeSet::new() };
     let (clips, sounds) = export
         .data(version, phones)
         .and_then(|counts| export.page().map(|()| counts))
@@ -45,13 +45,13 @@ pub(super) fn export(version: &Version, phones: &Phones, folder: &Path) -> Resul
     Ok((clips, sounds))
 }
 
-struct Export<'f> {
+struct PageExport<'f> {
     folder: &'f Path,
     files: Files,
     written: BTreeSet<PathBuf>,
 }
 
-impl Export<'_> {
+impl PageExport<'_> {
     fn data(&mut self, version: &Version, phones: &Phones) -> Result<(usize, usize), Report> {
         let listing = Listing::new(version, true);
         self.script("clips", &listing)?;
@@ -72,7 +72,7 @@ impl Export<'_> {
         Ok((Bank::open(&version.bank).map_or(0, |bank| bank.clips().count()), sounds))
     }
 
-    /// A script that hands over a value.
+    /// Writes a script that passes a value to the page.
     fn script<T: Serialize>(&mut self, name: &str, value: &T) -> Result<(), Report> {
         let value = serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned());
         let path = format!("{DATA}/{name}.js");
@@ -100,20 +100,20 @@ impl Export<'_> {
         Ok(())
     }
 
-    /// Removes clips and sounds of an older page.
+    /// Removes clips and recordings of an older page.
     fn tidy(&self) {
         let entries = fs::read_dir(self.folder.join(DATA)).into_iter().flatten().filter_map(Result::ok);
         for path in entries.map(|entry| entry.path()).filter(|path| !self.written.contains(path)) {
             let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
             if (name.starts_with("clip-") || name.starts_with("sound-")) && name.ends_with(".js") {
-                // What stays is not shown: no file of the page names it.
+                // Remaining files are harmless, because the page does not refer to them.
                 let _ = fs::remove_file(&path);
             }
         }
     }
 }
 
-/// The modules of the page, under their paths, and what starts them.
+/// Returns the modules of the page, by path, and the code that starts them.
 fn scripts(exported: &str) -> String {
     let modules = assets::ALL.iter().filter(|asset| asset.path.ends_with(".js") && asset.path != "page/exported.js");
     let address = |module: &Asset| format!("data:text/javascript;base64,{}", STANDARD.encode(bare(module)));
@@ -125,7 +125,7 @@ fn scripts(exported: &str) -> String {
     )
 }
 
-/// A module whose imports name paths below the page: those beside a data address lead nowhere.
+/// Returns a module whose imports are paths below the page, because relative ones do not work in a data address.
 fn bare(module: &Asset) -> String {
     let text = String::from_utf8_lossy(module.bytes);
     let folder = module.path.rsplit_once('/').map_or("", |(folder, _)| folder);
@@ -141,7 +141,7 @@ fn is_import(before: &str) -> bool {
     ["import ", "export {", "export *", "}"].iter().any(|start| before.starts_with(start))
 }
 
-/// A path beside a folder, without `.` and `..`.
+/// Returns a path relative to a folder, without `.` and `..`.
 fn resolved(folder: &str, path: &str) -> String {
     let mut parts: Vec<&str> = folder.split('/').filter(|part| !part.is_empty()).collect();
     for part in path.split('/') {
@@ -165,7 +165,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Report {
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> Report {
-    let message = format!("`{}` cannot be made: {error}", crate::console::path(path));
+    let message = format!("`{}` cannot be created: {error}", crate::console::path(path));
     Report::failure(
         crate::console::path(path),
         lipz_diagnostics::Code::OutputFailed,
@@ -184,7 +184,9 @@ mod tests {
         for module in assets::ALL.iter().filter(|asset| asset.path.ends_with(".js")) {
             let text = bare(module);
             assert!(!text.contains("from \"."), "{}", module.path);
-            for path in text.lines().filter_map(|line| line.split(" from \"").nth(1)?.split('"').next()) {
+            let imports =
+                text.lines().filter_map(|line| line.split_once(" from \"")).filter(|(before, _)| is_import(before));
+            for path in imports.filter_map(|(_, path)| path.split('"').next()) {
                 assert!(assets::named(path).is_some(), "{}: {path}", module.path);
                 count += 1;
             }

@@ -1,25 +1,26 @@
-//! Who may ask: the page that this process served, and nobody else.
+//! Access control: only the page that this process served may send requests.
 //!
-//! Other pages in the same browser can send requests to this machine, too. They do not know the token in the path; a
-//! name of theirs that leads here (DNS rebinding) has another `Host`; and browsers say from where a request comes.
+//! Other pages in the same browser can also send requests to this machine. They do not have the token of the path; a
+//! foreign name that resolves to this machine (DNS rebinding) has a different `Host`; and browsers send the origin of a
+//! request.
 
 use super::http::Request;
 use percent_encoding::percent_decode_str;
 
-/// Random bytes in the token: too many to be guessed.
+/// The number of random bytes in the token, too many to guess.
 const TOKEN_BYTES: usize = 16;
 
-/// What a request must have.
+/// The required properties of a request.
 pub(super) struct Guard {
     token: String,
     port: u16,
 }
 
 impl Guard {
-    /// A new token.
+    /// Creates a guard with a new token.
     ///
     /// # Errors
-    /// The system has no random numbers.
+    /// If the system has no random numbers.
     pub(super) fn new(port: u16) -> Result<Guard, getrandom::Error> {
         let mut bytes = [0; TOKEN_BYTES];
         getrandom::fill(&mut bytes)?;
@@ -27,12 +28,12 @@ impl Guard {
         Ok(Guard { token, port })
     }
 
-    /// The address of the page.
+    /// Returns the address of the page.
     pub(super) fn address(&self) -> String {
         format!("http://127.0.0.1:{}/{}/", self.port, self.token)
     }
 
-    /// What the request asks for below the token: its path and query; none if it must not be answered.
+    /// Returns the path below the token and the query of the request, or `None` if it must be refused.
     pub(super) fn asked(&self, request: &Request) -> Option<(String, String)> {
         let is_changing = request.method != "GET";
         let [host, origin, site] = ["Host", "Origin", "Sec-Fetch-Site"].map(|name| request.header(name));
@@ -50,7 +51,7 @@ impl Guard {
         let host =
             host.filter(|host| ["127.0.0.1", "localhost"].iter().any(|name| *host == format!("{name}:{}", self.port)))?;
         let is_own = |origin: &str| origin == format!("http://{host}");
-        // Browsers name the origin of every request that is not a plain GET.
+        // Browsers send the origin with every request except plain GETs.
         let is_from_page = origin.map_or(!is_changing, is_own);
         let is_same_site = fetch_site.is_none_or(|site| site == "same-origin" || site == "none" && !is_changing);
         let below = url.strip_prefix('/')?.strip_prefix(self.token.as_str())?.strip_prefix('/')?;
@@ -62,7 +63,7 @@ impl Guard {
     }
 }
 
-/// The value of a parameter of a query, decoded.
+/// Returns the decoded value of a query parameter.
 pub(super) fn parameter(query: &str, name: &str) -> Option<String> {
     let value = query.split('&').find_map(|pair| pair.strip_prefix(name)?.strip_prefix('='))?;
     percent_decode_str(value).decode_utf8().ok().map(std::borrow::Cow::into_owned)

@@ -1,34 +1,35 @@
-//! When the phones of a clip are said: heard once more when somebody looks at it, and kept.
+//! Times of the phones of a clip: computed from the recording when the clip is opened, then cached.
 
 use super::version::Version;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::Report;
-use lipz_sync::{Job, KnownPhones, PhoneTime, SyncOptions, SyncRecord, jobs_of_clips, record_place};
+use lipz_sync::{Job, PhoneTime, PhoneTimeCache, SyncOptions, SyncRecord, jobs_of_clips, record_place};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// What listening to the recordings of a version needs.
+/// The requirements for aligning the recordings of a version.
 #[derive(Default)]
 pub(super) struct Hearing {
     settings: Settings,
-    known: Arc<KnownPhones>,
-    /// Read when the first clip is listened to.
+    known: Arc<PhoneTimeCache>,
+    /// Read when the first clip is opened.
     opened: OnceLock<Result<(SyncOptions, SyncRecord), Report>>,
-    /// One clip at a time: whoever goes through the list needs the other cores for what is seen.
+    /// Allows one clip at a time, so that the other cores stay free for the page while the user browses clips.
     turn: Mutex<()>,
 }
 
-/// The phones of clips, by their keys.
+/// The phones of clips, by clip key.
 pub(super) type Phones = BTreeMap<String, Arc<[PhoneTime]>>;
 
 impl Hearing {
-    /// Listens as these settings say; what is `known` from versions before is not heard again.
-    pub(super) fn new(settings: Settings, known: Arc<KnownPhones>) -> Hearing {
+    /// Prepares the alignment with these settings. Phones that are `known` from earlier versions are not computed
+    /// again.
+    pub(super) fn new(settings: Settings, known: Arc<PhoneTimeCache>) -> Hearing {
         Hearing { settings, known, ..Hearing::default() }
     }
 
-    /// The phones of a clip; none of one that was not synced with its recording.
+    /// Returns the phones of a clip; none if it was not synced with its recording.
     pub(super) fn phones(&self, version: &Version, key: &str) -> Result<Arc<[PhoneTime]>, Report> {
         let Some(job) = job(version, key) else { return Ok(Arc::default()) };
         let (options, record) = self.opened()?;
@@ -36,7 +37,7 @@ impl Hearing {
         self.known.of(&job, options, record)
     }
 
-    /// The phones of all clips, and what could not be read.
+    /// Returns the phones of all clips, and the reports about recordings that could not be read.
     pub(super) fn all(&self, version: &Version, progress: &(dyn Fn() + Sync)) -> (Phones, Vec<Report>) {
         let jobs: Vec<Job> = version.files.keys().filter_map(|key| job(version, key)).collect();
         if jobs.is_empty() {
@@ -66,7 +67,7 @@ impl Hearing {
     }
 }
 
-/// The clip and its recording, if it has one.
+/// Returns the clip and its recording, if it has one.
 fn job(version: &Version, key: &str) -> Option<Job> {
     let content = Content::File(version.files.get(key)?.clone());
     let input = Input { key: key.to_owned(), content };

@@ -1,29 +1,29 @@
-//! One request and its answer, over one connection, as HTTP/1.1 has them. Connections are not kept: on one machine a new
-//! one costs nothing, and none can keep others waiting.
+//! One request and its response, over one HTTP/1.1 connection. Connections are not kept: on one machine a new one costs
+//! nothing, and an idle one cannot block others.
 
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
 use std::time::Duration;
 
-/// The most bytes and lines of a head: browsers send a tenth.
+/// The most bytes of a head. Browsers send a tenth of that.
 const LONGEST_HEAD: usize = 64 * 1024;
 const MOST_HEADERS: usize = 100;
 /// The most bytes of a body: a Lipz file twice, escaped.
 const LONGEST_BODY: usize = 4 * lipz_file::MAX_FILE_BYTES;
-/// How long to wait for the rest of a request: browsers open connections that they may need later.
+/// The time to wait for the rest of a request. Browsers open connections in advance.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// What came over a connection.
-pub(super) enum Received {
+/// The data received over a connection.
+pub(super) enum ReceivedRequest {
     Request(Request),
     /// A request whose body is longer than any change of a Lipz file.
     TooLong,
-    /// The connection ended before a request was whole, or it is none of HTTP.
+    /// The connection ended before the request was complete, or the data is not HTTP.
     Nothing,
 }
 
-/// What somebody asks.
+/// A request.
 pub(super) struct Request {
     pub(super) method: String,
     pub(super) url: String,
@@ -31,24 +31,24 @@ pub(super) struct Request {
     pub(super) body: Vec<u8>,
 }
 
-/// What they get.
+/// The response.
 pub(super) struct Answer {
     pub(super) status: u16,
     pub(super) media_type: &'static str,
-    /// What tells this version of the body from others.
+    /// Identifies this version of the body.
     pub(super) tag: Option<String>,
     pub(super) body: Body,
 }
 
-/// The bytes of an answer.
+/// The bytes of a response.
 pub(super) enum Body {
     Bytes(Vec<u8>),
     File(File),
 }
 
 impl Request {
-    /// Reads a request. Nothing of a body that is too long is kept.
-    pub(super) fn read(stream: &mut TcpStream) -> io::Result<Received> {
+    /// Reads a request. Discards a body that is too long.
+    pub(super) fn read(stream: &mut TcpStream) -> io::Result<ReceivedRequest> {
         stream.set_read_timeout(Some(PATIENCE))?;
         let mut bytes = Vec::new();
         let (mut request, start) = loop {
@@ -59,30 +59,30 @@ impl Request {
             let count = stream.read(&mut more)?;
             bytes.extend_from_slice(more.get(..count).unwrap_or_default());
             if count == 0 || bytes.len() > LONGEST_HEAD {
-                return Ok(Received::Nothing);
+                return Ok(ReceivedRequest::Nothing);
             }
         };
         let length = request.header("Content-Length").map_or(Ok(0), str::parse::<usize>);
-        let Ok(length) = length else { return Ok(Received::Nothing) };
+        let Ok(length) = length else { return Ok(ReceivedRequest::Nothing) };
         if length > LONGEST_BODY {
-            // Whoever is still sending does not listen for an answer.
+            // Read the body to its end, because clients do not read a response while they send.
             let _ = io::copy(&mut stream.take(LONGEST_BODY as u64), &mut io::sink());
-            return Ok(Received::TooLong);
+            return Ok(ReceivedRequest::TooLong);
         }
         request.body = bytes.split_off(start);
         let missing = length.saturating_sub(request.body.len());
         stream.take(missing as u64).read_to_end(&mut request.body)?;
-        Ok(if request.body.len() == length { Received::Request(request) } else { Received::Nothing })
+        Ok(if request.body.len() == length { ReceivedRequest::Request(request) } else { ReceivedRequest::Nothing })
     }
 
-    /// The value of a header.
+    /// Returns the value of a header.
     pub(super) fn header(&self, name: &str) -> Option<&str> {
         let mut found = self.headers.iter().filter(|(known, _)| known.eq_ignore_ascii_case(name));
         found.next().map(|(_, value)| value.as_str())
     }
 }
 
-/// The head of a request, and where its body starts; none if it is not whole.
+/// Returns the head of a request and the start of its body, or `None` if the head is incomplete.
 fn head(bytes: &[u8]) -> Option<(Request, usize)> {
     let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
     let mut parsed = httparse::Request::new(&mut headers);
@@ -100,7 +100,7 @@ fn head(bytes: &[u8]) -> Option<(Request, usize)> {
 }
 
 impl Answer {
-    /// Sends it, with these headers, and ends the connection.
+    /// Sends the response with these headers, and closes the connection.
     pub(super) fn send(self, stream: &mut TcpStream, headers: &[(&str, &str)]) -> io::Result<()> {
         let Answer { status, media_type, tag, body } = self;
         let length = match &body {

@@ -1,4 +1,4 @@
-//! The list of clips: a row for each, with what can be searched and filtered.
+//! The list of clips: a row for each, with the data for search and filters.
 
 use super::version::Version;
 use lipz_bank::{Bank, Clip, Locale};
@@ -6,32 +6,32 @@ use lipz_diagnostics::{Report, Severity};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How many diagnostics of the project as a whole the page shows above a clip.
+/// The most diagnostics of the whole project that the page shows above a clip.
 const MOST_OTHERS: usize = 3;
 
-/// All clips, as the page gets them.
+/// All clips, as they are sent to the page.
 #[derive(Serialize)]
 pub(super) struct Listing {
     version: u64,
-    /// What tells the bank from others.
+    /// Identifies the bank.
     bank: String,
     name: String,
     is_read_only: bool,
-    /// The locales of the bank; rows have their places here.
+    /// The locales of the bank. Rows refer to their indexes.
     locales: Vec<String>,
-    clips: Vec<Row>,
-    /// What is wrong with the project as a whole.
+    clips: Vec<ListingRow>,
+    /// The diagnostics of the project as a whole.
     diagnostics: Vec<String>,
 }
 
-/// One clip. What is empty is left out: there may be a hundred thousand.
+/// One clip. Empty fields are omitted, because there may be a hundred thousand clips.
 #[derive(Serialize, Default)]
-struct Row {
+struct ListingRow {
     key: String,
-    /// Its length in seconds; none if its frames have no rate.
+    /// Its length in seconds; `None` without a frame rate.
     #[serde(skip_serializing_if = "Option::is_none")]
     seconds: Option<f64>,
-    /// Whether the bank has it: files with errors are left out.
+    /// Whether the bank leaves it out because its file has errors.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_left_out: bool,
     #[serde(skip_serializing_if = "is_zero")]
@@ -41,13 +41,13 @@ struct Row {
     /// The codes of its diagnostics.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     codes: BTreeSet<&'static str>,
-    /// How many of its words are not clearly heard.
+    /// The number of its words that are unclear in the recording.
     #[serde(skip_serializing_if = "is_zero")]
     doubtful_words: usize,
-    /// The places of the locales in which it has a text of its own.
+    /// The indexes of the locales in which it has a text of its own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     locales: Vec<usize>,
-    /// Who is in it.
+    /// Its characters.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     characters: BTreeSet<String>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -60,20 +60,20 @@ fn is_zero(number: &usize) -> bool {
 }
 
 impl Listing {
-    /// The list of a version.
+    /// Creates the list of a version.
     pub(super) fn new(version: &Version, is_read_only: bool) -> Listing {
         let bank = Bank::open(&version.bank).ok();
         let locales: Vec<Locale> = bank.iter().flat_map(Bank::locales).collect();
         let tag = |locale: &Locale| bank.as_ref().map_or("", |bank| bank.locale_tag(*locale)).to_owned();
-        let mut rows: BTreeMap<String, Row> = BTreeMap::new();
+        let mut rows: BTreeMap<String, ListingRow> = BTreeMap::new();
         for clip in bank.iter().flat_map(Bank::clips) {
-            rows.insert(clip.key().to_owned(), Row::of_clip(&clip, &locales));
+            rows.insert(clip.key().to_owned(), ListingRow::of_clip(&clip, &locales));
         }
         for key in version.files.keys() {
-            let row = rows.entry(key.clone()).or_insert_with(|| Row {
+            let row = rows.entry(key.clone()).or_insert_with(|| ListingRow {
                 key: key.clone(),
                 is_left_out: true,
-                ..Row::default()
+                ..ListingRow::default()
             });
             row.add(&version.reports_of(key));
             row.doubtful_words = version.words.get(key).map_or(0, lipz_compiler::WordTimes::doubtful_count);
@@ -96,33 +96,33 @@ impl Listing {
 }
 
 impl Listing {
-    /// The keys of all clips, in the order of the list.
+    /// Returns the keys of all clips, in the order of the list.
     pub(super) fn keys(&self) -> impl Iterator<Item = &str> {
         self.clips.iter().map(|row| row.key.as_str())
     }
 }
 
-/// The diagnostics that belong to no clip: some of them, and how many there are besides.
+/// Returns some of the diagnostics that belong to no clip, and the number of the remaining ones.
 fn others(version: &Version) -> Vec<String> {
     let mut told: Vec<String> =
         version.other_reports().map(|report| report.to_string().trim_end().to_owned()).collect();
     let left = told.len().saturating_sub(MOST_OTHERS);
     if left > 0 {
         told.truncate(MOST_OTHERS);
-        told.push(format!("and {left} more: `lipz check` prints them all"));
+        told.push(format!("and {left} more; run `lipz check` to see all"));
     }
     told
 }
 
-impl Row {
-    fn of_clip(clip: &Clip<'_>, locales: &[Locale]) -> Row {
+impl ListingRow {
+    fn of_clip(clip: &Clip<'_>, locales: &[Locale]) -> ListingRow {
         let has_own = |locale: &Locale| {
             clip.segments().any(|segment| segment.text(*locale).is_some_and(|text| !text.is_fallback()))
         };
         let own = locales.iter().enumerate().filter(|(_, locale)| has_own(locale)).map(|(place, _)| place);
         #[allow(clippy::cast_precision_loss, reason = "clips are shorter than a century")]
         let seconds = clip.duration_us().map(|us| us as f64 / 1e6);
-        Row { key: clip.key().to_owned(), seconds, locales: own.collect(), ..Row::default() }
+        ListingRow { key: clip.key().to_owned(), seconds, locales: own.collect(), ..ListingRow::default() }
     }
 
     fn add(&mut self, reports: &[Report]) {

@@ -1,4 +1,4 @@
-//! `lipz preview`: a page on this machine that shows, plays and edits the clips of a project.
+//! `lipz preview`: serves a local page that shows, plays and edits the clips of a project.
 
 mod assets;
 mod characters;
@@ -9,22 +9,21 @@ mod guard;
 mod hearing;
 mod http;
 mod listing;
-mod places;
+mod placed_diagnostic;
 mod server;
-mod shared;
+mod shared_version;
 mod version;
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::commands::watch::{Alarm, Scope};
 use crate::reporter::{Abort, Reporter};
-use crate::shared::audio_flags::AudioFlags;
+use crate::shared::audio_flag::AudioFlag;
 use crate::shared::bank_or_sources::names_lipz_files;
 use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
-use crate::shared::text_banks::TextBanks;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::Stack;
@@ -32,16 +31,15 @@ use lipz_compiler::settings::Settings;
 use lipz_diagnostics::reports::have_errors;
 use lipz_sync::Recordings;
 use server::Preview;
-use shared::Shared;
+use shared_version::SharedVersion;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use version::{Remembered, Version};
+use version::{PreviewMemory, Version};
 
-/// See, hear and edit clips in a browser.
+/// Watch, play and edit clips in a browser.
 ///
-/// Serves a page to this machine alone: no other machine, and no page of another site, can read or change anything. The
-/// page draws the bank that the sources pack to, and packs again when a file changes. What is edited there is written
-/// into the Lipz files. A bank can be seen and heard, not edited. Ctrl-C ends it.
+/// Serves a page to this machine only. The page shows the bank that the sources pack to, and updates when a file changes.
+/// Edits on the page are written into the Lipz files. A bank can be played, but not edited. Press Ctrl-C to stop.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz preview
@@ -49,19 +47,16 @@ use version::{Remembered, Version};
   lipz preview voices --read-only --port 8080
   lipz preview dialogue.lipzbank
   lipz preview dialogue.lipzset
-  lipz preview dialogue.lipzbank --texts dialogue.*.lipztexts
-  lipz preview voices --export site")]
+  lipz preview 'dialogue.lipzbank+dialogue.*.lipztexts'
+  lipz preview voices -o site")]
 pub(crate) struct PreviewArguments {
     #[command(flatten)]
     sources: Sources,
 
     #[command(flatten)]
-    audio: AudioFlags,
+    audio: AudioFlag,
 
-    #[command(flatten)]
-    texts: TextBanks,
-
-    /// Listen on this port [default: any that is free]
+    /// Port of the server [default: any free port]
     #[arg(long, value_name = "PORT")]
     port: Option<u16>,
 
@@ -69,13 +64,13 @@ pub(crate) struct PreviewArguments {
     #[arg(long)]
     open: bool,
 
-    /// Refuse to change any file
+    /// Do not change any file
     #[arg(long)]
     read_only: bool,
 
-    /// Write the page into this folder instead, with banks and sounds inside: it needs no server, and edits nothing
-    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["port", "open", "read_only"])]
-    export: Option<PathBuf>,
+    /// Write a read-only page with banks and recordings into this folder, for any web server
+    #[arg(short, long, value_name = "FOLDER", conflicts_with_all = ["port", "open", "read_only"])]
+    output: Option<PathBuf>,
 }
 
 impl Run for PreviewArguments {
@@ -83,14 +78,11 @@ impl Run for PreviewArguments {
         false
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         match self.sources.paths() {
             [path] if !names_lipz_files(path) && !stdio::is_meant(path) => self.of_bank(path, reporter),
             paths if paths.iter().any(|path| stdio::is_meant(path)) => {
                 Err(reporter.usage("standard input cannot be previewed", "name a folder, Lipz files or a bank"))
-            }
-            _ if !self.texts.texts.is_empty() => {
-                Err(reporter.usage("`--texts` names texts of a bank, and none is named", "name the bank before it"))
             }
             _ => self.of_sources(reporter),
         }
@@ -99,8 +91,9 @@ impl Run for PreviewArguments {
 
 impl PreviewArguments {
     /// Serves a bank, until the process is interrupted.
-    fn of_bank(&self, path: &Path, reporter: &mut Reporter) -> Ended {
-        let named = DialogueFiles::open(path, reporter)?.with_texts(&self.texts.texts, reporter)?;
+    fn of_bank(&self, path: &Path, reporter: &mut Reporter) -> CommandResult {
+        self.sources.refuse_with_bank(path, reporter)?;
+        let named = DialogueFiles::open(path, reporter)?;
         let bytes = whole(&named, reporter)?;
         let mut settings = Settings::default();
         self.audio.apply(&mut settings.audio);
@@ -109,36 +102,36 @@ impl PreviewArguments {
             return Err(reporter.abort(unread, Outcome::Failed));
         }
         let version = Version::of_bank(&named.name, bytes, recordings);
-        if let Some(folder) = &self.export {
+        if let Some(folder) = &self.output {
             return export_to(folder, &version, self.sources.is_quiet(), reporter);
         }
-        let shared = Arc::new(Shared::new(version));
+        let shared = Arc::new(SharedVersion::new(version));
         let serving = self.serve(&shared, true, reporter)?;
         // The threads of the server end with the process.
         let _ = serving.join();
         Ok(Outcome::Clean)
     }
 
-    /// The project that the arguments name.
+    /// Returns the project that the arguments name.
     fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         let mut project = self.sources.project(reporter)?;
         self.audio.apply(&mut project.settings.audio);
         Ok(project)
     }
 
-    /// Serves a project, and packs it again whenever a file changes, until the process is interrupted.
-    fn of_sources(&self, reporter: &mut Reporter) -> Ended {
-        if let Some(folder) = &self.export {
+    /// Serves a project, and packs it again after each change of a file, until the process is interrupted.
+    fn of_sources(&self, reporter: &mut Reporter) -> CommandResult {
+        if let Some(folder) = &self.output {
             let project = self.project(reporter)?;
-            let (version, _) = version::load(&project.settings, &mut Remembered::default());
+            let (version, _) = version::load(&project.settings, &mut PreviewMemory::default());
             return export_to(folder, &version, self.sources.is_quiet(), reporter);
         }
         let mut scope = Scope::before_settings(&self.sources);
         let mut alarm = Alarm::new(None);
-        // Before anything is read, so that no change is missed.
+        // Start before reading anything, so that no change is missed.
         alarm.set(&scope).map_err(|report| reporter.fail(report))?;
-        let mut remembered = Remembered::default();
-        let mut shared: Option<Arc<Shared>> = None;
+        let mut remembered = PreviewMemory::default();
+        let mut shared: Option<Arc<SharedVersion>> = None;
         loop {
             match self.project(reporter) {
                 Ok(project) => {
@@ -152,7 +145,7 @@ impl PreviewArguments {
                             shared
                         }
                         None => {
-                            let first = Arc::new(Shared::new(version));
+                            let first = Arc::new(SharedVersion::new(version));
                             self.serve(&first, self.read_only, reporter)?;
                             shared.insert(first)
                         }
@@ -160,7 +153,7 @@ impl PreviewArguments {
                     shared.look_closer(project, inputs, single);
                 }
                 Err(abort) if shared.is_none() => return Err(abort),
-                // The settings have errors, which are told, in the page as well: what was shown stays.
+                // The settings have errors, which the page shows as well. Its content stays.
                 Err(_) => {
                     let file = self.sources.settings_file().filter(|file| file.is_file());
                     let report = file.and_then(|file| Settings::read(file).err());
@@ -177,31 +170,32 @@ impl PreviewArguments {
         }
     }
 
-    /// Starts the server, and says where the page is.
+    /// Starts the server, and prints the address of the page.
     fn serve(
         &self,
-        shared: &Arc<Shared>,
+        shared: &Arc<SharedVersion>,
         is_read_only: bool,
         reporter: &mut Reporter,
     ) -> Result<std::thread::JoinHandle<()>, Abort> {
         let server = Preview::listen(self.port, Arc::clone(shared), is_read_only).map_err(|error| {
-            reporter.usage(format!("no page can be served: {error}"), "name another port with `--port`")
+            reporter.usage(format!("the page cannot be served: {error}"), "name a different port with `--port`")
         })?;
         let address = server.address();
         reporter.summary(&format!("{address}\n"))?;
-        reporter.remark("          the address is for you alone; Ctrl-C ends\n");
+        reporter.remark("          do not share this address; press Ctrl-C to stop\n");
         if self.open
             && let Err(error) = open::that_detached(&address)
         {
-            reporter.remark(&format!("          no browser could be started ({error}): open the address yourself\n"));
+            reporter
+                .remark(&format!("          the browser could not be started ({error}); open the address yourself\n"));
         }
         std::thread::Builder::new().spawn(move || server.run()).map_err(|error| {
-            reporter.usage(format!("no page can be served: {error}"), "raise the limits of the system")
+            reporter.usage(format!("the page cannot be served: {error}"), "raise the limits of the system")
         })
     }
 }
 
-/// The one bank that a page shows of these files, verified.
+/// Returns a single verified bank with the contents of these files.
 fn whole(named: &DialogueFiles, reporter: &mut Reporter) -> Result<Vec<u8>, Abort> {
     let files = named.verified(reporter)?;
     let dialogue = named.dialogue(&files, reporter)?;
@@ -211,10 +205,11 @@ fn whole(named: &DialogueFiles, reporter: &mut Reporter) -> Result<Vec<u8>, Abor
     }
 }
 
-/// Writes the page into a folder. Diagnostics are reported: files with errors are listed there, but not in the bank.
-fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Reporter) -> Ended {
+/// Writes the page into a folder, and reports diagnostics. It lists files with errors, but its bank does not contain
+/// them.
+fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Reporter) -> CommandResult {
     if !export::is_free(folder) {
-        let message = format!("`{}` has other files than an exported page", console::path(folder));
+        let message = format!("`{}` contains files that do not belong to an exported page", console::path(folder));
         return Err(reporter.usage(message, "name a folder that is empty or does not exist"));
     }
     let mut reports = version.all_reports();
@@ -225,8 +220,8 @@ fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Re
     let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
     if outcome == Outcome::Failed || version.bank.is_empty() {
-        let message = "no page is written, as there is no bank to show";
-        return Err(reporter.usage(message, "mend the errors, or name other sources"));
+        let message = "the page is not written, because the bank could not be packed";
+        return Err(reporter.usage(message, "fix the errors, or name different sources"));
     }
     let (clips, sounds) =
         export::export(version, &phones, folder).map_err(|reports| reporter.abort(reports, Outcome::Failed))?;

@@ -1,12 +1,12 @@
-//! The server: which address gives what.
+//! The server: the response for each address.
 
 use super::assets;
 use super::clip::{ClipPage, phones};
-use super::draft::{Change, Changed};
+use super::draft::{DraftAnswer, DraftRequest};
 use super::guard::{Guard, parameter};
-use super::http::{Answer, Body, Received, Request};
+use super::http::{Answer, Body, ReceivedRequest, Request};
 use super::listing::Listing;
-use super::shared::Shared;
+use super::shared_version::SharedVersion;
 use serde::Serialize;
 use std::fs::File;
 use std::io;
@@ -15,10 +15,10 @@ use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
-/// How long a page waits for news before it asks again.
+/// The time that a request waits for changes. Then the page repeats it.
 const PATIENCE: Duration = Duration::from_secs(25);
 
-/// What no page of another site gets, and what ours may do: nothing comes from elsewhere.
+/// Headers that keep pages of other sites out, and allow ours no external content.
 const HEADERS: [(&str, &str); 7] = [
     (
         "Content-Security-Policy",
@@ -37,41 +37,41 @@ const HEADERS: [(&str, &str); 7] = [
 pub(super) struct Preview {
     listener: TcpListener,
     guard: Guard,
-    shared: Arc<Shared>,
+    shared: Arc<SharedVersion>,
     is_read_only: bool,
 }
 
 impl Preview {
-    /// Listens on this machine: on a free port, unless one is named.
+    /// Listens on this machine, on a free port unless one is named.
     ///
     /// # Errors
-    /// The port is taken, or the system has no random numbers for the token.
-    pub(super) fn listen(port: Option<u16>, shared: Arc<Shared>, is_read_only: bool) -> io::Result<Preview> {
+    /// If the port is in use, or if the system has no random numbers for the token.
+    pub(super) fn listen(port: Option<u16>, shared: Arc<SharedVersion>, is_read_only: bool) -> io::Result<Preview> {
         let listener = TcpListener::bind(("127.0.0.1", port.unwrap_or(0)))?;
         let guard = Guard::new(listener.local_addr()?.port()).map_err(io::Error::other)?;
         Ok(Preview { listener, guard, shared, is_read_only })
     }
 
-    /// The address of the page.
+    /// Returns the address of the page.
     pub(super) fn address(&self) -> String {
         self.guard.address()
     }
 
-    /// Answers until the process ends: each request in a thread, as one may wait for news.
+    /// Answers requests until the process ends, each in its own thread, because some wait for changes.
     pub(super) fn run(self) {
         let preview = Arc::new(self);
         for stream in preview.listener.incoming().filter_map(Result::ok) {
             let preview = Arc::clone(&preview);
-            // A request that gets no thread is dropped, and so is an answer that nobody waits for.
+            // If no thread starts, the request is dropped, and so is a response that the page does not wait for.
             let _ = thread::Builder::new().spawn(move || drop(preview.answer(stream)));
         }
     }
 
     fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
         let answer = match Request::read(&mut stream)? {
-            Received::Nothing => return Ok(()),
-            Received::TooLong => plain(413, "The change is longer than a Lipz file may be."),
-            Received::Request(request) => match self.guard.asked(&request) {
+            ReceivedRequest::Nothing => return Ok(()),
+            ReceivedRequest::TooLong => plain(413, "The change exceeds the size limit of a Lipz file."),
+            ReceivedRequest::Request(request) => match self.guard.asked(&request) {
                 Some((path, query)) => self.respond(&request, &path, &query),
                 None => plain(403, "Forbidden: open the address that `lipz preview` printed."),
             },
@@ -83,7 +83,7 @@ impl Preview {
         match request.method.as_str() {
             "GET" => self.get(path, query),
             "POST" => self.post(path, &request.body),
-            _ => plain(405, "This address cannot be asked so."),
+            _ => plain(405, "This address does not support this method."),
         }
     }
 
@@ -102,7 +102,7 @@ impl Preview {
             }
             "api/clip" => match ClipPage::new(&version, &key) {
                 Some(clip) => json(200, &clip),
-                None => plain(404, "There is no such clip any more."),
+                None => plain(404, "The clip no longer exists."),
             },
             "api/phones" => match version.hearing.phones(&version, &key) {
                 Ok(heard) => json(200, &phones(&heard)),
@@ -115,30 +115,31 @@ impl Preview {
             },
             _ => match assets::named(path) {
                 Some(asset) => bytes(asset.media_type(), asset.bytes.to_vec()),
-                None => plain(404, "There is nothing at this address."),
+                None => plain(404, "This address does not exist."),
             },
         }
     }
 
     fn post(&self, path: &str, body: &[u8]) -> Answer {
         let version = self.shared.now();
-        let change: Change = match serde_json::from_slice(body) {
+        let change: DraftRequest = match serde_json::from_slice(body) {
             Ok(change) => change,
             Err(error) => return plain(400, &format!("The change cannot be read: {error}.")),
         };
         match path {
             "api/draft" => with_bank(change.draft(&version)),
-            "api/save" if self.is_read_only => {
-                json(403, &Changed::Refused { message: "files are not changed: --read-only".to_owned() })
-            }
+            "api/save" if self.is_read_only => json(
+                403,
+                &DraftAnswer::Refused { message: "files are not changed because of `--read-only`".to_owned() },
+            ),
             "api/save" => json(200, &change.save(&version)),
-            _ => plain(404, "There is nothing at this address."),
+            _ => plain(404, "This address does not exist."),
         }
     }
 }
 
-/// What became of a change, with a bank behind it: the length of the document in four bytes, the document, the bank.
-fn with_bank((changed, bank): (Changed, Option<Vec<u8>>)) -> Answer {
+/// Returns the result of a change and its bank: the length of the document in four bytes, the document, the bank.
+fn with_bank((changed, bank): (DraftAnswer, Option<Vec<u8>>)) -> Answer {
     let mut document = serde_json::to_vec(&changed).unwrap_or_default();
     let mut body = u32::try_from(document.len()).unwrap_or_default().to_le_bytes().to_vec();
     body.append(&mut document);

@@ -1,4 +1,4 @@
-//! One state of a project: its bank, and what is known about each clip besides.
+//! One state of a project: its bank, and other data about each clip.
 
 use super::characters::{self, Characters};
 use super::hearing::Hearing;
@@ -9,50 +9,50 @@ use lipz_bank::{Bank, Dialogue};
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiled, Compiler, Content, Input, Memory, Options, WordTimes};
 use lipz_diagnostics::Report;
-use lipz_sync::{KnownPhones, KnownRecordings, Recordings};
+use lipz_sync::{FactsCache, PhoneTimeCache, Recordings};
 use std::collections::{BTreeMap, HashSet};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-/// What one packing leaves to the next, which reads only what changed.
+/// Results that one run of packing keeps for the next, which reads only changed files.
 #[derive(Default)]
-pub(super) struct Remembered {
+pub(super) struct PreviewMemory {
     clips: Memory,
-    recordings: KnownRecordings,
-    phones: Arc<KnownPhones>,
+    recordings: FactsCache,
+    phones: Arc<PhoneTimeCache>,
     has_looked: bool,
 }
 
 /// A state of the project.
 #[derive(Clone, Default)]
 pub(super) struct Version {
-    /// Which one: each has the number behind that of the one before.
+    /// Its number, one more than that of the previous version.
     pub(super) number: u64,
-    /// What is shown, for the title of the page.
+    /// The name of the project or bank, for the title of the page.
     pub(super) name: String,
     /// The bank of all clips without errors.
     pub(super) bank: Arc<Vec<u8>>,
-    /// The Lipz files by their keys; none of a bank.
+    /// The Lipz files by key; empty for a bank.
     pub(super) files: BTreeMap<String, PathBuf>,
-    /// The diagnostics of files, by their names.
+    /// The diagnostics of files, by file name.
     reports: BTreeMap<String, Vec<Report>>,
     pub(super) words: BTreeMap<String, WordTimes>,
     pub(super) recordings: Arc<Recordings>,
     pub(super) hearing: Arc<Hearing>,
-    /// How drafts of a clip are packed.
+    /// The options for packing drafts of a clip.
     pub(super) options: Options,
-    /// Found when a list is first asked for, and kept: diagnostics that are added later are of the same clips.
+    /// Computed for the first list, then kept, because diagnostics that are added later do not change the clips.
     characters: Arc<OnceLock<Characters>>,
 }
 
 impl Version {
-    /// The only state of a bank.
+    /// Returns the only state of a bank.
     pub(super) fn of_bank(name: &str, bank: Vec<u8>, recordings: Recordings) -> Version {
         let (bank, recordings) = (Arc::new(bank), Arc::new(recordings));
         Version { name: name.to_owned(), bank, recordings, ..Version::default() }
     }
 
-    /// Who is in the clips.
+    /// Returns the characters of the clips.
     pub(super) fn characters(&self) -> &Characters {
         let find = || {
             let mut files = [DialogueFile::ABSENT];
@@ -62,18 +62,18 @@ impl Version {
         self.characters.get_or_init(find)
     }
 
-    /// The diagnostics of a clip: of its Lipz file, and of its recording.
+    /// Returns the diagnostics of a clip's Lipz file and of its recording.
     pub(super) fn reports_of(&self, key: &str) -> Vec<Report> {
         let paths = self.files.get(key).map(PathBuf::as_path).into_iter().chain(self.recordings.find(key));
         paths.filter_map(|path| self.reports.get(&console::path(path))).flatten().cloned().collect()
     }
 
-    /// All diagnostics.
+    /// Returns all diagnostics.
     pub(super) fn all_reports(&self) -> Vec<Report> {
         self.reports.values().flatten().cloned().collect()
     }
 
-    /// The diagnostics that belong to no clip of the project.
+    /// Returns the diagnostics that belong to no clip of the project.
     pub(super) fn other_reports(&self) -> impl Iterator<Item = &Report> {
         let recordings = self.files.keys().filter_map(|key| self.recordings.find(key));
         let own: HashSet<String> =
@@ -81,14 +81,14 @@ impl Version {
         self.reports.iter().filter(move |(name, _)| !own.contains(*name)).flat_map(|(_, reports)| reports)
     }
 
-    /// The same with more diagnostics.
+    /// Returns this version with additional diagnostics.
     pub(super) fn with(&self, reports: &[Report]) -> Version {
         let mut next = self.clone();
         next.add(reports);
         next
     }
 
-    /// The same with this report about its file, and no other.
+    /// Returns this version with this report as the only one about its file.
     pub(super) fn with_only(&self, report: &Report) -> Version {
         let mut next = self.clone();
         next.reports.insert(report.source.path.clone(), vec![report.clone()]);
@@ -104,25 +104,25 @@ impl Version {
         }
     }
 
-    /// Takes the bank of the state before, if this one has none: what can be seen stays to be seen.
+    /// Takes the bank of the previous state if this one has none, so that the clips stay visible.
     pub(super) fn keep_bank_of(&mut self, before: &Version) {
         if self.bank.is_empty() {
             self.bank = Arc::clone(&before.bank);
         }
     }
 
-    /// The hash of the bank's bytes in hexadecimal, by which the page knows whether it has them: JavaScript has no integers of
-    /// 64 bits in JSON.
+    /// Returns the hash of the bank's bytes in hexadecimal, which identifies the bank for the page. It is not a number,
+    /// because JSON in JavaScript has no 64-bit integers.
     pub(super) fn bank_tag(&self) -> String {
         format!("{:016x}", Bank::open(&self.bank).map_or(0, |bank| bank.checksum()))
     }
 }
 
-/// Packs the project in memory: all files without errors.
-pub(super) fn load(settings: &Settings, remembered: &mut Remembered) -> (Version, Vec<Input>) {
-    let Remembered { clips, recordings, phones, has_looked } = remembered;
+/// Packs all files of the project without errors in memory.
+pub(super) fn load(settings: &Settings, remembered: &mut PreviewMemory) -> (Version, Vec<Input>) {
+    let PreviewMemory { clips, recordings, phones, has_looked } = remembered;
     if !*has_looked && let (Some(cache), Some(output)) = (&settings.cache, &settings.output) {
-        // A cache that is none is told by `lipz pack`, which would write it; this run can do without.
+        // Ignore an invalid cache. `lipz pack`, which would write it, reports it.
         *clips = Memory::read(cache, output).unwrap_or_default();
     }
     *has_looked = true;
@@ -148,7 +148,7 @@ pub(super) fn load(settings: &Settings, remembered: &mut Remembered) -> (Version
     (version, worked.inputs.into_owned())
 }
 
-/// The bank of all files that have no errors, with the diagnostics of all.
+/// Returns the bank of all files without errors, with the diagnostics of all files.
 fn packed(compiler: &Compiler<'_>, inputs: &[Input], memory: &mut Memory) -> Compiled {
     let whole = compiler.compile_again(inputs, memory);
     if whole.bank.is_some() {

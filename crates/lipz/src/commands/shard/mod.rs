@@ -1,22 +1,28 @@
-//! `lipz shard`: packing on several machines.
+//! `lipz shard`: packing and lip sync on several machines.
 
 mod emit;
+mod link;
+mod merge;
+mod pack;
 mod plan;
+mod step;
+mod sync;
 
-use crate::Ended;
+use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use clap::{Args, Subcommand};
 
-/// Plan the packing of a project on several machines.
+/// Pack or sync a project in parts, on several machines.
 ///
-/// A plan has the files of each shard. `lipz pack --shard` makes an object of one, `lipz link` the bank of all. Each is a
-/// function of its files, so that any build engine may run them anywhere, in any order, and again.
+/// A plan lists the files of each shard. `lipz shard pack` makes the object of a shard, and `lipz shard link` the bank of all
+/// objects. The result of each step depends only on its files, so any build engine may run the steps anywhere, in any order,
+/// and again.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  lipz shard plan voices --shards 64 -o plan.json
-  lipz pack --plan plan.json --shard 3 -o 3-of-64.lipzobj
-  lipz link *.lipzobj -o dialogue.lipzbank")]
+  lipz shard plan pack voices --shards 64 -o plan.json
+  lipz shard pack plan.json 3 -o 3-of-64.lipzobj
+  lipz shard link *.lipzobj -o dialogue.lipzbank")]
 pub(crate) struct ShardArguments {
     #[command(subcommand)]
     task: Task,
@@ -26,20 +32,31 @@ pub(crate) struct ShardArguments {
 enum Task {
     Plan(plan::PlanArguments),
     Emit(emit::Emit),
+    Pack(pack::PackShard),
+    Link(link::LinkArguments),
+    Sync(sync::SyncShard),
+    Merge(merge::MergeShards),
+}
+
+impl ShardArguments {
+    fn task(&self) -> &dyn Run {
+        match &self.task {
+            Task::Plan(plan) => plan,
+            Task::Emit(emit) => emit,
+            Task::Pack(pack) => pack,
+            Task::Link(link) => link,
+            Task::Sync(sync) => sync,
+            Task::Merge(merge) => merge,
+        }
+    }
 }
 
 impl Run for ShardArguments {
     fn prints_result(&self) -> bool {
-        match &self.task {
-            Task::Plan(plan) => plan.prints_result(),
-            Task::Emit(emit) => emit.prints_result(),
-        }
+        self.task().prints_result()
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
-        match &self.task {
-            Task::Plan(plan) => plan.run(reporter),
-            Task::Emit(emit) => emit.run(reporter),
-        }
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        self.task().run(reporter)
     }
 }

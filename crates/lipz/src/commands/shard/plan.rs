@@ -1,62 +1,78 @@
-//! `lipz shard plan`: which files each shard of a project is made of.
+//! `lipz shard plan`: assigns the files of a project to shards.
 
 use crate::commands::Run;
-use crate::reporter::{Abort, Ended, Reporter};
+use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::inputs;
 use crate::shared::settings_file::SettingsFile;
 use crate::shared::{output_file, stdio};
 use crate::{Outcome, console, interrupt};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::shard::{self, Beside, Common, MAX_SHARDS, Plan, Step};
+use lipz_compiler::shard::{self, CommonInputs, ExtraInputs, MAX_SHARDS, Plan, Step};
 use lipz_compiler::{Input, OutputFile, Replace, dependencies, depfile};
+use lipz_diagnostics::escape::quoted;
 use lipz_sync::shard::{beside, record_hash};
 use lipz_sync::{Recordings, SyncOptions, SyncRecord, jobs_of_clips, record_place};
 use std::collections::HashMap;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
-/// Write the plan of a project: which files each shard is made of, with the hashes of their contents.
+/// The settings that affect only the plan, not its steps.
+const OF_PLAN: &[&str] = &["sources", "root", "hidden", "output"];
+
+/// Write a plan: the files of each shard, with their hashes.
 ///
-/// A clip belongs to a shard by the top bits of its id, and stays in it when other clips come and go. All settings come from
-/// lipz.toml: each step reads them there. Paths in the plan count from the current folder, in which the steps then run.
+/// The shard of a clip depends only on the top bits of its ID, so a clip stays there when you add or remove others. Each
+/// step reads the settings from lipz.toml. Paths in the plan are relative to the current folder, in which the steps run.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  lipz shard plan voices --shards 64 -o plan.json
-  lipz shard plan --shards 16 -o plan.json
-  lipz shard plan --sync --shards 16 -o sync.json")]
+  lipz shard plan pack voices --shards 64 -o plan.json
+  lipz shard plan pack --shards 16 -o plan.json --config output=dialogue.lipzset
+  lipz shard plan sync --shards 16 -o sync.json")]
 pub(super) struct PlanArguments {
-    /// Folders, files or glob patterns [default: those of lipz.toml]
+    /// Work to divide
+    #[arg(value_enum, value_name = "STEP")]
+    step: StepName,
+
+    /// Folders, files or patterns [default: those of lipz.toml]
     #[arg(value_name = "SOURCES")]
     sources: Vec<PathBuf>,
 
     #[command(flatten)]
     settings: SettingsFile,
 
-    /// Keys are paths below this folder [default: `root` of lipz.toml, else each source folder]
-    #[arg(long, value_name = "FOLDER")]
-    root: Option<PathBuf>,
-
-    /// How many shards; a power of two keeps the clips of each together when the number is doubled
+    /// Number of shards; a power of two keeps clips together when you double it
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=i64::from(MAX_SHARDS)))]
     shards: u16,
 
-    /// The plan to write. The plans of the shards are written into a folder beside it, plan.shards of plan.json, and what
-    /// it depends on into plan.json.d, for Make and Ninja
+    /// Plan to write
+    ///
+    /// The plans of the shards go into the folder plan.shards next to plan.json, and the dependencies of the plan into
+    /// plan.json.d, for Make and Ninja.
     #[arg(short, long, value_name = "PLAN")]
     output: PathBuf,
 
-    /// Plan lip sync, with `lipz sync --plan`, instead of packing
-    #[arg(long, conflicts_with = "bank")]
-    sync: bool,
-
-    /// The bank that the objects will be linked to [default: `output` of lipz.toml, else dialogue.lipzbank]
-    #[arg(long, value_name = "BANK")]
-    bank: Option<PathBuf>,
-
-    /// Show no summary
+    /// Hide the summary
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// The work that is divided into shards.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum StepName {
+    /// Packing Lipz files
+    Pack,
+    /// Making visemes from recordings
+    Sync,
+}
+
+impl From<StepName> for Step {
+    fn from(name: StepName) -> Step {
+        match name {
+            StepName::Pack => Step::Pack,
+            StepName::Sync => Step::Sync,
+        }
+    }
 }
 
 impl Run for PlanArguments {
@@ -64,37 +80,43 @@ impl Run for PlanArguments {
         false
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         if stdio::is_meant(&self.output) {
-            return Err(reporter.usage("a plan is several files", "name a file with `--output`: plan.json"));
+            return Err(
+                reporter.usage("a plan cannot be written to standard output", "name a file with `--output`: plan.json")
+            );
         }
         output_file::refuse_source(&self.output, reporter)?;
+        if let Some(setting) = self.settings.assigned().into_iter().find(|setting| !OF_PLAN.contains(setting)) {
+            let message = format!("`--config` cannot set {} for the steps of a plan", quoted(setting));
+            return Err(reporter.usage(message, "set it in lipz.toml, from which each step reads its settings"));
+        }
         let mut project = self.settings.project(&self.sources, reporter)?;
         let settings = &mut project.settings;
-        settings.root = self.root.clone().or(settings.root.take());
         if settings.sources.iter().any(|source| stdio::is_meant(source)) {
-            return Err(reporter.usage("a plan is about files, not standard input", "name files or folders"));
+            return Err(reporter.usage("a plan cannot contain standard input", "name files or folders"));
         }
         let (found, reports) = inputs::find_all(settings, reporter)?;
         reporter.add(reports);
         if found.is_empty() {
-            return Err(reporter.usage("there is nothing to plan", "name a folder of Lipz files"));
+            return Err(reporter.usage("the sources do not contain Lipz files", "name a folder of Lipz files"));
         }
-        let makes = match self.sync {
+        let step = Step::from(self.step);
+        let makes = match step == Step::Sync {
             true => self.output.with_extension("done"),
-            false => self.bank.clone().or(settings.output.clone()).unwrap_or_else(|| "dialogue.lipzbank".into()),
+            false => settings.output.clone().unwrap_or_else(|| "dialogue.lipzbank".into()),
         };
         let needs = self.needs(settings, &found, reporter)?;
         let count = NonZero::new(self.shards).unwrap_or(NonZero::<u16>::MIN);
         let (file, voices) = (project.file.as_deref(), settings.voices());
-        let common = Common { settings: file, record: &record_place(settings), files: &needs.common, voices: &voices };
-        let step = if self.sync { Step::Sync } else { Step::Pack };
+        let common =
+            CommonInputs { settings: file, record: &record_place(settings), files: &needs.common, voices: &voices };
         let beside = |input: &Input| needs.beside.get(&input.key).cloned().unwrap_or_default();
         let shards = shard::plan(step, &found, count, common, beside);
         let shards = shards.map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
         let folder = self.folder(reporter)?;
         let plan = Plan::new(&shards, &folder, &makes, made_by()).map_err(|report| reporter.fail(report))?;
-        // The plan comes last: whoever finds it finds those of its shards.
+        // Write the plan last, so that a reader that finds it also finds those of its shards.
         for (planned, shard) in std::iter::zip(&plan.shards, &shards) {
             write(&self.output.with_file_name(&planned.needs), &shard.to_json(), reporter)?;
         }
@@ -112,20 +134,20 @@ impl Run for PlanArguments {
         if !self.quiet {
             let clips = console::counted(found.len(), "clip");
             let shards = console::counted(plan.shards.len(), "shard");
-            reporter.summary(&format!("{clips} planned in {shards} into {}\n", console::path(&self.output)))?;
+            reporter.summary(&format!("plan of {clips} in {shards} written to {}\n", console::path(&self.output)))?;
         }
         Ok(Outcome::Clean)
     }
 }
 
-/// What steps read besides Lipz files and settings.
+/// The inputs of steps besides Lipz files and settings.
 struct Needs {
-    /// The record of mouths, if it is there.
+    /// The sync record, if it exists.
     record: Option<PathBuf>,
-    /// What all shards read.
+    /// Inputs of all shards.
     common: Vec<PathBuf>,
-    /// What is read for each clip, by key.
-    beside: HashMap<String, Beside>,
+    /// Inputs of each clip, by key.
+    beside: HashMap<String, ExtraInputs>,
 }
 
 impl PlanArguments {
@@ -135,17 +157,17 @@ impl PlanArguments {
         let place = record_place(settings);
         let record = SyncRecord::read(&place).map_err(|report| reporter.fail(report))?;
         let place = Some(place).filter(|place| place.is_file());
-        if !self.sync {
+        if self.step == StepName::Pack {
             let of_clip = |input: &Input| {
                 let recording = recordings.find(&input.key).map(Path::to_owned);
-                let beside = Beside { recording, record: record_hash(&record, input), files: Vec::new() };
+                let beside = ExtraInputs { recording, record: record_hash(&record, input), files: Vec::new() };
                 (input.key.clone(), beside)
             };
             return Ok(Needs { record: place, common: Vec::new(), beside: found.iter().map(of_clip).collect() });
         }
         let beside = beside(settings, found, &recordings, &record);
         if beside.is_empty() {
-            let tip = "name their folder in [audio] of lipz.toml; keys are paths of Lipz files and of recordings";
+            let tip = "set their folder in [audio] of lipz.toml; the path of each recording is the key of its clip";
             return Err(reporter.usage("no clip has a recording", tip));
         }
         let (options, _) = SyncOptions::new_with_report(settings).map_err(|report| reporter.fail(report))?;
@@ -157,20 +179,20 @@ impl PlanArguments {
         Ok(Needs { record: place, common, beside })
     }
 
-    /// The folder of the plans of the shards, which is beside the plan: `plan.shards` of `plan.json`.
+    /// Returns the folder of the shards' plans next to the plan: `plan.shards` for `plan.json`.
     fn folder(&self, reporter: &mut Reporter) -> Result<String, Abort> {
         let folder = self.output.with_extension("shards");
         let name = folder.file_name().and_then(|name| name.to_str()).map(str::to_owned);
-        name.ok_or_else(|| reporter.usage("the name of the plan is not Unicode", "give the plan another name"))
+        name.ok_or_else(|| reporter.usage("the name of the plan is not Unicode", "give the plan a different name"))
     }
 }
 
-/// The arguments of this run: they make the plan again.
+/// Returns the arguments of this run, which make the plan again.
 fn made_by() -> Vec<String> {
     std::env::args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect()
 }
 
-/// Writes a plan. One that is the same stays, with its time: build engines see that nothing follows from it.
+/// Writes a plan. Leaves an unchanged file and its time, so that build engines skip the steps that depend on it.
 fn write(path: &Path, json: &str, reporter: &mut Reporter) -> Result<(), Abort> {
     let written = interrupt::whole(|| OutputFile::write(path, json.as_bytes(), Replace::IfDifferent));
     written.map(drop).map_err(|report| reporter.fail(report))

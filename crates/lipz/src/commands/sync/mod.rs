@@ -1,24 +1,20 @@
-//! `lipz sync`: mouth shapes from recordings.
+//! `lipz sync`: makes visemes from recordings.
 
-mod flags;
-mod merging;
-mod shard;
-mod summary;
-mod table;
+pub(super) mod summary;
+pub(super) mod table;
 mod train;
 
 use crate::commands::Run;
-use crate::reporter::{Abort, Ended, Reporter};
-use crate::shared::audio_flags::AudioFlags;
+use crate::reporter::{Abort, CommandResult, Reporter};
+use crate::shared::audio_flag::AudioFlag;
 use crate::shared::inputs;
 use crate::shared::output_file;
-use crate::shared::project_flags::{hide_of_banks, parse_fps};
 use crate::shared::sources::Sources;
+use crate::shared::values::{parse_fps, parse_viseme_type};
 use crate::shared::{formats, patterns, script_file, stdio};
 use crate::{Outcome, console, interrupt};
 use clap::{Arg, Args};
-use flags::SyncFlags;
-use lipz_bank::Fps;
+use lipz_bank::{Fps, VisemeType};
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Report};
 use lipz_interop::Encoding;
@@ -27,144 +23,79 @@ use lipz_sync::{
 };
 use std::path::{Path, PathBuf};
 
-/// Make mouth shapes from recordings.
+/// Make visemes from recordings.
 ///
-/// With --audio (or `[audio]` in lipz.toml), Lipz files get the mouths of their recordings: only `visemes`, `viseme_type`
-/// and `fps` change, and the `|` move with the words of the text. With --output, recordings become Lipz files; what is
-/// said stands in a script, or in NAME.txt beside each recording.
+/// Lipz files get the visemes of their recordings, from the folder of --audio or of [audio] in lipz.toml. Only `visemes`,
+/// `viseme_type` and `fps` change, and each `|` moves with the words of the text. --output makes new Lipz files from
+/// recordings. Their transcripts come from a script, or from NAME.txt next to NAME.wav.
 ///
-/// A second run makes only what changed. Mouths that were changed by hand stay, unless --force is given.
+/// Later runs process only changed recordings and texts. Hand-edited visemes stay, unless you pass --discard-edits. [sync] of
+/// lipz.toml contains the settings of visemes, voice models and lexicons.
 #[derive(Args, Debug)]
-#[command(mut_args(of_mouths))]
+#[command(mut_args(with_recordings))]
 #[command(after_help = "Examples:
   lipz sync
   lipz sync voices --audio recordings
-  lipz sync voices/act1/mara-hello.lipz --audio recordings --root voices --force
-  lipz sync recordings -o voices --script lines.csv --audio-locale en-us
-  lipz sync --train --model voices.lipzmodel
-  lipz sync --plan sync.json --shard 3 -o 3-of-64.lipzmouths
-  lipz sync --from '*-of-64.lipzmouths'
+  lipz sync voices/act1/mara-hello.lipz --audio recordings --discard-edits
+  lipz sync recordings -o voices --script lines.csv --config audio.locale=en-us
+  lipz sync --train --config sync.model=voices.lipzmodel
   lipz sync recordings -o voices --viseme-type rms")]
 pub(crate) struct SyncArguments {
     #[command(flatten)]
     sources: Sources,
 
     #[command(flatten)]
-    audio: AudioFlags,
+    audio: AudioFlag,
 
-    #[command(flatten)]
-    mouths: SyncFlags,
-
-    /// Make Lipz files in this folder: the sources are recordings then
+    /// Make new Lipz files in this folder; the sources are recordings
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 
-    /// Texts of new files: a CSV string table with the columns `file` and `text`, or a .msg file of Fallout [default:
-    /// NAME.txt beside NAME.wav]
+    /// Transcripts: a CSV table with columns `file` and `text`, or a .msg file [default: NAME.txt next to NAME.wav]
     #[arg(long, value_name = "FILE", requires = "output")]
     script: Option<PathBuf>,
 
-    /// The encoding of a script that is not UTF-8: windows-1251, shift_jis [default: windows-1252]
+    /// Encoding of a script that is not UTF-8, such as shift_jis [default: windows-1252]
     #[arg(long, value_name = "NAME", requires = "script", value_parser = formats::encoding)]
     encoding: Option<&'static Encoding>,
 
-    /// Frame rate of the mouths [default: that of each file, or default-fps, or 24]
+    /// Frame rate [default: that of each file or of lipz.toml, or 24]
     #[arg(long, value_name = "FPS", value_parser = parse_fps)]
     fps: Option<Fps>,
 
-    /// Learn a model of these voices first, from the recordings and their texts; write it to --model and use it
+    /// Viseme type: blair, toonboom, rms [default: that of each file or of lipz.toml, or blair]
+    #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type)]
+    viseme_type: Option<VisemeType>,
+
+    /// Train a model of these voices first, and write it to `model` of [sync]
     #[arg(long)]
     train: bool,
 
-    /// Write a CSV table of all words to look at, those of unchanged clips too: doubtful ones, and those pronounced by rules;
-    /// `-` is standard output
+    /// Write a CSV table of the words to review, also in unchanged clips; `-` is standard output
     #[arg(long, value_name = "FILE")]
     list: Option<PathBuf>,
 
-    /// Also replace mouths that were made or changed by hand
+    /// Replace handmade and hand-edited visemes
     #[arg(long)]
-    force: bool,
-
-    /// Make the mouths of this shard of --plan, in the file --output: nothing else is written
-    #[arg(long, value_name = "NUMBER", requires = "plan", conflicts_with_all = OF_PLAN, help_heading = SHARDS)]
-    shard: Option<u16>,
-
-    /// The plan of the shards, by `lipz shard plan --sync`. It names Lipz files, recordings and settings
-    #[arg(long, value_name = "PLAN", requires = "shard", help_heading = SHARDS)]
-    plan: Option<PathBuf>,
-
-    /// Folder of results by the hashes of what they are made of: what is in it is not made again
-    #[arg(long, value_name = "FOLDER", requires = "shard", help_heading = SHARDS)]
-    store: Option<PathBuf>,
-
-    /// Also write the dependencies of the result, for Make, Ninja and CMake
-    #[arg(long, value_name = "FILE", requires = "shard", help_heading = SHARDS)]
-    depfile: Option<PathBuf>,
-
-    /// Merge the mouths of all shards into the Lipz files: names or patterns of what --shard made
-    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = OF_PLAN, conflicts_with = "shard")]
-    #[arg(help_heading = SHARDS)]
-    from: Vec<PathBuf>,
+    discard_edits: bool,
 }
 
-const SHARDS: &str = "Shards";
-
-/// What a plan decides.
-const OF_PLAN: [&str; 17] = [
-    "sources",
-    "root",
-    "hidden",
-    "ProjectFlags",
-    "allow",
-    "warn",
-    "deny",
-    "config",
-    "no_config",
-    "AudioFlags",
-    "SyncFlags",
-    "script",
-    "encoding",
-    "fps",
-    "train",
-    "list",
-    "force",
-];
-
-/// Flags of others that have nothing to do with mouths, by their fields. They are accepted, as the settings are.
-const OF_OTHERS: [&str; 10] = [
-    "max_line_columns",
-    "max_lines",
-    "max_characters_per_second",
-    "characters",
-    "props",
-    "emotions",
-    "actions",
-    "tolerance_ms",
-    "audio_cache",
-    "in_bank",
-];
-
-/// Flags that this command shares with others, as it means them.
-fn of_mouths(flag: Arg) -> Arg {
+/// Names the sources, which are recordings if `--output` is used.
+fn with_recordings(flag: Arg) -> Arg {
     match flag.get_id().as_str() {
-        "sources" => flag.help(
-            "Lipz files, or with --output recordings: folders, files or glob patterns [default: those of lipz.toml]",
-        ),
-        "viseme_type" => {
-            flag.help("Viseme type of the mouths [default: that of each file, or default-viseme-type, or blair]")
-        }
-        name if OF_OTHERS.contains(&name) => flag.hide(true),
-        _ => hide_of_banks(flag),
+        "sources" => flag
+            .help("Lipz files, or with --output recordings: folders, files or patterns [default: those of lipz.toml]"),
+        _ => flag,
     }
 }
 
-/// What a run works on.
+/// The input of a run.
 struct Work {
     jobs: Vec<Job>,
     reports: Vec<Report>,
-    /// Clips without a recording.
+    /// The number of clips without a recording.
     without: usize,
-    /// Where the Lipz files are.
+    /// The folder of the Lipz files.
     place: PathBuf,
 }
 
@@ -173,23 +104,20 @@ impl Run for SyncArguments {
         self.list.as_deref().is_some_and(stdio::is_meant)
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
-        if let (Some(shard), Some(plan)) = (self.shard, &self.plan) {
-            return shard::run(self, shard, plan, reporter);
-        }
-        if !self.from.is_empty() {
-            return merging::run(self, reporter);
-        }
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let mut project = self.sources.project(reporter)?;
         let settings = &mut project.settings;
         self.audio.apply(&mut settings.audio);
-        self.mouths.apply(&mut settings.sync);
+        let options = &mut settings.options;
+        *options = std::mem::take(options).viseme_type(self.viseme_type.or(options.get_viseme_type()));
         if settings.sources.iter().any(|source| stdio::is_meant(source)) {
-            return Err(reporter.usage("mouths are not made of standard input", "name files or folders"));
+            return Err(reporter.usage("visemes cannot be made from standard input", "name files or folders"));
         }
         if let Some(file) = self.output.as_ref().filter(|output| output.is_file()) {
             let message = format!("`{}` is a file", console::path(file));
-            return Err(reporter.usage(message, "name a folder with `--output`: each recording becomes a file in it"));
+            return Err(
+                reporter.usage(message, "name a folder with `--output`, in which each recording becomes a file")
+            );
         }
         let work = match &self.output {
             Some(output) => self.of_recordings(settings, output, reporter)?,
@@ -197,10 +125,10 @@ impl Run for SyncArguments {
         };
         let to_train = if self.train { Some(train::place(settings, reporter)?) } else { None };
         let (mut options, problems) = SyncOptions::new_with_report(settings).map_err(|report| reporter.fail(report))?;
-        (options.fps, options.force) = (self.fps, self.force);
+        (options.fps, options.force) = (self.fps, self.discard_edits);
         if options.locale.is_none() && work.jobs.iter().any(|job| job.text.is_some() && job.locale.is_none()) {
-            let tip = "name it with `--audio-locale`, or set `default-locale` in lipz.toml: texts become `text_LOCALE` of the Lipz files";
-            return Err(reporter.usage("no locale of the texts is named", tip));
+            let tip = "set `default-locale` in lipz.toml, or `locale` in [audio]";
+            return Err(reporter.usage("the locale of the texts is not set", tip));
         }
         let learnt = match &to_train {
             Some(place) => Some(train::train(&work.jobs, &mut options, place, self.sources.is_quiet(), reporter)?),
@@ -229,7 +157,7 @@ impl Run for SyncArguments {
         lipz_diagnostics::reports::sort(&mut reports);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
-        reporter.add_result("sync", || table::Table::new(&synced, work.without));
+        reporter.add_result("sync", || table::SyncDocument::new(&synced, work.without));
         if self.prints_result() {
             reporter.print(&table::csv(&synced))?;
         }
@@ -242,7 +170,7 @@ impl Run for SyncArguments {
 }
 
 impl SyncArguments {
-    /// Recordings become Lipz files in `output`.
+    /// Plans Lipz files in `output` for recordings.
     fn of_recordings(&self, settings: &Settings, output: &Path, reporter: &mut Reporter) -> Result<Work, Abort> {
         let script = match &self.script {
             Some(path) => Some(script_file::read(path, self.encoding, reporter)?),
@@ -259,11 +187,10 @@ impl SyncArguments {
     }
 }
 
-/// Lipz files get the mouths of their recordings.
+/// Plans visemes for Lipz files from their recordings.
 fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort> {
     let Some(folder) = &settings.audio.folder else {
-        let tip =
-            "name their folder with `--audio`, or set `folder` in [audio]; `--output` makes Lipz files of recordings";
+        let tip = "name their folder with `--audio`, or set `folder` in [audio]; to make Lipz files from recordings, pass `--output`";
         return Err(reporter.usage("no recordings are named", tip));
     };
     let (recordings, mut reports) = Recordings::discover_with_reports(settings);
@@ -274,14 +201,13 @@ fn of_clips(settings: &Settings, reporter: &mut Reporter) -> Result<Work, Abort>
     reports.extend(unread);
     if inputs.is_empty() && lipz_diagnostics::reports::have_errors(&reports) {
         let none = reports.iter_mut().flat_map(|report| &mut report.diagnostics);
-        let first = "to make the first Lipz files of recordings: lipz sync recordings -o voices";
+        let first = "make the first Lipz files from recordings: lipz sync recordings -o voices";
         none.filter(|none| none.code == Code::NoSources).for_each(|none| none.help = Some(first.to_owned()));
         return Err(reporter.abort(reports, Outcome::Failed));
     }
     let jobs = jobs_of_clips(&inputs, &recordings);
     if jobs.is_empty() && !inputs.is_empty() {
-        let tip =
-            "keys are paths of Lipz files below `--root`, and of recordings below `--audio`: both must be the same";
+        let tip = "give each recording the key of its clip as its path below `--audio`";
         let message = format!("no clip has a recording in `{}`", console::path(folder));
         return Err(reporter.usage(message, tip));
     }

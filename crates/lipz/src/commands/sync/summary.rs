@@ -1,19 +1,19 @@
-//! What a run of `lipz sync` did, for people.
+//! The result of `lipz sync` for people.
 
 use super::table::why;
 use crate::console;
 use crate::console::counted;
 use lipz_diagnostics::escape;
-use lipz_sync::Synced;
+use lipz_sync::SyncResults;
 use std::fmt::Write;
 use std::path::Path;
 use unicode_width::UnicodeWidthStr;
 
-/// Lines of one kind that are shown.
+/// The most lines of one kind that are shown.
 const SHOWN: usize = 50;
 
-/// What was done, and what somebody should look at. `without` is how many clips have no recording.
-pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
+/// Returns the results, and the items to check. `without` is the number of clips without a recording.
+pub(in crate::commands) fn summary(synced: &SyncResults, without: usize, place: &Path) -> String {
     let counts = [
         (synced.unchanged, "unchanged"),
         (synced.kept.len(), "kept"),
@@ -25,12 +25,12 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
     let mut out = format!("{} synced{others}, in {}\n", counted(synced.made.len(), "clip"), console::path(place));
     let kept: Vec<String> =
         (synced.kept.iter()).map(|(key, kept)| format!("{}  {}", escape::text(key), why(*kept))).collect();
-    list(&mut out, "kept mouths (--force replaces them)", &kept);
+    list(&mut out, "kept visemes (--discard-edits replaces them)", &kept);
     let new_texts: Vec<String> = synced.with_new_text.iter().map(|key| escape::text(key).into_owned()).collect();
-    list(&mut out, "recordings older than their texts (record these lines again, or `lipz accept` them)", &new_texts);
+    list(&mut out, "recordings older than their texts (record these lines again, or `lipz approve` them)", &new_texts);
     let by_letters: Vec<String> =
         synced.read_by_letters.iter().map(|locale| escape::text(locale).into_owned()).collect();
-    list(&mut out, "texts that are read letter by letter, because there are no rules for their language", &by_letters);
+    list(&mut out, "locales without letter-to-sound rules (their texts are read letter by letter)", &by_letters);
     let width = synced.doubtful.iter().map(|word| escape::text(&word.key).width()).max().unwrap_or(0);
     let doubtful: Vec<String> = (synced.doubtful.iter())
         .map(|word| {
@@ -39,13 +39,13 @@ pub(super) fn summary(synced: &Synced, without: usize, place: &Path) -> String {
             format!("{key}{blanks}  {:>7.2} s  {}", word.start_us as f64 / 1e6, escape::text(&word.word))
         })
         .collect();
-    list(&mut out, "doubtful words (listen there)", &doubtful);
+    list(&mut out, "uncertain words (listen and check)", &doubtful);
     let guessed: Vec<String> = synced.guessed.iter().map(|line| escape::text(line).into_owned()).collect();
     list(&mut out, "words pronounced by rules (correct them in the lexicon)", &guessed);
     out
 }
 
-/// A heading, and the lines below it.
+/// Adds a heading with the lines below it.
 fn list(out: &mut String, heading: &str, lines: &[String]) {
     if lines.is_empty() {
         return;
@@ -55,6 +55,6 @@ fn list(out: &mut String, heading: &str, lines: &[String]) {
         let _ = writeln!(out, "  {line}");
     }
     if let Some(hidden) = lines.len().checked_sub(SHOWN).filter(|hidden| *hidden > 0) {
-        let _ = writeln!(out, "  … and {} more: --list FILE has all", console::grouped(hidden));
+        let _ = writeln!(out, "  … and {} more (--list FILE writes all)", console::grouped(hidden));
     }
 }

@@ -1,26 +1,26 @@
-//! What a run of `lipz sync` did and what somebody should look at, for programs: JSON, and a CSV table.
+//! The result of `lipz sync` and the items to check, for programs: JSON, and a CSV table.
 
-use lipz_sync::{DoubtfulWord, Kept, Synced};
+use lipz_sync::{DoubtfulWord, KeepReason, SyncResults};
 use lipz_texts::defused;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// What a JSON document has as `sync`.
+/// The value of `sync` in a JSON document.
 #[derive(Serialize)]
-pub(super) struct Table<'s> {
-    /// Keys of the clips that got a mouth.
+pub(in crate::commands) struct SyncDocument<'s> {
+    /// Keys of the clips with new visemes.
     synced: &'s [String],
     unchanged: usize,
     kept: Vec<KeptMouth<'s>>,
     refused: usize,
     without_recording: usize,
-    /// Keys of clips whose recording may not say their new text.
+    /// Keys of clips whose recording may not match their new text.
     older_than_text: &'s [String],
-    /// Locales whose languages have no rules.
+    /// Locales whose languages have no letter-to-sound rules.
     read_by_letters: &'s BTreeSet<String>,
-    /// Words that are not clearly heard, those of unchanged clips too.
-    doubtful: Vec<Doubtful<'s>>,
-    /// Words that are pronounced by rules, each once.
+    /// Words that are unclear in the recording, including those of unchanged clips.
+    doubtful: Vec<DoubtfulWordRow<'s>>,
+    /// Words whose pronunciation comes from rules, each once.
     by_rules: Vec<ByRules<'s>>,
 }
 
@@ -31,7 +31,7 @@ struct KeptMouth<'s> {
 }
 
 #[derive(Serialize)]
-struct Doubtful<'s> {
+struct DoubtfulWordRow<'s> {
     clip: &'s str,
     start_us: u64,
     word: &'s str,
@@ -43,13 +43,13 @@ struct ByRules<'s> {
     pronunciation: &'s str,
 }
 
-impl<'s> Table<'s> {
-    /// What a run did. `without` is how many clips have no recording.
-    pub(super) fn new(synced: &'s Synced, without: usize) -> Table<'s> {
+impl<'s> SyncDocument<'s> {
+    /// Creates the result of a run. `without` is the number of clips without a recording.
+    pub(in crate::commands) fn new(synced: &'s SyncResults, without: usize) -> SyncDocument<'s> {
         let kept = synced.kept.iter().map(|(clip, kept)| KeptMouth { clip, why: why(*kept) });
         let doubtful = doubtful(synced).into_iter();
         let guessed = guessed(synced).into_iter().map(|line| line.split_once("  ").unwrap_or((line, "")));
-        Table {
+        SyncDocument {
             synced: &synced.made,
             unchanged: synced.unchanged,
             kept: kept.collect(),
@@ -58,24 +58,24 @@ impl<'s> Table<'s> {
             older_than_text: &synced.with_new_text,
             read_by_letters: &synced.read_by_letters,
             doubtful: doubtful
-                .map(|found| Doubtful { clip: &found.key, start_us: found.start_us, word: &found.word })
+                .map(|found| DoubtfulWordRow { clip: &found.key, start_us: found.start_us, word: &found.word })
                 .collect(),
             by_rules: guessed.map(|(word, pronunciation)| ByRules { word, pronunciation }).collect(),
         }
     }
 }
 
-/// Why a mouth was kept.
-pub(super) fn why(kept: Kept) -> &'static str {
+/// Returns the reason for keeping existing visemes.
+pub(in crate::commands) fn why(kept: KeepReason) -> &'static str {
     match kept {
-        Kept::Changed => "changed by hand",
-        Kept::ByHand => "not made by `lipz sync`",
-        Kept::Corrected => "made from a corrected TextGrid (--textgrids names their folder)",
+        KeepReason::Changed => "changed by hand",
+        KeepReason::ByHand => "not made by `lipz sync`",
+        KeepReason::Corrected => "made from a corrected TextGrid (in `textgrids` of [sync])",
     }
 }
 
-/// All that somebody should look at, of clips that did not change, too, as CSV: a row each. No cell is a formula.
-pub(super) fn csv(synced: &Synced) -> String {
+/// Returns all items to check as CSV, one per row, including those of unchanged clips. No cell is a formula.
+pub(in crate::commands) fn csv(synced: &SyncResults) -> String {
     let mut rows = vec!["what,clip,seconds,word".to_owned()];
     let mut add = |what: &str, clip: &str, seconds: &str, word: &str| {
         rows.push([what, clip, seconds, word].map(|cell| field(&defused(cell))).join(","));
@@ -89,21 +89,21 @@ pub(super) fn csv(synced: &Synced) -> String {
     rows.join("\n") + "\n"
 }
 
-/// The doubtful words, clip by clip.
-fn doubtful(synced: &Synced) -> Vec<&DoubtfulWord> {
+/// Returns the doubtful words, clip by clip.
+fn doubtful(synced: &SyncResults) -> Vec<&DoubtfulWord> {
     let mut doubtful: Vec<_> = synced.doubtful.iter().chain(&synced.doubtful_before).collect();
     doubtful.sort_by_key(|word| (&word.key, word.start_us));
     doubtful
 }
 
-/// The words that are pronounced by rules, as lines of a lexicon.
-fn guessed(synced: &Synced) -> Vec<&str> {
+/// Returns the words whose pronunciation comes from rules, as lines of a lexicon.
+fn guessed(synced: &SyncResults) -> Vec<&str> {
     let mut guessed: Vec<&str> = synced.guessed.iter().chain(&synced.guessed_before).map(String::as_str).collect();
     guessed.sort_unstable();
     guessed
 }
 
-/// A field of a table, in quotes if it needs them.
+/// Returns a field of a table, in quotes if necessary.
 fn field(text: &str) -> String {
     match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),

@@ -1,4 +1,4 @@
-//! Waiting for changes: events of the file system, gathered until there is quiet.
+//! Waiting for changes: collects events of the file system until they pause.
 
 use super::scope::{Scope, concerns};
 use crate::console;
@@ -11,31 +11,30 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long there must be no event: editors write a file in several steps.
+/// The pause without events that ends a change, because editors write a file in several steps.
 const QUIET: Duration = Duration::from_millis(100);
-/// How long to gather events at most.
+/// The longest time for collecting events.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// How often to look at folders that cannot be watched, most often because they do not exist.
+/// The interval of checks of folders that cannot be watched, usually because they do not exist.
 const RETRY: Duration = Duration::from_secs(1);
 
-/// Paths of which one is told at most; of more, all files are looked at.
+/// The most paths that are passed on. After more changes, all files are checked.
 const MOST_PATHS: usize = 1000;
 
-/// What has happened.
+/// A change of the file system.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Change {
-    /// Whether a file that matters was changed, added or removed. Otherwise the state of the files shows whether something
-    /// matters.
+    /// Whether a relevant file was changed, added or removed. If false, compare the state of the files to find out.
     pub(crate) is_certain: bool,
-    /// All paths on which something has happened, as the system calls them; `None` if there may be others.
+    /// All paths with events, as spelled by the system; `None` if they are incomplete.
     pub(super) paths: Option<BTreeSet<PathBuf>>,
 }
 
 impl Change {
-    /// Something happened, somewhere.
+    /// A change of unknown extent.
     const PERHAPS: Change = Change { is_certain: false, paths: None };
 
-    /// Both.
+    /// Returns the union of both changes.
     fn and(self, next: Change) -> Change {
         let paths = self.paths.zip(next.paths).map(|(mut paths, mut next)| {
             paths.append(&mut next);
@@ -46,18 +45,17 @@ impl Change {
     }
 }
 
-/// Rings when files may have changed.
+/// Reports that files may have changed.
 ///
-/// It is set anew before all files are looked at: folders that were replaced by others of the same name are watched then,
-/// and so are those that a watcher missed. What happens between two settings is not lost: all watchers
-/// ring the same bell.
+/// It is set again before all files are checked. This adds folders that replaced others of the same name, and folders
+/// that a watcher missed. Changes between two settings are not lost, because all watchers send to the same channel.
 pub(crate) struct Alarm {
     bell: Sender<Change>,
     rings: Receiver<Change>,
-    /// How often to look, instead of waiting for events.
+    /// The interval of checks, instead of waiting for events.
     poll: Option<Duration>,
     watcher: Option<RecommendedWatcher>,
-    /// Folders that cannot be watched for now.
+    /// Folders that cannot be watched at present.
     unwatched: Vec<PathBuf>,
 }
 
@@ -67,16 +65,16 @@ impl Alarm {
         Alarm { bell, rings, poll, watcher: None, unwatched: Vec::new() }
     }
 
-    /// Watches what is in the scope now.
+    /// Watches the current contents of the scope.
     ///
     /// # Errors
     ///
-    /// The system watches nothing, or nothing more.
+    /// If the system does not support watching, or has reached its limit.
     pub(crate) fn set(&mut self, scope: &Scope) -> Result<(), Report> {
         if self.poll.is_some() {
             return Ok(());
         }
-        // The watcher takes a thread, and hears nothing without one.
+        // The watcher needs a thread, and stays silent without one.
         if let Err(error) = thread::Builder::new().spawn(|| ()) {
             return Err(cannot_watch(&error.into()));
         }
@@ -85,10 +83,10 @@ impl Alarm {
         let settings_name = scope.settings_name().map(ToOwned::to_owned);
         let mut watcher = recommended_watcher(move |event: notify::Result<Event>| {
             let concerns = |path: &PathBuf| concerns(settings_name.as_deref(), path);
-            // An error is that of one folder; looking at the files tells more about it.
+            // An error concerns one folder. A check of the files shows more about it.
             let change = event.map_or(Some(Change::PERHAPS), |event| weigh(event, concerns));
             if let Some(change) = change {
-                // Nobody hears it when the watch has ended.
+                // The receiver is gone when the watch has ended.
                 let _ = bell.send(change);
             }
         })
@@ -104,13 +102,13 @@ impl Alarm {
         Ok(())
     }
 
-    /// What it watches, and what it waits for, for people.
+    /// Describes the watched folders for people.
     pub(crate) fn describe(&self, scope: &Scope) -> String {
         let (missing, watched): (Vec<_>, Vec<_>) = scope.places().into_iter().partition(|place| !place.exists());
         let list = |paths: &[PathBuf]| paths.iter().map(|path| console::path(path)).collect::<Vec<_>>().join(", ");
         let mut text = String::new();
         if !watched.is_empty() {
-            text += &format!("          watching {}; Ctrl-C ends\n", list(&watched));
+            text += &format!("          watching {}; press Ctrl-C to stop\n", list(&watched));
         }
         if !missing.is_empty() {
             text += &format!("          waiting for {}\n", list(&missing));
@@ -118,7 +116,7 @@ impl Alarm {
         text
     }
 
-    /// Waits for a change, and until it is over.
+    /// Waits for the start and the end of a change.
     pub(crate) fn wait(&self) -> Change {
         let retry = (!self.unwatched.is_empty()).then_some(RETRY);
         let first = match self.poll.or(retry) {
@@ -137,22 +135,22 @@ impl Alarm {
     }
 }
 
-/// The report that the system does not watch.
+/// Returns the report that the system does not support watching.
 fn cannot_watch(error: &notify::Error) -> Report {
-    let help = "look at the files every few seconds with `--poll`, or raise the limits of the system";
+    let help = "check the files every few seconds with `--poll`, or raise the limits of the system";
     Report::failure("", Code::WatchFailed, format!("files cannot be watched: {error}"), help)
 }
 
-/// What an event says; `None` if nothing that matters. Packing itself reads files and writes others.
+/// Returns the change that an event describes, or `None` if it is irrelevant. Packing itself reads and writes files.
 fn weigh(event: Event, concerns: impl Fn(&PathBuf) -> bool) -> Option<Change> {
     let is_certain = event.paths.iter().any(concerns);
     match event.kind {
-        // Too many events to be told apart, perhaps those of reading.
+        // Too many events to distinguish. They may result from reading only.
         _ if event.need_rescan() => return Some(Change::PERHAPS),
-        // Also what was written through a memory map ends so.
+        // This event also follows writing through a memory map.
         EventKind::Access(AccessKind::Close(AccessMode::Write)) if is_certain => {}
         EventKind::Access(_) => return None,
-        // Not a folder, nor what is no longer there and may have been one.
+        // Ignore this event unless a path is a folder, or missing and therefore perhaps a former folder.
         _ if !is_certain && event.paths.iter().all(|path| path.is_file()) => return None,
         _ => {}
     }

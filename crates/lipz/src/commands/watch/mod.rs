@@ -1,15 +1,15 @@
-//! `lipz watch`: packs, and packs again when something changes.
+//! `lipz watch`: packs, and packs again after each change.
 
 mod alarm;
 mod scope;
 mod state;
 
-use super::pack::{Pack, Plan, Remembered};
+use super::pack::{Pack, PackMemory, Plan};
 use crate::Abort;
-use crate::Ended;
+use crate::CommandResult;
+use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::{Outcome, console};
 pub(crate) use alarm::Alarm;
 use clap::Args;
 use jiff::Zoned;
@@ -22,28 +22,22 @@ use std::time::{Duration, Instant};
 
 /// Pack, and pack again whenever a Lipz file or lipz.toml changes.
 ///
-/// The old bank stays as it is while there are errors, and also when a change leaves its bytes the
-/// same. Only files that changed are read again; with a cache, this applies to the first run, too. Ctrl-C ends
-/// it. With a --format for programs, each run prints its own document.
+/// The old bank is left untouched while there are errors, or if the new bank would be identical to it. Later runs read
+/// only changed files; with a cache, so does the first run. Press Ctrl-C to stop. Each run prints its own document, if
+/// --output-format is a format for programs.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz watch
   lipz watch voices -o dialogue.lipzbank
-  lipz watch voices -o dialogue.lipzbank --clear
   lipz watch --poll=5 //server/voices -o dialogue.lipzbank")]
 pub(crate) struct Watch {
     #[command(flatten)]
     pack: Pack,
 
-    /// Look at the files every so many seconds (2 if not given), for network folders, which do
-    /// not report changes made elsewhere
+    /// Seconds between checks of the files, for network folders; 2 without a number
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, require_equals = true, default_missing_value = "2")]
     #[arg(value_parser = parse_seconds)]
     poll: Option<Duration>,
-
-    /// Clear the terminal before each run
-    #[arg(long)]
-    clear: bool,
 }
 
 impl Run for Watch {
@@ -51,40 +45,34 @@ impl Run for Watch {
         false
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let Err(abort) = watch(self, reporter);
         Err(abort)
     }
 }
 
-/// Packs and waits, in turns, until the process is interrupted; returns only if it cannot start to watch,
-/// or cannot go on.
+/// Packs and waits in turns until the process is interrupted. Returns only if it cannot start watching or cannot
+/// continue.
 fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort> {
     let sources = &arguments.pack.sources;
     let mut scope = Scope::before_settings(sources);
     let mut alarm = Alarm::new(arguments.poll);
-    // Before anything is read, so that no change is missed.
+    // Start before reading anything, so that no change is missed.
     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
     let mut told = String::new();
-    let mut memory = Remembered::default();
-    // The state in which the last run found the files.
+    let mut memory = PackMemory::default();
+    // The state of the files in the last run.
     let mut state: Option<State> = None;
-    // Numbers of the inputs that can have changed since the run that is remembered; `None` if they can be any, or others.
+    // Numbers of the inputs that may have changed since the remembered run; `None` if any input may have, or if there
+    // are different inputs.
     let mut changed: Option<BTreeSet<usize>> = None;
     loop {
-        if !arguments.pack.may_remember() {
-            memory = Remembered::default();
-            changed = None;
-        }
-        if arguments.clear {
-            console::clear();
-        }
         let start = Instant::now();
         let plan = arguments.plan(reporter);
         match &plan {
             Ok(plan) => scope = Scope::new(&plan.project, sources),
             Err(abort) if told.is_empty() && abort.outcome() == Outcome::Failed => return Err(*abort),
-            // Settings with errors: those of the last run say where to look.
+            // The settings have errors. Those of the last run determine the watched folders.
             Err(_) => changed = None,
         }
         let now = match (state.take(), &changed) {
@@ -99,7 +87,7 @@ fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort
         };
         let numbers: Option<Vec<usize>> = changed.as_ref().map(|changed| changed.iter().copied().collect());
         let packed = arguments.pack_once(plan, &mut memory, (&now, numbers.as_deref()), start, reporter);
-        // What could not be packed has changed still.
+        // After a failed run, the changes are still to be packed.
         if packed.is_ok() {
             changed = Some(BTreeSet::new());
         }
@@ -115,7 +103,7 @@ fn watch(arguments: &Watch, reporter: &mut Reporter) -> Result<Infallible, Abort
     }
 }
 
-/// Waits until something is another than in this state, and adds what it is to what has `changed`.
+/// Waits until something differs from this state, and adds it to `changed`.
 fn wait(alarm: &mut Alarm, scope: &Scope, state: &State, changed: &mut Option<BTreeSet<usize>>) -> Result<(), Report> {
     loop {
         let change = alarm.wait();
@@ -137,7 +125,7 @@ fn wait(alarm: &mut Alarm, scope: &Scope, state: &State, changed: &mut Option<BT
 }
 
 impl Watch {
-    /// What the next run works with.
+    /// Returns the plan of the next run.
     fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let plan = self.pack.plan(reporter)?;
         if plan.works_once() {
@@ -148,12 +136,15 @@ impl Watch {
         Ok(plan)
     }
 
-    /// Packs if there is a plan, the files in this state, of which only those with these numbers can have changed; and says how
-    /// it went. An error if there is no new bank.
+    /// Packs the files in this state, if there is a plan, and reports the result. Only the files with the numbers in
+    /// `changed` are read.
+    ///
+    /// # Errors
+    /// If there is no new bank.
     fn pack_once(
         &self,
         plan: Result<Plan, Abort>,
-        memory: &mut Remembered,
+        memory: &mut PackMemory,
         (state, changed): (&State, Option<&[usize]>),
         start: Instant,
         reporter: &mut Reporter,
@@ -161,7 +152,7 @@ impl Watch {
         let mut old_bank = "the old bank is kept";
         let packed = plan.and_then(|plan| {
             if !plan.output.exists() {
-                old_bank = "there is no bank yet";
+                old_bank = "the bank does not exist yet";
             }
             plan.run_again(memory, state.found(), changed, self.pack.sources.is_quiet(), reporter)
         });
@@ -178,7 +169,7 @@ impl Watch {
         outcome.map(|outcome| outcome.max(said)).map_err(|outcome| outcome.max(said))
     }
 
-    /// Prints a summary, unless only diagnostics are wanted. A full disk does not end the watch.
+    /// Prints a summary, unless only diagnostics are requested. A full disk does not end the watch.
     fn say(&self, text: &str, reporter: &mut Reporter) -> Outcome {
         if self.pack.sources.is_quiet() {
             return Outcome::Clean;
@@ -189,5 +180,5 @@ impl Watch {
 
 fn parse_seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    seconds.filter(|period| !period.is_zero()).ok_or_else(|| "it must be a number of seconds above 0".into())
+    seconds.filter(|period| !period.is_zero()).ok_or_else(|| "expected a number of seconds above 0".into())
 }

@@ -1,4 +1,4 @@
-//! What a watch looks at: the places where Lipz files and settings lie.
+//! The watched paths: those of Lipz files and settings.
 
 use super::state::State;
 use crate::shared::settings_file::Project;
@@ -18,18 +18,18 @@ pub(crate) struct Scope {
 }
 
 impl Scope {
-    /// What the command line names, before the settings are read.
+    /// Creates the scope from the command line, before the settings are read.
     pub(crate) fn before_settings(arguments: &Sources) -> Scope {
         let settings = Settings::from_sources(arguments.paths().to_vec());
         Scope { settings, settings_file: arguments.settings_file() }
     }
 
-    /// What the project names.
+    /// Creates the scope from the project.
     pub(crate) fn new(project: &Project, arguments: &Sources) -> Scope {
         Scope { settings: project.settings.clone(), settings_file: arguments.settings_file() }
     }
 
-    /// The folders to watch, and whether with those in them.
+    /// Returns the folders to watch, and whether to include their subfolders.
     pub(crate) fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
         let recordings = self.settings.audio.folder.iter().filter(|_| self.settings.audio.in_bank);
         let recordings = recordings.map(|folder| (folder.clone(), RecursiveMode::Recursive));
@@ -46,26 +46,26 @@ impl Scope {
         folders
     }
 
-    /// The sources and the settings file, for people: of a pattern, where it begins.
+    /// Returns the sources and the settings file for people; a pattern is shortened to its folder.
     pub(crate) fn places(&self) -> Vec<PathBuf> {
         let mut places = watched(&self.settings.sources);
         places.extend(self.settings_file.clone().filter(|file| file.exists()));
         places
     }
 
-    /// The name of the settings file.
+    /// Returns the name of the settings file.
     pub(crate) fn settings_name(&self) -> Option<&OsStr> {
         self.settings_file.as_ref()?.file_name()
     }
 
-    /// The state of all files, now.
+    /// Returns the current state of all files.
     pub(crate) fn state(&self) -> State {
         State::of(&self.settings, self.settings_file.as_deref())
     }
 }
 
-/// Whether a path is that of a Lipz file, of a recording, of the record of mouths or of the settings file, judged by its name: watchers do not
-/// call a file by the path by which the project calls it.
+/// Whether a path belongs to a Lipz file, a recording, the sync record or the settings file, judging by its name:
+/// watchers may use different paths than the project.
 pub(crate) fn concerns(settings_name: Option<&OsStr>, path: &Path) -> bool {
     is_lipz(path)
         || lipz_sync::is_recording(path)
@@ -78,7 +78,7 @@ fn is_lipz(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
 }
 
-/// The folder in which a file lies.
+/// Returns the folder that contains a file.
 fn folder_of(file: &Path) -> PathBuf {
     match file.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),

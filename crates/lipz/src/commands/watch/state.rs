@@ -1,7 +1,7 @@
-//! The state of the files of a project, and which of them a change of the file system is about.
+//! The state of a project's files, and which of them are affected by a change of the file system.
 
 use super::scope::concerns;
-use crate::shared::inputs::Found;
+use crate::shared::inputs::FoundInputs;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::Report;
@@ -13,41 +13,41 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
-/// What can be seen of files without reading them. Two states differ if a file was changed, added, removed or moved
-/// between them.
+/// Metadata of files, without their contents. Two states differ if a file was changed, added, removed or moved between
+/// them.
 pub(crate) struct State {
-    /// The Lipz files, in the order of their paths.
+    /// The Lipz files, sorted by path.
     inputs: Vec<Input>,
     looks: Vec<Option<Look>>,
-    /// Whatever else matters.
+    /// All other relevant files.
     others: Vec<(PathBuf, Option<Look>)>,
     /// Sources that are missing or cannot be read.
     problems: Vec<Report>,
-    /// The folders of the Lipz files. `None` if one of the files can be reached by several paths, as far as the system tells:
-    /// only one of them would be heard of.
+    /// The folders of the Lipz files. `None` if a file is reachable by several paths, as far as the system reports
+    /// that: events name only one of these.
     folders: Option<BTreeMap<PathBuf, Identity>>,
     took: Duration,
 }
 
-/// Length and time of a file.
+/// Length and modification time of a file.
 type Look = (u64, Option<SystemTime>);
 
-/// The number of a file, and that of its file system.
+/// The numbers of a file and of its file system.
 type Identity = (u64, u64);
 
-/// What changed paths are about.
+/// The content that changed paths affect.
 #[derive(PartialEq, Eq, Debug)]
 pub(crate) enum Scent {
-    /// Nothing that matters.
+    /// Nothing relevant.
     Nothing,
     /// The contents of the inputs with these numbers, and nothing else.
     Inputs(Vec<usize>),
-    /// Something that only a look at all files shows.
+    /// Not known without a check of all files.
     Unknown,
 }
 
 impl State {
-    /// The state of all files, now.
+    /// Returns the current state of all files.
     pub(super) fn of(settings: &Settings, settings_file: Option<&Path>) -> State {
         let start = Instant::now();
         let (inputs, problems) = settings.discover_with_reports();
@@ -59,7 +59,7 @@ impl State {
         State { looks, others: others.collect(), problems, folders, took: start.elapsed(), inputs }
     }
 
-    /// Looks at the inputs with these numbers again.
+    /// Reads the metadata of the inputs with these numbers again.
     pub(super) fn look_again(&mut self, numbers: &BTreeSet<usize>) {
         for number in numbers {
             let path = self.inputs.get(*number).and_then(path);
@@ -70,12 +70,12 @@ impl State {
         self.took = Duration::ZERO;
     }
 
-    /// The inputs, for a run.
-    pub(super) fn found(&self) -> Found<'_> {
-        Found { inputs: self.inputs.as_slice().into(), reports: self.problems.clone(), took: self.took }
+    /// Returns the inputs for a run.
+    pub(super) fn found(&self) -> FoundInputs<'_> {
+        FoundInputs { inputs: self.inputs.as_slice().into(), reports: self.problems.clone(), took: self.took }
     }
 
-    /// What these paths are about, on which something has happened. Whatever is in doubt is unknown.
+    /// Returns the content that events on these paths affect, or `Unknown` in case of doubt.
     pub(super) fn judge(&self, paths: &BTreeSet<PathBuf>, settings_name: Option<&OsStr>) -> Scent {
         let (Some(folders), Ok(current)) = (&self.folders, env::current_dir()) else { return Scent::Unknown };
         let (mut inputs, mut is_something_gone) = (Vec::new(), false);
@@ -96,12 +96,12 @@ impl State {
         if inputs.is_empty() { Scent::Nothing } else { Scent::Inputs(inputs) }
     }
 
-    /// The paths of the inputs.
+    /// Returns the paths of the inputs.
     fn paths(&self) -> impl Iterator<Item = Option<&OsStr>> {
         self.inputs.iter().map(|input| path(input).map(Path::as_os_str))
     }
 
-    /// The number of the input with this path, by which the system may call it from the root.
+    /// Returns the number of the input with this path, which the system may spell from the root.
     fn number(&self, called: &Path, current: &Path) -> Option<usize> {
         let find = |called: &Path| {
             let order = |input: &Input| path(input).map(Path::as_os_str).cmp(&Some(called.as_os_str()));
@@ -120,17 +120,17 @@ impl PartialEq for State {
     }
 }
 
-/// The folders of files that are looked at.
+/// The folders of the examined files.
 #[derive(Default)]
 struct Folders {
     paths: BTreeSet<PathBuf>,
     last: PathBuf,
-    /// Whether one of the files has another path, or is a link.
+    /// Whether one of the files has several paths, or is a link.
     has_other_paths: bool,
 }
 
 impl Folders {
-    /// Looks at a file.
+    /// Reads the metadata of a file.
     fn look(&mut self, path: &Path) -> Option<Look> {
         let folder = path.parent().unwrap_or(Path::new(""));
         if folder.as_os_str() != self.last.as_os_str() || self.paths.is_empty() {
@@ -145,7 +145,7 @@ impl Folders {
         look(path.metadata().ok().as_ref())
     }
 
-    /// The folders with what they are, unless a file or a folder has several paths.
+    /// Returns the folders with their identities, unless a file or a folder has several paths.
     fn distinct(self) -> Option<BTreeMap<PathBuf, Identity>> {
         if self.has_other_paths {
             return None;
@@ -171,7 +171,7 @@ fn look(metadata: Option<&Metadata>) -> Option<Look> {
     metadata.map(|metadata| (metadata.len(), metadata.modified().ok()))
 }
 
-/// Whether no other path leads to a file with this metadata, as far as it tells.
+/// Whether a file has only one path, as far as its metadata shows.
 #[cfg(unix)]
 fn is_only_path(metadata: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -185,7 +185,7 @@ fn identity(folder: &Path) -> Option<Identity> {
     Some((metadata.dev(), metadata.ino()))
 }
 
-/// Elsewhere, the standard library does not tell.
+/// The standard library does not provide this on other systems.
 #[cfg(not(unix))]
 fn is_only_path(_metadata: &Metadata) -> bool {
     false

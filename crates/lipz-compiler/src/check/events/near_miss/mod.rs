@@ -1,90 +1,90 @@
-//! Segments that are nearly Character Event Syntax: a verb misspelt, a word too many, a `,` too many.
+//! Segments that are nearly Character Event Syntax: a misspelt verb, an extra word, an extra `,`.
 //!
-//! Scripts and prose are legal, too. So a segment is reported only if it would be Character Event
-//! Syntax as a whole once its faults are corrected, and a misspelt verb is believed only where what
-//! follows confirms it: a known emotion, target or action.
+//! Scripts and prose are legal, too. So a segment is reported only if it would be Character Event Syntax as a whole
+//! once its faults are corrected. A misspelt verb counts only if the next word confirms it: a known emotion, target or
+//! action.
 
 mod values;
 
-use super::names::{Names, Role};
-use crate::KnownNames;
+use super::names::{Role, RoleNames};
+use crate::project::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{self, Part, Word};
 use std::ops::Range;
 use values::{decimal_comma, is_number};
 
-/// Verbs that an object follows.
+/// Verbs with an object.
 const VERBS: [&str; 5] = ["feels", "sees", "stares", "points", "does"];
-/// The verb of which the object is one of the next.
+/// The verb whose object is one of `STOPPED`.
 const STOPS: &str = "stops";
 const STOPPED: [&str; 2] = ["staring", "pointing"];
 
-/// What eyes do without an object, as `looks away` and in other forms.
+/// Forms of the verb in `looks away`, for eyes without a target.
 const LOOKS: [&str; 2] = ["looks", "look"];
 const AWAY: &str = "away";
-/// Where else eyes cannot look without a target.
+/// Other directions, in which eyes cannot look without a target.
 const DIRECTIONS: [&str; 5] = ["up", "down", "left", "right", "aside"];
-/// Words that stand for verbs although they are spelled otherwise.
+/// Different spellings of verbs.
 const OTHERWISE: [(&str, &str); 3] = [("do", "does"), ("look", "sees"), ("looks", "sees")];
-/// English verbs that are one letter from a verb of the syntax, and not meant for it.
+/// English verbs that are one letter from a verb of the syntax, but do not mean it.
 const NOT_MEANT: [&str; 23] = [
     "dies", "feeds", "goes", "painting", "paints", "prints", "scares", "scaring", "seeks", "seems", "sets", "sews",
     "shares", "sharing", "spares", "sparing", "starting", "starts", "starves", "starving", "states", "stores",
     "storing",
 ];
-/// Words that English has between verb and target, where the syntax has none.
+/// Words that English puts between verb and target, but the syntax does not.
 const PREPOSITIONS: [&str; 2] = ["at", "to"];
 
-/// Words of the longest part that is looked at: `amy points at the butler`.
+/// The number of words in the longest part to check: `amy points at the butler`.
 const MOST_WORDS: usize = 5;
 
-/// What keeps a part from being an event.
+/// The reason why a part is not an event.
 pub(super) struct NearMiss<'t> {
-    /// Where it stands, in bytes of the segment.
+    /// Its range, in bytes of the segment.
     pub(super) at: Range<usize>,
-    fault: Fault<'t>,
+    fault: EventFault<'t>,
 }
 
-enum Fault<'t> {
-    /// These words are no verb; the event that was probably meant.
+enum EventFault<'t> {
+    /// These words are not a verb, with the event that was probably meant.
     Verb(&'t str, String),
-    /// These words are too many; the event that was probably meant.
+    /// These words are extra, with the event that was probably meant.
     Extra(&'t str, String),
-    /// Not a blend of emotions, or not the number of a gesture; the event that was probably meant.
+    /// The value is not a blend of emotions or not the number of a gesture, with the event that was probably meant.
     Value(String),
-    /// Nothing stands beside this `,`.
+    /// One side of this `,` is empty.
     Nothing,
 }
 
-/// The faults of a segment that is not Character Event Syntax, if it certainly was to be.
+/// Returns the faults of a segment that is not Character Event Syntax but was certainly meant to be.
 pub(super) fn near_misses<'t>(segment: &'t str, known_names: &KnownNames) -> impl Iterator<Item = NearMiss<'t>> {
     let decimal_comma = decimal_comma(segment);
     let other = if decimal_comma.is_some() { "" } else { segment };
     decimal_comma.into_iter().chain(faults(other, known_names))
 }
 
-/// The faults of the parts of a segment.
+/// Returns the faults of a segment's parts.
 fn faults<'t>(segment: &'t str, known_names: &KnownNames) -> impl Iterator<Item = NearMiss<'t>> {
     let fault = |part: Part<'t>| if part.event().is_some() { None } else { near_miss(part, known_names) };
     let mut has_event = false;
     let is_near_miss = event::parts(segment).all(|part| {
         let (is_event, fault) = (part.event().is_some(), fault(part));
-        has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.fault, Fault::Nothing));
+        has_event |= is_event || fault.as_ref().is_some_and(|fault| !matches!(fault.fault, EventFault::Nothing));
         is_event || fault.is_some()
     });
     let faults = (is_near_miss && has_event).then(|| event::parts(segment).filter_map(fault));
     faults.into_iter().flatten()
 }
 
-/// The fault of a part that is no event.
+/// Returns the fault of a part that is not an event.
 fn near_miss<'t>(part: Part<'t>, known_names: &KnownNames) -> Option<NearMiss<'t>> {
     let words: Vec<Word<'t>> = part.words().take(MOST_WORDS + 1).collect();
     if words.is_empty() {
         let separator = part.start.checked_sub(1).unwrap_or(part.text.len());
-        return Some(NearMiss { at: separator..separator + 1, fault: Fault::Nothing });
+        return Some(NearMiss { at: separator..separator + 1, fault: EventFault::Nothing });
     }
-    // The verb is the first word or, behind a character, the second.
-    let speaker = Reading { part, character: None, known_names };
+    // The verb is the first word, or the second if a character comes first.
+    let speaker = EventReading { part, character: None, known_names };
     if let Some(blend) = speaker.blend(&words) {
         return Some(blend);
     }
@@ -93,25 +93,25 @@ fn near_miss<'t>(part: Part<'t>, known_names: &KnownNames) -> Option<NearMiss<'t
     }
     speaker.near(&words).or_else(|| {
         let (character, rest) = words.split_first()?;
-        Reading { character: Some(*character), ..speaker }.near(rest)
+        EventReading { character: Some(*character), ..speaker }.near(rest)
     })
 }
 
-/// Whether a word is a name or a verb, rather than part of a script or the end of a sentence.
+/// Whether a word can be a name or a verb, and is not part of a script or the end of a sentence.
 fn is_plain(word: &str) -> bool {
     word.starts_with(char::is_alphanumeric) && word.chars().all(|c| c.is_alphanumeric() || "-_'’".contains(c))
 }
 
-/// A part, read as an event of a character.
+/// A part as an event of a character.
 #[derive(Clone, Copy)]
-struct Reading<'t, 'r> {
+struct EventReading<'t, 'r> {
     part: Part<'t>,
     character: Option<Word<'t>>,
     known_names: &'r KnownNames,
 }
 
-impl<'t> Reading<'t, '_> {
-    /// The fault if `words` are nearly a verb and what belongs to it.
+impl<'t> EventReading<'t, '_> {
+    /// Returns the fault if `words` are nearly a verb with its object.
     fn near(self, words: &[Word<'t>]) -> Option<NearMiss<'t>> {
         if let Some(gesture) = self.gesture(words) {
             return Some(gesture);
@@ -119,10 +119,10 @@ impl<'t> Reading<'t, '_> {
         match words {
             [verb, object] if is_nearly(verb.text, STOPS) => self.stops(*verb, *object),
             [verb, away] if is_nearly(away.text, AWAY) && LOOKS.iter().any(|looks| is_nearly(verb.text, looks)) => {
-                Some(self.fault(verb.start..away.range().end, Fault::Verb, "looks", AWAY))
+                Some(self.fault(verb.start..away.range().end, EventFault::Verb, "looks", AWAY))
             }
             [verb, direction] if DIRECTIONS.contains(&direction.text) && LOOKS.contains(&verb.text) => {
-                Some(self.fault(verb.start..direction.range().end, Fault::Verb, LOOKS[0], AWAY))
+                Some(self.fault(verb.start..direction.range().end, EventFault::Verb, LOOKS[0], AWAY))
             }
             [verb, object] => self.misspelt(*verb, *object),
             [verb, between @ .., object] => self.too_many_words(*verb, between, *object),
@@ -133,16 +133,16 @@ impl<'t> Reading<'t, '_> {
     /// `stop staring`
     fn stops(self, written: Word<'t>, object: Word<'t>) -> Option<NearMiss<'t>> {
         let stopped = STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped))?;
-        Some(self.fault(written.start..object.range().end, Fault::Verb, STOPS, stopped))
+        Some(self.fault(written.start..object.range().end, EventFault::Verb, STOPS, stopped))
     }
 
     /// `feel sad`
     fn misspelt(self, written: Word<'t>, object: Word<'t>) -> Option<NearMiss<'t>> {
         let verb = verb(written.text)?;
-        let names = Names::new(Role::of_object(verb)?, self.known_names);
+        let names = RoleNames::new(Role::of_object(verb)?, self.known_names);
         let is_certain = written.text.eq_ignore_ascii_case(verb) || names.contains(object.text);
         let object = if is_certain { object.text } else { names.nearest(object.text)? };
-        Some(self.fault(written.range(), Fault::Verb, verb, object))
+        Some(self.fault(written.range(), EventFault::Verb, verb, object))
     }
 
     /// `points at door`, `feels very sad`
@@ -150,19 +150,19 @@ impl<'t> Reading<'t, '_> {
         let (first, last) = (between.first()?, between.last()?);
         let verb = verb(written.text)?;
         let is_verb = written.text == verb;
-        let is_known = Names::new(Role::of_object(verb)?, self.known_names).contains(object.text);
-        // Without names that confirm it, only what nobody would say about someone: `points at door`.
+        let is_known = RoleNames::new(Role::of_object(verb)?, self.known_names).contains(object.text);
+        // If no known name confirms the verb, only a phrase that cannot describe a character counts: `points at door`.
         let is_english = is_verb && between.len() == 1 && PREPOSITIONS.contains(&first.text);
         let is_certain = is_known || (is_english && self.character.is_none());
         let (start, fault): (_, fn(_, _) -> _) =
-            if is_verb { (first.start, Fault::Extra) } else { (written.start, Fault::Verb) };
+            if is_verb { (first.start, EventFault::Extra) } else { (written.start, EventFault::Verb) };
         is_certain.then(|| self.fault(start..last.range().end, fault, verb, object.text))
     }
 
     fn fault(
         self,
         at: Range<usize>,
-        fault: fn(&'t str, String) -> Fault<'t>,
+        fault: fn(&'t str, String) -> EventFault<'t>,
         verb: &str,
         object: &str,
     ) -> NearMiss<'t> {
@@ -173,7 +173,7 @@ impl<'t> Reading<'t, '_> {
     }
 }
 
-/// The verb with an object that a word is, or that was meant by it.
+/// Returns the verb with an object that a word is or probably means.
 fn verb(word: &str) -> Option<&'static str> {
     match OTHERWISE.iter().find(|(written, _)| word.eq_ignore_ascii_case(written)) {
         Some((_, verb)) => Some(verb),
@@ -181,7 +181,7 @@ fn verb(word: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether a word is the verb, but for case and one letter.
+/// Whether a word differs from the verb only in case and at most one letter.
 fn is_nearly(word: &str, verb: &str) -> bool {
     let is_meant = || !NOT_MEANT.iter().any(|other| word.eq_ignore_ascii_case(other));
     suggest::distance(word, verb).is_some_and(|distance| distance <= 1) && is_meant()
@@ -191,17 +191,17 @@ impl NearMiss<'_> {
     pub(super) fn diagnostic(&self, span: Span) -> Diagnostic {
         let did_you_mean = |meant: &str| format!("did you mean {}?", escape::quoted(meant));
         let (message, help) = match &self.fault {
-            Fault::Verb(words, meant) => {
+            EventFault::Verb(words, meant) => {
                 (format!("{} is not a verb of Character Event Syntax", escape::quoted(words)), did_you_mean(meant))
             }
-            Fault::Extra(words, meant) => {
+            EventFault::Extra(words, meant) => {
                 (format!("{} is between a verb and its object", escape::quoted(words)), did_you_mean(meant))
             }
-            Fault::Value(meant) => ("this is no value that an event may have".to_owned(), did_you_mean(meant)),
-            Fault::Nothing => ("an event is missing beside this `,`".to_owned(), "remove the `,`".to_owned()),
+            EventFault::Value(meant) => ("this value is not allowed in an event".to_owned(), did_you_mean(meant)),
+            EventFault::Nothing => ("an event is missing next to this `,`".to_owned(), "remove the `,`".to_owned()),
         };
         Diagnostic::at(Code::NearEvent, span, message)
-            .note("all of the segment is kept as text: games see no events in it")
+            .note("the whole segment is kept as text; games do not see its events")
             .help(help)
     }
 }
@@ -221,11 +221,11 @@ mod tests {
         }
     }
 
-    /// What is marked in a segment, and what was meant by it.
+    /// The marked bytes of a segment, and the events that were probably meant.
     fn faults<'t>(segment: &'t str, known_names: &KnownNames) -> Vec<(&'t str, String)> {
         let meant = |fault| match fault {
-            Fault::Verb(_, meant) | Fault::Extra(_, meant) | Fault::Value(meant) => meant,
-            Fault::Nothing => String::new(),
+            EventFault::Verb(_, meant) | EventFault::Extra(_, meant) | EventFault::Value(meant) => meant,
+            EventFault::Nothing => String::new(),
         };
         near_misses(segment, known_names).map(|miss| (&segment[miss.at], meant(miss.fault))).collect()
     }
@@ -305,7 +305,7 @@ mod tests {
         assert_eq!(of("日本 feels sad,,stops staring"), [fault(",", "")]);
     }
 
-    /// No word stands in the list that would not be taken for a verb without it.
+    /// Each word of the list would be taken for a verb without it.
     #[test]
     fn other_verbs_are_near() {
         for word in NOT_MEANT {

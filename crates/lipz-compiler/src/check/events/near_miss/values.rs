@@ -1,15 +1,15 @@
-//! Values that events cannot have: decimal commas, `feels anger 2 and joy 3`, `nods four`.
+//! Values that are wrong in events: decimal commas, `feels anger 2 and joy 3`, `nods four`.
 
-use super::{Fault, NearMiss, Reading, is_nearly};
-use crate::check::events::names::{Names, Role};
+use super::{EventFault, EventReading, NearMiss, is_nearly};
+use crate::check::events::names::{Role, RoleNames};
 use lipz_file::emotion::NearBlend;
 use lipz_file::event::{self, Word};
 use lipz_file::text::is_white_space;
 
-/// The verb that a blend of emotions follows.
+/// Forms of the verb before a blend of emotions.
 const FEELS: [&str; 2] = ["feels", "feel"];
 
-/// Verbs of gestures, which a number may follow or nothing, and other forms of them.
+/// Forms of the verbs for gestures, which take an optional number, with their correct form.
 const GESTURES: [(&str, &str); 8] = [
     ("nods", "nods"),
     ("nod", "nods"),
@@ -20,11 +20,11 @@ const GESTURES: [(&str, &str); 8] = [
     ("breath", "breathes"),
     ("breaths", "breathes"),
 ];
-/// What lids do, in other forms.
+/// The verb for eyelids, with other forms.
 const BLINKS: (&str, [&str; 2]) = ("blinks", ["blinks", "blink"]);
 /// Numbers as words.
 const NUMBERS: [&str; 11] = ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
-/// What stands behind a number of times.
+/// Words after a number of repetitions.
 const TIMES: [&str; 2] = ["times", "time"];
 
 /// The first decimal comma of a segment that would be Character Event Syntax with decimal points: `feels anger 2,5`.
@@ -40,34 +40,34 @@ pub(super) fn decimal_comma(segment: &str) -> Option<NearMiss<'_>> {
     let is_number = |c: char| c.is_ascii_digit();
     let start = segment[..first].trim_end_matches(is_number).len();
     let end = segment.len() - segment[first + 1..].trim_start_matches(is_number).len();
-    Some(NearMiss { at: start..end, fault: Fault::Value(with_points[start..end].to_owned()) })
+    Some(NearMiss { at: start..end, fault: EventFault::Value(with_points[start..end].to_owned()) })
 }
 
-/// Whether a word is a whole number, perhaps with a sign.
+/// Whether a word is a whole number, with an optional sign.
 pub(super) fn is_number(word: &str) -> bool {
     let digits = word.trim_start_matches(['-', '+']);
     !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-impl<'t> Reading<'t, '_> {
-    /// The fault if `words` are `feels`, perhaps behind a character, and what is nearly a blend of emotions.
+impl<'t> EventReading<'t, '_> {
+    /// Returns the fault if `words` are an optional character, `feels`, and nearly a blend of emotions.
     pub(super) fn blend(self, words: &[Word<'t>]) -> Option<NearMiss<'t>> {
         let verb = words.iter().take(2).find(|word| FEELS.contains(&word.text))?;
         let (start, end) = (verb.range().end - self.part.start, self.part.text.trim_end_matches(is_white_space).len());
-        let names = Names::new(Role::Emotion, self.known_names);
+        let names = RoleNames::new(Role::Emotion, self.known_names);
         let near = NearBlend::of(self.part.text.get(start..end)?, |name| names.contains(name))?;
         let character =
             words.first().filter(|first| *first != verb).map_or(String::new(), |who| format!("{} ", who.text));
         let behind = words.get(words.iter().position(|word| word == verb)? + 1)?.start;
         let at = if verb.text == FEELS[0] { behind } else { verb.start }..self.part.start + end;
-        Some(NearMiss { at, fault: Fault::Value(format!("{character}feels {}", near.meant)) })
+        Some(NearMiss { at, fault: EventFault::Value(format!("{character}feels {}", near.meant)) })
     }
 
-    /// The fault of a gesture that is spelled otherwise, or has no number where one must be.
+    /// Returns the fault of a gesture with a different spelling, or with a word that should be a number.
     pub(super) fn gesture(self, words: &[Word<'t>]) -> Option<NearMiss<'t>> {
         let (verb, rest) = words.split_first()?;
         if rest.is_empty() && (BLINKS.1.contains(&verb.text)) {
-            return Some(self.fault(verb.range(), Fault::Verb, BLINKS.0, ""));
+            return Some(self.fault(verb.range(), EventFault::Verb, BLINKS.0, ""));
         }
         let (_, meant) = GESTURES.iter().find(|(other, _)| is_nearly(verb.text, other))?;
         let number = match rest {
@@ -75,7 +75,7 @@ impl<'t> Reading<'t, '_> {
                 return GESTURES
                     .iter()
                     .any(|(other, _)| *other == verb.text)
-                    .then(|| self.fault(verb.range(), Fault::Verb, meant, ""));
+                    .then(|| self.fault(verb.range(), EventFault::Verb, meant, ""));
             }
             [number] | [number, _] if rest.get(1).is_none_or(|times| TIMES.contains(&times.text)) => number,
             _ => return None,
@@ -85,7 +85,7 @@ impl<'t> Reading<'t, '_> {
         let number_meant = if is_number(digits) { Some(digits.to_owned()) } else { word }?;
         let is_verb = verb.text == *meant;
         let (start, fault): (_, fn(_, _) -> _) =
-            if is_verb { (number.start, |_, meant| Fault::Value(meant)) } else { (verb.start, Fault::Verb) };
+            if is_verb { (number.start, |_, meant| EventFault::Value(meant)) } else { (verb.start, EventFault::Verb) };
         let end = if is_verb { words.last()?.range().end } else { verb.range().end };
         Some(self.fault(start..end, fault, meant, &number_meant))
     }
@@ -95,13 +95,13 @@ impl<'t> Reading<'t, '_> {
 mod tests {
     use super::super::near_misses;
     use super::*;
-    use crate::KnownNames;
+    use crate::project::KnownNames;
 
-    /// What is marked in a segment, and what was meant by it.
+    /// The marked bytes of a segment, and the events that were probably meant.
     fn faults(segment: &str) -> Vec<(&str, String)> {
         let meant = |fault| match fault {
-            Fault::Verb(_, meant) | Fault::Extra(_, meant) | Fault::Value(meant) => meant,
-            Fault::Nothing => String::new(),
+            EventFault::Verb(_, meant) | EventFault::Extra(_, meant) | EventFault::Value(meant) => meant,
+            EventFault::Nothing => String::new(),
         };
         near_misses(segment, &KnownNames::default()).map(|miss| (&segment[miss.at], meant(miss.fault))).collect()
     }

@@ -1,14 +1,14 @@
-// Two versions of a file as `diff -u` shows them, with what differs within their lines marked.
+// Two versions of a file as `diff -u` shows them, with the differences within lines marked.
 
 import { made } from "./list.js";
 
-/** Shows a difference, from where it is. */
+/** Shows a diff in an element. */
 export function showDifference(element, text) {
   const lines = text.split("\n");
   element.replaceChildren();
   for (let at = 0; at < lines.length; ) {
     const [removed, added] = pairs(lines, at);
-    // Lines belong to each other in their order.
+    // Removed and added lines are paired in order.
     for (const [own, other] of [[removed, added], [added, removed]]) {
       own.forEach((line, index) => element.append(...marked(line, other[index]), "\n"));
     }
@@ -18,7 +18,7 @@ export function showDifference(element, text) {
   element.querySelector("mark")?.scrollIntoView({ block: "nearest" });
 }
 
-/** The lines from a place that were removed, and those behind them that were added; the names of files are neither. */
+/** Returns the lines removed from `at` on, and the added lines after them, without the lines with file names. */
 function pairs(lines, at) {
   const run = (from, sign) => {
     const isOther = (line) => !line.startsWith(sign) || line.startsWith(sign.repeat(3));
@@ -29,7 +29,7 @@ function pairs(lines, at) {
   return [removed, run(at + removed.length, "+")];
 }
 
-/** A line with a mark around what the other one does not have; without one, if there is no other. */
+/** Returns a line with a mark around the part that differs from the other line, if there is one. */
 function marked(line, other) {
   if (other === undefined) return [line];
   const [a, b] = [line, other].map((text) => Array.from(text));

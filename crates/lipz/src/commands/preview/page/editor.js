@@ -1,4 +1,4 @@
-// Changing a clip: shapes, segments, texts and events. Each change is packed by the compiler before it is drawn.
+// Editing a clip: shapes, segments, texts and events. The compiler packs each change before it is drawn.
 
 import { VISEMES } from "../web/face.js";
 import { openDialogue } from "../web/lipz.js";
@@ -19,12 +19,12 @@ export class Editor {
   #shapes;
   #texts;
   #locales = [];
-  /** How many drafts were asked for: only the last is drawn. */
+  /** The number of requested drafts. Only the last is drawn. */
   #asked = 0;
-  /** Done when the last draft is drawn. */
+  /** Resolves when the last draft is drawn. */
   settled = Promise.resolve();
 
-  /** `does` has what follows from a change: `draw` the clip of a dialogue, `diagnose`, `step`, `frame` and `seek`. */
+  /** `does` has the callbacks for changes: `draw` the clip of a dialogue, `diagnose`, `step`, `frame` and `seek`. */
   constructor(tracks, does) {
     this.#does = does;
     const change = (mouth, isDone) => isDone && this.#set("visemes", mouth.toString());
@@ -42,7 +42,7 @@ export class Editor {
     return this.#edits.page.words;
   }
 
-  /** The locales of which the file has texts. */
+  /** The locales with texts in the file. */
   get ownLocales() {
     return this.#edits?.locales ?? [];
   }
@@ -55,19 +55,19 @@ export class Editor {
     return !this.isReadOnly && this.#edits.isEditable;
   }
 
-  /** The clip as it is drawn. */
+  /** The clip on display. */
   set clip(clip) {
     this.#clip = clip;
   }
 
-  /** Starts anew with a clip. */
+  /** Starts over with a clip. */
   show(page) {
     this.#edits = new Edits(page);
     $("conflict").hidden = true;
     this.#fill();
   }
 
-  /** Takes the file as it is now, unless it is being changed here: whether it is. */
+  /** Takes over the current file, unless it has unsaved changes. Returns whether it did. */
   refresh(page) {
     if (this.isChanged) return true;
     if (this.#edits.isAs(page)) this.#edits.rebase(page);
@@ -82,7 +82,7 @@ export class Editor {
     this.#fill();
   }
 
-  /** Draws what is in view now. */
+  /** Draws the visible frames. */
   look() {
     this.#shapes.draw();
   }
@@ -122,7 +122,7 @@ export class Editor {
     throw new Error(`Not saved: ${answer.message ?? "the clip has errors"}`);
   }
 
-  /** Ends a conflict: what was changed here is changed in the new file, or dropped. */
+  /** Ends a conflict: the changes are applied to the new file, or dropped. */
   async #solve(isMine) {
     const page = await source.clip(this.key);
     if (isMine) this.#edits.rebase(page);
@@ -135,14 +135,14 @@ export class Editor {
     if (this.#edits.set(name, text)) this.#drafted();
   }
 
-  /** Draws what can be packed of the file, if the bank does not have it. */
+  /** Draws the parts of the file that can be packed, if the bank does not have the clip. */
   async pack() {
     if (!this.#edits.isEditable) return;
     this.settled = this.#draft(++this.#asked);
     await this.settled;
   }
 
-  /** Shows the file with the changes at once, and the clip when the compiler has packed it. */
+  /** Shows the changed file at once, and the clip after packing. */
   #drafted() {
     this.#fill();
     this.settled = this.#draft(++this.#asked);
@@ -157,7 +157,7 @@ export class Editor {
     this.#does.diagnose(answer.diagnostics);
   }
 
-  /** The viseme type of the codes in the file: the project may have another one, to which they are converted. */
+  /** The viseme type of the file's codes. The project may convert them to a different type. */
   get #type() {
     const own = this.#edits.get("viseme_type");
     return Object.hasOwn(VISEMES, own ?? "") ? own : this.#clip?.visemeType;
@@ -165,10 +165,10 @@ export class Editor {
 
   #fill() {
     if (this.#edits === undefined) return;
-    // Of a clip without a file, its shapes in the bank.
+    // For a clip without a file, take the shapes in the bank.
     const visemes = this.#edits.get("visemes") ?? (this.#edits.isEditable ? undefined : shapesOf(this.#clip));
     const mouth = Mouth.read(visemes ?? "");
-    // Into a file without a mouth, one is typed.
+    // In a file without visemes, type them here.
     $("shapes").hidden = visemes === undefined && !this.#isEditable;
     this.#shapes.show(mouth, this.#type, this.#isEditable);
     const column = (tag) => ({ name: `text_${tag}`, label: tag, lang: tag, text: this.#edits.get(`text_${tag}`) });
@@ -183,7 +183,7 @@ export class Editor {
   }
 }
 
-/** The mouth shapes of a clip of a bank, as a file would have them. */
+/** Returns the shapes of a clip of a bank as a file would store them. */
 function shapesOf(clip) {
   const parts = clip?.segments.map(({ startFrame, endFrame }) => clip.frames.slice(startFrame, endFrame));
   return parts?.join("|");

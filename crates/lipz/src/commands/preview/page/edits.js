@@ -1,17 +1,17 @@
-// The changes of a clip: what is undone and done again, and what is not saved yet.
+// The changes of a clip: undo, redo, and unsaved changes.
 
-/** How the names of texts start. */
+/** The prefix of the names of text elements. */
 const TEXT = "text_";
 
 export class Edits {
   #page;
   #inFile;
-  /** The texts of all elements: now, before each change, and after each one that was undone. */
+  /** The texts of all elements: now, before each change, and after each undone change. */
   #now;
   #done = [];
   #undone = [];
 
-  /** Starts with a clip as its file is. */
+  /** Starts with a clip as stored in its file. */
   constructor(page) {
     this.#take(page);
     this.#now = this.#inFile;
@@ -21,7 +21,7 @@ export class Edits {
     return this.#page;
   }
 
-  /** Whether the clip has a file that can be changed. */
+  /** Whether the clip has an editable file. */
   get isEditable() {
     return this.#page.source !== null;
   }
@@ -39,7 +39,7 @@ export class Edits {
     return Object.keys(this.#changed).length > 0;
   }
 
-  /** The change as the server takes it. */
+  /** The change in the form that the server expects. */
   get change() {
     return { key: this.#page.key, source: this.#page.source, elements: this.#changed };
   }
@@ -50,18 +50,18 @@ export class Edits {
     return Object.fromEntries(others.map((name) => [name, this.#now[name] ?? ""]));
   }
 
-  /** The text of an element; undefined if the clip has none. */
+  /** Returns the text of an element, or undefined if the clip lacks it. */
   get(name) {
     return this.#now[name];
   }
 
-  /** The locales of which it has texts. */
+  /** The locales of its texts. */
   get locales() {
     const names = Object.keys(this.#now).filter((name) => name.startsWith(TEXT));
     return names.map((name) => name.slice(TEXT.length));
   }
 
-  /** Gives an element another text; whether it is another one. */
+  /** Sets the text of an element. Returns whether it has changed. */
   set(name, text) {
     if (text === this.get(name)) return false;
     this.#done.push(this.#now);
@@ -82,13 +82,13 @@ export class Edits {
     this.#now = this.#undone.pop();
   }
 
-  /** Whether the file says what the page shows. */
+  /** Whether the file matches the page. */
   isAs(page) {
     const there = Object.entries(Object.fromEntries(page.elements));
     return there.length === Object.keys(this.#now).length && there.every(([name, text]) => this.#now[name] === text);
   }
 
-  /** Takes the file as it is now. What was changed here stays so, and can be undone; all else is as in the file. */
+  /** Takes over the current file. Changes made here are kept and can be undone; everything else is as in the file. */
   rebase(page) {
     const states = [...this.#done, this.#now, ...this.#undone];
     const names = Object.keys(Object.assign({}, ...states));

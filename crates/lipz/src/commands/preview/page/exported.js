@@ -1,10 +1,10 @@
-// Where an exported page has its data from: scripts beside it, as a page that is opened from a disk may fetch nothing.
+// The data source of an exported page: scripts next to it, because a page opened from a disk must not fetch files.
 
 const taken = {};
 
 const bytes = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0)).buffer;
 
-/** What a file in `data/` has. */
+/** Returns the contents of a file in `data/`. */
 function loaded(name) {
   return new Promise((resolve, reject) => {
     if (name in taken) return resolve(taken[name]);
@@ -19,14 +19,14 @@ function loaded(name) {
   });
 }
 
-/** The place of a clip in the list, by which its files are named. */
+/** Returns the index of a clip in the list, after which its files are named. */
 async function place(key) {
   return (await loaded("clips")).clips.findIndex((clip) => clip.key === key);
 }
 
 globalThis.lipzExport = {
   isLive: false,
-  /** What each file in `data/` calls. */
+  /** The function that each file in `data/` calls. */
   take: (name, value) => (taken[name] = value),
   clips: () => loaded("clips"),
   bank: async () => ({ bytes: bytes(await loaded("bank")), tag: (await loaded("clips")).bank }),

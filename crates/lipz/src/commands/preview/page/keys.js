@@ -1,11 +1,11 @@
-// The keys of the page, as in video editors.
+// The keyboard shortcuts of the page, as in video editors.
 
-/** Elements that have a use of their own for keys. */
+/** Elements that handle keys themselves. */
 const OWN = "input, select, textarea";
-/** What Space does already: it presses them. */
+/** Elements that Space activates. */
 const PRESSED = "button, label, a, summary";
 
-/** Calls a function of `does` for each key that the page knows. */
+/** Calls a function of `does` for each shortcut. */
 export function onKeys(does) {
   const plain = {
     " ": ({ target }) => (target.closest(PRESSED) ? undefined : does.toggle),
@@ -28,7 +28,7 @@ export function onKeys(does) {
     const isCommand = event.ctrlKey || event.metaKey;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const isText = Boolean(event.target.closest?.(OWN));
-    // In a field, the browser undoes what is typed there.
+    // In a field, the browser undoes typing.
     if (isText && !(isCommand && key === "s")) return;
     const keys = isCommand ? withControl : plain;
     const action = Object.hasOwn(keys, key) ? keys[key](event) : undefined;

@@ -1,18 +1,18 @@
-// The list of clips: search, filters, and rows only where they can be seen, so that 100,000 clips are as quick as ten.
+// The list of clips: search, filters, and rendering of visible rows only, so that 100,000 clips are as fast as ten.
 
-/** Rows above and below those in view. */
+/** The number of extra rows above and below those in view. */
 const SPARE = 6;
-/** For how long texts are read before the page does something else. */
+/** The time for reading texts before the page does other work. */
 const SLICE_MS = 8;
-/** Codes of what is older than what it was made from: stale-mouth, stale-translation, outdated-recording. */
+/** Codes of outdated content: stale-mouth, stale-translation, outdated-recording. */
 const STALE = ["LZ1705", "LZ1911", "LZ1915"];
 
 const WHAT = {
   "All clips": () => true,
   "With diagnostics": (clip) => clip.errors || clip.warnings,
   "With errors": (clip) => clip.errors,
-  "Out of date": (clip) => clip.codes?.some((code) => STALE.includes(code)),
-  "With doubtful words": (clip) => clip.doubtful_words,
+  "Stale": (clip) => clip.codes?.some((code) => STALE.includes(code)),
+  "With uncertain words": (clip) => clip.doubtful_words,
   "Without a recording": (clip) => !clip.has_sound,
 };
 const LENGTH = {
@@ -20,7 +20,7 @@ const LENGTH = {
   "Below 2 s": (clip) => clip.seconds < 2,
   "2 to 5 s": (clip) => clip.seconds >= 2 && clip.seconds < 5,
   "5 to 10 s": (clip) => clip.seconds >= 5 && clip.seconds < 10,
-  "10 s and more": (clip) => clip.seconds >= 10,
+  "10 s or more": (clip) => clip.seconds >= 10,
 };
 
 const $ = (id) => document.getElementById(id);
@@ -34,7 +34,7 @@ export class List {
   #said;
   #track = document.createElement("div");
 
-  /** `choose` gets the key of a clip that is chosen; `said` tells all that is said in a clip, in lower case. */
+  /** `choose` receives the key of the chosen clip; `said` returns all texts of a clip in lower case. */
   constructor(choose, said) {
     [this.#choose, this.#said] = [choose, said];
     this.#track.role = "presentation";
@@ -50,12 +50,12 @@ export class List {
     for (const id of ["search", "what", "missing", "who", "length"]) $(id).addEventListener("input", () => this.#filter(true));
   }
 
-  /** How many clips the filters leave. */
+  /** The number of clips that match the filters. */
   get count() {
     return this.#found.length;
   }
 
-  /** Shows the clips of a project. Filters stay as they are. */
+  /** Shows the clips of a project. Filters stay unchanged. */
   show({ clips, locales }) {
     this.#clips = clips.map((clip) => ({ ...clip, name: clip.key.toLowerCase() }));
     this.#locales = locales;
@@ -67,7 +67,7 @@ export class List {
     this.#filter(false);
   }
 
-  /** Marks the clip that is shown, and brings it into view. */
+  /** Marks the current clip, and scrolls it into view. */
   set chosen(key) {
     this.#chosen = key;
     this.#draw();
@@ -83,7 +83,7 @@ export class List {
     return 3.25 * parseFloat(getComputedStyle(document.documentElement).fontSize);
   }
 
-  /** Reads what is said in all clips, a little at a time, so that the first search does not wait for it. */
+  /** Reads the texts of all clips in small steps, so that the first search does not wait for them. */
   async #read() {
     let end = performance.now() + SLICE_MS;
     for (const { key } of this.#clips) {
@@ -143,7 +143,7 @@ export class List {
   #about({ seconds, locales, doubtful_words, is_left_out }, folder) {
     const about = [folder.slice(0, -1), seconds !== undefined && `${seconds.toFixed(1)} s`];
     if (this.#locales.length > 1 && !is_left_out) about.push(`${locales?.length ?? 0}/${this.#locales.length} locales`);
-    if (doubtful_words) about.push(counted(doubtful_words, "doubtful word"));
+    if (doubtful_words) about.push(counted(doubtful_words, "uncertain word"));
     if (is_left_out) about.push("not in the bank");
     return about.filter(Boolean).join(" · ");
   }
@@ -166,7 +166,7 @@ export class List {
 
 const counted = (count, what) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
 
-/** Gives a choice other options; what was chosen stays, if it is among them. */
+/** Replaces the options of a choice. The selected one stays if it is among them. */
 function options(select, names) {
   const { value } = select;
   select.replaceChildren(...names.map((name) => new Option(name, name, false, name === value)));

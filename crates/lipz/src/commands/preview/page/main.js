@@ -1,4 +1,4 @@
-// The preview: a list of clips, and one of them on a timeline, with its face, sound, texts and diagnostics.
+// The preview: a list of clips, and one of them on a timeline, with its face, audio, texts and diagnostics.
 
 import { onKeys } from "./keys.js";
 import { List } from "./list.js";
@@ -6,29 +6,29 @@ import { Player } from "./player.js";
 import { source } from "./source.js";
 
 const $ = (id) => document.getElementById(id);
-/** How long to wait before asking a server again that has not answered. */
+/** The time to wait before repeating a request that the server did not answer. */
 const RETRY_MS = 2000;
 
 const player = new Player();
 const list = new List(choose, (key) => player.said(key));
 let listing;
 
-/** Shows a clip, unless somebody does not want to lose what is not saved. */
+/** Shows a clip, unless the user wants to keep unsaved changes. */
 async function choose(key) {
-  if (player.isChanged && !confirm("What you changed is not saved. Drop it?")) return;
+  if (player.isChanged && !confirm("Your changes are not saved. Discard them?")) return;
   list.chosen = key;
   await player.choose(key).catch(fail);
-  // Now: what came in the meantime was still about the clip of before.
+  // At this point, because notices in the meantime belonged to the previous clip.
   notice(listing.diagnostics);
   document.title = `${key} – lipz preview`;
   address();
   clips(false);
 }
 
-/** Fetches the clips as they are now, and the bank if it is another one. */
+/** Fetches the current list of clips, and the bank if it has changed. */
 async function refresh() {
   const before = listing;
-  // The first time, it comes beside the list.
+  // The first time, the bank is loaded in parallel with the list.
   const ahead = before ? undefined : source.bank();
   listing = await source.clips();
   if (listing.bank !== before?.bank) await player.open(await bank(listing.bank, ahead), listing.is_read_only);
@@ -39,7 +39,7 @@ async function refresh() {
   if (player.key === undefined) {
     const { clip, time } = place();
     const first = keys.includes(clip) ? clip : keys[0];
-    if (first === undefined) return notice(["There is no clip yet."]);
+    if (first === undefined) return notice(["The project has no clips yet."]);
     list.chosen = first;
     await player.choose(first, time);
     document.title = `${first} – lipz preview`;
@@ -47,18 +47,18 @@ async function refresh() {
     list.chosen = player.key;
     await player.refresh();
   } else {
-    notice([`There is no clip ${player.key} any more: this is how it was.`]);
+    notice([`The clip ${player.key} no longer exists. Showing its last version.`]);
   }
   $("failure").hidden = true;
 }
 
-/** The bytes of the bank that a list names; what came ahead may be an older one. */
+/** Returns the bytes of the bank that a list names. The bank loaded ahead may be an older one. */
 async function bank(tag, ahead) {
   const first = await ahead;
   return (first?.tag === tag ? first : await source.bank()).bytes;
 }
 
-/** Shows what is new, as long as the page is open. */
+/** Shows changes as long as the page is open. */
 async function follow() {
   while (source.isLive) {
     try {
@@ -81,22 +81,22 @@ function fail(error) {
   $("failure").hidden = false;
 }
 
-/** The address leads to the clip, and to a time of it if there is one. */
+/** Sets the address to the clip, and to a time if there is one. */
 function address(time) {
   const place = new URLSearchParams({ clip: player.key, ...(time && { at: shortTime(time) }) });
   history.replaceState(null, "", `#${place.toString().replaceAll("%2F", "/")}`);
 }
 
-/** Whole milliseconds, and never before the time: a frame starts there. */
+/** Rounds up to whole milliseconds, because a frame starts at the time. */
 const shortTime = (time) => Math.ceil(time * 1000 - 0.001) / 1000;
 
-/** The clip and the time that the address names. */
+/** Returns the clip and the time in the address. */
 function place() {
   const { clip, at } = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
   return { clip, time: Number(at ?? 0) };
 }
 
-/** Goes where the address leads, which somebody has changed or followed. */
+/** Goes to the clip in the address after the user has changed or followed it. */
 async function followAddress() {
   const { clip, time } = place();
   if (!listing?.clips.some(({ key }) => key === clip)) return;
@@ -104,14 +104,14 @@ async function followAddress() {
   if (clip === player.key) player.seek(time);
 }
 
-/** Hands out the address of what is shown now. */
+/** Copies the address of the current view. */
 async function link() {
   address(player.clock.time);
   const isCopied = await (navigator.clipboard?.writeText(location.href) ?? Promise.reject()).then(() => true, () => false);
-  $("linked").textContent = isCopied ? "Copied." : "The address of the page leads here.";
+  $("linked").textContent = isCopied ? "Copied." : "Copy the address of the page instead.";
 }
 
-/** Shows the list over the clip, where there is no room beside it. */
+/** Shows the list over the clip, on screens without room for both. */
 function clips(isOpen) {
   document.body.classList.toggle("choosing", isOpen);
   $("clips-button").ariaExpanded = String(isOpen);

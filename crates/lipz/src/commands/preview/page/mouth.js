@@ -1,15 +1,15 @@
-// The mouth shapes of a Lipz file: codes and where segments start, apart. Every change gives a new mouth.
+// The visemes of a Lipz file: codes, and separately the starts of segments. Every change returns a new object.
 
 const DELIMITER = "|";
 
 export class Mouth {
-  /** `codes` has one code a frame, `starts` the frames at which segments start but the first. */
+  /** `codes` has one code per frame; `starts` has the first frame of each segment except the first. */
   constructor(codes, starts) {
     this.codes = codes;
     this.starts = starts;
   }
 
-  /** Reads the element `visemes`. */
+  /** Parses the element `visemes`. */
   static read(visemes) {
     const parts = visemes.split(DELIMITER).map((part) => Array.from(part.trim()));
     const starts = [];
@@ -18,7 +18,7 @@ export class Mouth {
     return new Mouth(parts.flat(), starts);
   }
 
-  /** The element `visemes`. */
+  /** Returns the element `visemes`. */
   toString() {
     let text = "";
     let next = 0;
@@ -43,20 +43,20 @@ export class Mouth {
     return runs;
   }
 
-  /** With another code in a frame; behind the last one, with a frame more. */
+  /** Returns the visemes with a different code in a frame; after the last frame, with an additional one. */
   typed(frame, code) {
     const codes = this.codes.slice();
     codes[Math.min(frame, codes.length)] = code;
     return new Mouth(codes, this.starts);
   }
 
-  /** Without the last frame. */
+  /** Returns the visemes without the last frame. */
   shorter() {
     const codes = this.codes.slice(0, -1);
     return new Mouth(codes, this.starts.map((start) => Math.min(start, codes.length)));
   }
 
-  /** With a segment that starts at a frame; if one does already, it is joined with the one before. */
+  /** Returns the visemes with a segment start at a frame, or without it if one is there already. */
   divided(at) {
     const frame = Math.min(at, this.codes.length);
     const starts = this.starts.filter((start) => start !== frame);
@@ -64,7 +64,7 @@ export class Mouth {
     return new Mouth(this.codes, isThere ? starts : [...starts, frame].sort((a, b) => a - b));
   }
 
-  /** With the edge between two runs, which is at a frame, at another one: each of the two keeps a frame at least. */
+  /** Returns the visemes with the edge between two runs at a different frame. Both runs keep at least one frame. */
   edge(from, to) {
     const runs = this.runs;
     const after = runs.findIndex(({ start }) => start === from);
@@ -76,7 +76,7 @@ export class Mouth {
     return new Mouth(codes, this.starts);
   }
 
-  /** With the start of a segment, from 1, at another frame, between those of its neighbours. */
+  /** Returns the visemes with a segment, from 1, starting at a different frame, between its neighbours. */
   start(segment, to) {
     const least = this.starts[segment - 2] ?? 0;
     const most = this.starts[segment] ?? this.codes.length;

@@ -1,4 +1,4 @@
-// One clip: what is seen and heard of it, and what is changed in it.
+// One clip: its playback and its editing.
 
 import { FaceDrawing, VISEMES } from "../web/face.js";
 import { openDialogue } from "../web/lipz.js";
@@ -12,10 +12,10 @@ import { Clock } from "./sound.js";
 import { source } from "./source.js";
 import { Tracks } from "./tracks.js";
 
-/** For clips whose file does not say how many frames a second has. */
+/** The rate for clips whose file does not state one. */
 const FRAMES_PER_SECOND = 24;
 const FASTEST = 4;
-/** For how long a clip is looked at before its phones are asked for: whoever goes through the list does not wait for them. */
+/** The time that a clip is shown before its phones are requested, so that browsing the list does not wait for them. */
 const LINGER_MS = 200;
 
 const $ = (id) => document.getElementById(id);
@@ -37,17 +37,17 @@ export class Player {
   });
   /** The dialogue of the bank; undefined if nothing could be packed. */
   #dialogue;
-  /** The texts of clips of the bank, by their keys, as far as somebody has searched for them. */
+  /** The texts of clips of the bank, by clip key, as far as they have been searched. */
   #said = new Map();
   #clip;
   /** The dialogue of that clip: that of the bank, or of a draft. */
   #home;
-  /** The key of the clip that is drawn; undefined if none is. */
+  /** The key of the drawn clip; undefined if there is none. */
   #drawn;
   #cursor;
   #poseAt;
   #soundOf;
-  /** How many times phones were asked for: only the last answer counts. */
+  /** The number of requests for phones. Only the last answer is used. */
   #phonesAsked = 0;
   #wasRate;
 
@@ -61,7 +61,7 @@ export class Player {
     $("locale").onchange = $("beside").onchange = () => this.#languages();
   }
 
-  /** What keys and buttons do. */
+  /** The actions of keys and buttons. */
   actions = {
     toggle: () => (this.clock.playing ? this.#stop() : this.#play(this.#speed)),
     stop: () => this.#stop(),
@@ -79,12 +79,12 @@ export class Player {
     save: () => this.#editor.save(),
   };
 
-  /** The key of the clip that is shown. */
+  /** The key of the current clip. */
   get key() {
     return this.#editor.key;
   }
 
-  /** Whether something is not saved. */
+  /** Whether there are unsaved changes. */
   get isChanged() {
     return this.#editor.isChanged;
   }
@@ -98,7 +98,7 @@ export class Player {
     return this.#home;
   }
 
-  /** Done when the last change is drawn. */
+  /** Resolves when the last change is drawn. */
   get settled() {
     return this.#editor.settled;
   }
@@ -107,7 +107,7 @@ export class Player {
     return pressed($("half")) ? 0.5 : 1;
   }
 
-  /** Takes another bank. */
+  /** Replaces the bank. */
   async open(bytes, isReadOnly) {
     const wasm = await source.wasm?.();
     this.#dialogue = bytes.byteLength > 0 ? await openDialogue([bytes], { wasm }) : undefined;
@@ -116,7 +116,7 @@ export class Player {
     this.#offer();
   }
 
-  /** All texts of a clip of the bank, to be searched; nothing if the bank does not have it. */
+  /** Returns all texts of a clip for searching; nothing if the bank lacks the clip. */
   said(key) {
     if (!this.#said.has(key)) {
       const segments = this.#dialogue?.clip(key)?.segments ?? [];
@@ -127,7 +127,7 @@ export class Player {
     return this.#said.get(key);
   }
 
-  /** Shows a clip from its start, or at a time. */
+  /** Shows a clip from its start, or from a time. */
   async choose(key, time = 0) {
     const page = await source.clip(key);
     this.clock.pause(0);
@@ -140,13 +140,13 @@ export class Player {
     this.seek(time);
   }
 
-  /** Shows the clip as it is now: its file or the bank has changed. Place and zoom stay. */
+  /** Shows the current state of the clip after its file or the bank has changed. Time and zoom stay. */
   async refresh() {
     const page = await source.clip(this.key);
     if (!this.#editor.refresh(page)) await this.#take(page);
   }
 
-  /** Shows a clip as the bank has it or, if it has errors, what is right of its file. */
+  /** Shows a clip from the bank or, if it has errors, the correct parts of its file. */
   async #take(page) {
     this.#offer();
     this.#draw(this.#dialogue);
@@ -156,7 +156,7 @@ export class Player {
     await this.#listen(page);
   }
 
-  /** Jumps, and plays on if it is playing. */
+  /** Jumps to a time; continues playing. */
   seek(time) {
     if (!this.#clip) return;
     const at = Math.max(0, Math.min(Number.isFinite(time) ? time : 0, this.#clip.duration));
@@ -175,7 +175,7 @@ export class Player {
     this.#wasRate = undefined;
   }
 
-  /** Draws the clip as a dialogue has it, or that it is missing; what is in view stays if the same clip is drawn already. */
+  /** Draws the clip of a dialogue, or that it is missing. The view stays if the same clip is already drawn. */
   #draw(dialogue) {
     const before = this.#clip;
     const clip = dialogue?.clip(this.key);
@@ -193,11 +193,11 @@ export class Player {
       this.#timeline[isSame ? "update" : "show"](this.#clip, levelsOf(this.#clip), this.#locale);
     } else this.#blank();
     this.#languages();
-    // A frame that was typed behind the last one is behind the playhead.
+    // A frame typed after the last one comes after the playhead.
     if (this.#clip && wasAtEnd && !this.clock.playing) this.seek(this.#clip.duration);
   }
 
-  /** Shows nobody: nothing of another clip stays. */
+  /** Clears the view, so that nothing of a different clip remains. */
   #blank() {
     this.clock.pause(0);
     $("curves").hidden = true;
@@ -214,7 +214,7 @@ export class Player {
     if (this.#clip) this.#tracks.show(this.#editor.words, diagnostics, this.#beside);
   }
 
-  /** Fetches the recording of a clip, which may be another one under the same name. */
+  /** Fetches the recording of a clip, which may have changed under the same name. */
   async #listen({ key, has_sound, path }) {
     if (!has_sound) {
       this.clock.load(undefined);
@@ -229,7 +229,7 @@ export class Player {
     this.#tracks.sound = buffer;
   }
 
-  /** Fetches the phones of the recording, which the server may have to listen to first. */
+  /** Fetches the phones of the recording, which the server may have to align first. */
   async #hear({ key, has_sound, path }) {
     const asked = ++this.#phonesAsked;
     if (has_sound && path !== null) await new Promise((resolve) => setTimeout(resolve, LINGER_MS));
@@ -244,7 +244,7 @@ export class Player {
     this.#editor.look();
   }
 
-  /** The locale of the clip that is chosen; undefined if its dialogue does not have it. */
+  /** The selected locale of the clip; undefined if its dialogue lacks it. */
   get #locale() {
     return this.#home?.locale($("locale").value);
   }
@@ -253,7 +253,7 @@ export class Player {
     return this.#home?.locale($("beside").value);
   }
 
-  /** Offers the locales of the bank, and those that only the file of the clip has. */
+  /** Offers the locales of the bank, and those that only the clip's file has. */
   #offer() {
     const tags = (this.#dialogue?.locales ?? []).map(({ tag }) => tag).sort();
     const locales = Array.from(new Set([...tags, ...this.#editor.ownLocales]));
@@ -309,15 +309,15 @@ export class Player {
     this.show();
   }
 
-  /** Everything that the page shows follows from the time. */
+  /** Updates everything on the page to the time. */
   show() {
     if (!this.#clip) return;
     const { time, rate } = this.clock;
-    // Backwards nothing happens anew, and a loop starts again.
+    // Backwards, no events are due; a loop starts again.
     if (rate < 0 || pressed($("loop"))) this.#cursor.seek(time);
     this.#cursor.advanceTo(time);
     const { viseme } = this.#cursor;
-    // Of a clip without a mouth, the first text is what there is to see.
+    // For a clip without visemes, show the first text.
     const segment = this.#clip.frameCount > 0 ? this.#cursor.segment : this.#clip.segments[0];
     const [main, beside] = [this.#locale, this.#beside].map((locale) => segment?.text(locale));
     const feeling = felt(this.#clip.emotionsAt(time));
@@ -344,19 +344,19 @@ export class Player {
 
 function say(element, text, tag) {
   element.textContent = text?.text ?? "";
-  // Whose text a fallback is, the bank does not say.
+  // The bank does not state the locale of a fallback text.
   element.lang = text?.isFallback ? "" : tag;
   element.dir = "auto";
   element.classList.toggle("fallback", text?.isFallback ?? false);
 }
 
-/** What the speaker feels, the strongest first. */
+/** Returns the emotions of the speaker, the strongest first. */
 function felt({ values }) {
   const strongest = Object.entries(values).filter(([, value]) => value > 0).sort(([, a], [, b]) => b - a);
   return strongest.map(([emotion, value]) => `${emotion} ${Number(value.toFixed(1))}`).join(", ");
 }
 
-/** What lasts of the events until now. */
+/** Returns the lasting states of the events so far. */
 function states(cursor) {
   return cursor.characters().map(({ name, feels, staresAt, pointsAt }) => {
     const lasts = [feels && `feels ${feels}`, staresAt && `stares at ${staresAt}`, pointsAt && `points at ${pointsAt}`];

@@ -1,4 +1,4 @@
-// The diagnostics of a clip, each with the way to its place.
+// The diagnostics of a clip, each with a link to its position.
 
 import { made } from "./list.js";
 import { frameOf } from "./tracks.js";
@@ -7,12 +7,12 @@ export class Problems {
   #element;
   #seek;
 
-  /** `seek` gets the frame to go to. */
+  /** `seek` receives the target frame. */
   constructor(element, seek) {
     [this.#element, this.#seek] = [element, seek];
   }
 
-  /** Shows diagnostics; nothing if there are none. */
+  /** Shows diagnostics, or nothing if the list is empty. */
   show(diagnostics, clip) {
     this.#element.hidden = diagnostics.length === 0;
     this.#element.replaceChildren(...diagnostics.map((found) => this.#item(found, clip)));

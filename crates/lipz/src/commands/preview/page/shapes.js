@@ -1,4 +1,4 @@
-// The row of mouth shapes: what is in the file, to be dragged and typed over.
+// The row of mouth shapes in the file, for dragging and typing.
 
 import { VISEMES } from "../web/face.js";
 import { made } from "./list.js";
@@ -14,8 +14,8 @@ export class Shapes {
   #frame = () => 0;
 
   /**
-   * `change` gets a new mouth, and whether it is done or still dragged; `step` goes a frame on, as after a typed code;
-   * `frame` tells the frame at the playhead.
+   * `change` receives the new visemes, and whether the change is complete or still in progress; `step` advances by a
+   * frame, as after typing a code; `frame` returns the frame at the playhead.
    */
   constructor(tracks, { change, step, frame }) {
     [this.#tracks, this.#change, this.#frame] = [tracks, change, frame];
@@ -24,14 +24,14 @@ export class Shapes {
     row.addEventListener("keydown", (event) => this.#key(event, step));
   }
 
-  /** Shows a mouth of a viseme type. */
+  /** Shows visemes of a viseme type. */
   show(mouth, type, isEditable) {
     [this.#mouth, this.#type, this.#isEditable] = [mouth, type, isEditable];
-    $("shapes").ariaLabel = isEditable ? "Mouth shapes: type a code over the frame at the playhead" : "Mouth shapes";
+    $("shapes").ariaLabel = isEditable ? "Mouth shapes: type a code to replace the frame at the playhead" : "Mouth shapes";
     this.draw();
   }
 
-  /** Draws the shapes that are in view. */
+  /** Draws the visible shapes. */
   draw() {
     if (this.#mouth === undefined) return;
     const parts = [];

@@ -1,7 +1,7 @@
-// The clock of a clip: that of its recording while it plays, so that mouth and sound cannot drift apart. Without a recording,
-// and backwards, it is the clock of the page.
+// The clock of a clip: that of its recording during playback, so that mouth and audio cannot drift apart. Without a
+// recording, and backwards, it is the clock of the page.
 
-/** How long to wait for audio: a browser may forbid it, or have no device. */
+/** The time to wait for audio, because a browser may block it or have no device. */
 const PATIENCE_MS = 500;
 
 export class Clock {
@@ -17,12 +17,12 @@ export class Clock {
     return this.#rate !== 0;
   }
 
-  /** How fast it plays: 1 as it was said, 0 if it stands still, less if it goes back. */
+  /** The playback speed: 1 for normal, 0 for paused, negative for backwards. */
   get rate() {
     return this.#rate;
   }
 
-  /** Whether the time is that of the recording. */
+  /** Whether the time comes from the recording. */
   get isAudio() {
     return this.#source !== undefined;
   }
@@ -35,13 +35,13 @@ export class Clock {
     return this.#loop && this.#rate > 0 && time >= end ? start + ((time - start) % (end - start)) : Math.max(0, time);
   }
 
-  /** The samples of a recording. */
+  /** Decodes the samples of a recording. */
   async decode(bytes) {
     this.#audio ??= new AudioContext();
     return this.#audio.decodeAudioData(bytes);
   }
 
-  /** Takes the recording of another clip; undefined if it has none. */
+  /** Takes the recording of a different clip; undefined for none. */
   load(buffer) {
     const { time, rate } = this;
     this.pause();
@@ -50,7 +50,7 @@ export class Clock {
     if (rate !== 0) this.#begin(rate);
   }
 
-  /** Plays from here. */
+  /** Plays from the current time. */
   async play(rate) {
     this.pause();
     if (this.#buffer) {
@@ -67,14 +67,14 @@ export class Clock {
     this.#rate = 0;
   }
 
-  /** Jumps, and plays on there if it is playing. */
+  /** Jumps to a time; continues playing. */
   seek(time) {
     const rate = this.#rate;
     this.pause(time);
     if (rate !== 0) this.#begin(rate);
   }
 
-  /** Repeats what is between two seconds; undefined for the clip as a whole. */
+  /** Sets the seconds between which to loop; undefined for the whole clip. */
   set loop(loop) {
     const { time } = this;
     this.#loop = loop;
@@ -96,7 +96,7 @@ export class Clock {
     this.#rate = rate;
   }
 
-  /** What the sound takes from here to the ear: as much as wireless headphones take is seen. */
+  /** The audio latency in seconds. That of wireless headphones is visible. */
   get #latency() {
     return (this.isAudio && this.#audio.outputLatency) || 0;
   }

@@ -1,4 +1,4 @@
-// Where the page has its data from: the server, or what `lipz preview --export` wrote beside it.
+// The data source of the page: the server, or the files that `lipz preview --output` wrote next to it.
 
 const api = (path, query = {}) => {
   const url = new URL(`../api/${path}`, import.meta.url);
@@ -6,10 +6,10 @@ const api = (path, query = {}) => {
   return url;
 };
 
-/** An answer, or the reason why there is none. */
+/** Returns a response, or throws the reason for its absence. */
 async function got(path, query) {
   const response = await fetch(api(path, query)).catch(() => undefined);
-  if (response === undefined) throw new Error("lipz preview does not answer any more: start it again, and open its new address");
+  if (response === undefined) throw new Error("lipz preview no longer responds: start it again, and open its new address");
   if (!response.ok) throw new Error((await response.text()).trim());
   return response;
 }
@@ -17,7 +17,7 @@ async function got(path, query) {
 async function posted(path, change) {
   const headers = { "Content-Type": "application/json" };
   const response = await fetch(api(path), { method: "POST", headers, body: JSON.stringify(change) }).catch(() => undefined);
-  if (response === undefined) throw new Error("lipz preview does not answer any more: nothing was saved");
+  if (response === undefined) throw new Error("lipz preview no longer responds: nothing was saved");
   return response;
 }
 
@@ -25,7 +25,7 @@ async function posted(path, change) {
 const server = {
   isLive: true,
   clips: async () => (await got("clips")).json(),
-  /** The bank as `{ bytes, tag }`: the tag is that of a list of clips that are in it. */
+  /** Returns the bank as `{ bytes, tag }`. The tag matches that of a list of its clips. */
   async bank() {
     const response = await got("bank");
     return { bytes: await response.arrayBuffer(), tag: response.headers.get("ETag")?.replaceAll('"', "") };
@@ -34,7 +34,7 @@ const server = {
   phones: async (key) => (await got("phones", { key })).json(),
   sound: async (key) => (await got("sound", { key })).arrayBuffer(),
   changed: async (since) => (await (await got("changes", { since })).json()).version,
-  /** The clip with a change, as `{ answer, bank }`. */
+  /** Returns the clip with a change, as `{ answer, bank }`. */
   async draft(change) {
     const response = await posted("draft", change);
     if (!response.ok) throw new Error((await response.text()).trim());

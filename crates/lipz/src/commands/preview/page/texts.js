@@ -1,4 +1,4 @@
-// Texts of two locales and events, side by side, a row for each segment.
+// Texts of two locales and events in columns, with a row for each segment.
 
 import { made } from "./list.js";
 
@@ -8,19 +8,19 @@ export class Texts {
   #element;
   #change;
   #seek;
-  /** What the table shows: its columns, the parts of their texts, how many segments the mouth has. */
+  /** The contents of the table: its columns, the parts of their texts, and the number of segments of the visemes. */
   #columns = [];
   #parts = [];
   #count = 0;
-  /** By what the table that is there can be kept. */
+  /** The structure of the table, which decides whether the existing one can be kept. */
   #outline;
 
-  /** `change` gets the name of an element and its new text, `seek` a segment to go to. */
+  /** `change` receives the name of an element and its new text, `seek` the target segment. */
   constructor(element, { change, seek }) {
     [this.#element, this.#change, this.#seek] = [element, change, seek];
   }
 
-  /** Shows elements of a file, as many rows as its mouth has segments: `columns` are `{ name, label, lang, text }`. */
+  /** Shows elements of a file with a row per segment of its visemes. `columns` are `{ name, label, lang, text }`. */
   show(columns, count, isEditable) {
     [this.#columns, this.#count] = [columns, count];
     this.#parts = columns.map(({ text }) => (text ?? "").split(DELIMITER));
@@ -31,17 +31,17 @@ export class Texts {
     for (const field of this.#element.querySelectorAll("textarea")) {
       const { place, at } = field.dataset;
       field.placeholder = columns[place].text === undefined ? "—" : "";
-      // What somebody is typing stays as it is.
+      // Do not change a field while the user types in it.
       if (field !== document.activeElement || field.readOnly) field.value = this.#part(place, at);
     }
   }
 
-  /** Marks the segment that is said. */
+  /** Marks the current segment. */
   mark(segment) {
     this.#element.querySelectorAll("tbody tr").forEach((row, at) => row.classList.toggle("now", at === segment?.index));
   }
 
-  /** Makes the table anew; a field in which somebody types is taken over as it is. */
+  /** Builds the table again. A field in use keeps its state. */
   #build(rows, isEditable) {
     const typed = this.#element.contains(document.activeElement) ? document.activeElement : undefined;
     const table = made("table", "texts");
@@ -60,7 +60,7 @@ export class Texts {
     const next = name && table.querySelector(`[data-name="${name}"][data-at="${at}"]`);
     const [start, end] = [typed?.selectionStart, typed?.selectionEnd];
     if (next) next.value = typed.value;
-    // Its removal is no end of typing.
+    // Removing the field does not end typing.
     typed?.toggleAttribute("data-gone", true);
     this.#element.replaceChildren(table);
     next?.focus();
@@ -87,13 +87,13 @@ export class Texts {
   }
 
   #typed(text, place, at) {
-    // A `|` would make another segment.
+    // A `|` would start a new segment.
     const value = text.replaceAll(DELIMITER, "").replace(/\s*\n\s*/g, " ").trim();
     if (value === this.#part(place, at)) return;
     const parts = this.#parts[place];
     const whole = Array.from({ length: Math.max(this.#count, parts.length) }, (_, index) => parts[index] ?? "");
     whole[at] = value;
-    // Parts that no segment has go when they are emptied.
+    // Emptied parts without a segment are removed.
     while (at >= this.#count && whole.length > this.#count && whole.at(-1).trim() === "") whole.pop();
     this.#change(this.#columns[place].name, whole.join(DELIMITER));
   }

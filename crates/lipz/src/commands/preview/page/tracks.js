@@ -1,9 +1,9 @@
-// What is beside the timeline of a clip, on the same frames: the recording, words, another locale's texts, diagnostics.
+// Tracks next to the timeline of a clip, on the same frames: recording, words, texts of another locale, diagnostics.
 
 import { onDrag } from "../web/demo/drag.js";
 import { made } from "./list.js";
 
-/** Samples that are looked at for the loudness of one column: enough to see a syllable, few enough to draw at once. */
+/** The most samples per column for its loudness: enough to show a syllable, few enough to draw at once. */
 const MOST_SAMPLES = 400;
 
 const $ = (id) => document.getElementById(id);
@@ -25,12 +25,12 @@ export class Tracks {
     matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#draw());
   }
 
-  /** The clip as it is drawn. */
+  /** The drawn clip. */
   set clip(clip) {
     this.#clip = clip;
   }
 
-  /** Shows what belongs to the clip: words, and diagnostics with their places. */
+  /** Shows the words and the diagnostics of the clip at their positions. */
   show(words, diagnostics, locale) {
     this.#words = words;
     const places = diagnostics.map((found) => ({ ...found, at: frameOf(this.#clip, found) }));
@@ -40,14 +40,14 @@ export class Tracks {
     this.texts(locale);
   }
 
-  /** Shows the phones of the recording; none, if they are not known. */
+  /** Shows the phones of the recording, or none if they are not available. */
   set phones(phones) {
     this.#phones = phones;
     $("phones").hidden = phones.length === 0;
     this.#draw();
   }
 
-  /** Shows a recording; undefined if there is none. */
+  /** Shows a recording; undefined for none. */
   set sound(buffer) {
     this.#buffer = buffer;
     $("wave").hidden = buffer === undefined;
@@ -55,14 +55,14 @@ export class Tracks {
     this.#draw();
   }
 
-  /** Shows the texts of another locale; none if it is undefined. */
+  /** Shows the texts of another locale; undefined for none. */
   texts(locale) {
     this.#locale = locale;
     $("translation").hidden = !locale;
     this.#draw();
   }
 
-  /** Shows the frames that are in view in the timeline: from the first, so many, on so many pixels. */
+  /** Shows the frames in view of the timeline: the first frame, their number, and their width in pixels. */
   look(view) {
     this.#view = view;
     this.#draw();
@@ -78,17 +78,17 @@ export class Tracks {
     for (const word of $("tracks").querySelectorAll(".words > *")) word.classList.toggle("now", word.start <= time && time < word.end);
   }
 
-  /** The frame at an x of the window, with its fraction. */
+  /** Returns the frame at an x of the window, as a fraction. */
   frameAt(x) {
     return this.#view.first + ((x - $("tracks").getBoundingClientRect().left - 1) / this.#view.width) * this.#view.count;
   }
 
-  /** The time there. */
+  /** Returns the time at an x of the window. */
   timeAt(x) {
     return (this.frameAt(x) / this.#clip.frameCount) * this.#clip.duration;
   }
 
-  /** Puts an element over frames; whether it can be seen. */
+  /** Puts an element over frames. Returns whether it is visible. */
   place(element, start, end) {
     const [left, right] = [this.#x(start), this.#x(end)];
     element.style.left = `${left}px`;
@@ -112,7 +112,7 @@ export class Tracks {
     };
     blocks($("words"), this.#words, (found) => {
       const word = said(found.text, found.is_doubtful ? "word doubtful" : "word", found);
-      if (word && found.is_doubtful) word.title = `${found.text}: not clearly heard`;
+      if (word && found.is_doubtful) word.title = `${found.text}: uncertain`;
       return word;
     });
     blocks($("phones"), this.#phones, (found) => {
@@ -130,14 +130,14 @@ export class Tracks {
       const mark = made("span", `mark ${severity}`);
       mark.title = message;
       if (!this.place(mark, at, at)) return undefined;
-      // At the ends of the window, too, it is seen whole.
+      // Keep it fully visible at the ends of the window.
       mark.style.left = `clamp(0.35rem, ${mark.style.left}, calc(100% - 0.35rem))`;
       return mark;
     });
     this.mark(this.#time);
   }
 
-  /** Draws how loud the recording is: of each column of pixels, the lowest and the highest sample. */
+  /** Draws the loudness of the recording: the lowest and the highest sample of each column of pixels. */
   #wave() {
     const canvas = $("wave");
     const { clientWidth: width, clientHeight: height } = canvas;
@@ -164,7 +164,7 @@ export class Tracks {
   }
 }
 
-/** The frame that a diagnostic is about; undefined if it is about the file. */
+/** Returns the frame of a diagnostic; undefined if it concerns the file. */
 export function frameOf(clip, { frame, segment }) {
   return frame ?? (segment === null ? undefined : clip.segment(segment)?.startFrame);
 }

@@ -3,14 +3,14 @@
 use super::Steps;
 use std::fmt::Write;
 
-/// The job file: a task for each shard, and one that depends on all of them.
+/// Returns the job file: a task for each shard, and one that depends on all of them.
 pub(super) fn file(steps: &Steps) -> String {
     let mut text =
         "# Made by lipz shard emit hyperqueue: hq job submit-file FILE, in the folder in which the plan was made.\n\
                     name = \"lipz\"\n"
             .to_owned();
     let task = |text: &mut String, id: usize, command: &str, dependencies: &str| {
-        // Paths have no quotation marks.
+        // Paths do not contain quotation marks.
         let _ = writeln!(text, "\n[[task]]\nid = {id}\ncommand = [\"sh\", \"-c\", \"{command}\"]{dependencies}");
     };
     for step in &steps.shards {

@@ -3,8 +3,9 @@
 use super::Steps;
 use std::fmt::Write;
 
-/// The makefile. The plans of shards have empty recipes: Make then looks whether their times have changed. That of the whole
-/// gets the time of the run, or it would be made again in each of them after a file was only touched.
+/// Returns the makefile. The plans of shards have empty recipes, so that Make compares their times again. The recipe of
+/// the whole plan sets its time to that of the run. Otherwise, each run after a mere touch of a file would make it
+/// again.
 pub(super) fn file(steps: &Steps) -> String {
     let escaped = |command: String| command.replace('$', "$$");
     let objects: Vec<&str> = steps.shards.iter().map(|step| step.object.as_str()).collect();

@@ -1,4 +1,4 @@
-//! `lipz shard emit`: a plan as what a build engine reads.
+//! `lipz shard emit`: writes a plan as a file for a build engine.
 
 mod hyperqueue;
 mod make;
@@ -6,75 +6,71 @@ mod ninja;
 mod slurm;
 
 use crate::commands::Run;
-use crate::reporter::{Ended, Reporter};
+use crate::reporter::{CommandResult, Reporter};
 use crate::shared::{output_file, stdio};
 use crate::{Abort, Outcome, console};
 use clap::{Args, ValueEnum};
-use lipz_compiler::shard::{Plan, Step as StepKind};
+use lipz_compiler::shard::{Plan, Step};
 use std::path::{Path, PathBuf};
 
-/// Write a plan as what a build engine reads.
+/// Write a plan as the input of a build engine.
 ///
-/// Run it in the folder in which the plan was made: the steps run there, too. Objects are made beside the plan.
+/// Run this command and the engine in the folder in which the plan was made. The steps call `lipz`, which must be in the
+/// PATH of each machine. Objects are written next to the plan.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz shard emit ninja build/plan.json -o build.ninja
   lipz shard emit hyperqueue build/plan.json -o build/job.toml
   lipz shard emit slurm build/plan.json -o build/submit.sh --store /shared/lipz")]
 pub(super) struct Emit {
-    /// The engine
+    /// Build engine
     #[arg(value_name = "ENGINE")]
     engine: Engine,
 
-    /// The plan, by `lipz shard plan`
+    /// Plan, written by `lipz shard plan`
     #[arg(value_name = "PLAN")]
     plan: PathBuf,
 
-    /// The file to write; `-` writes it to standard output
+    /// File to write; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 
-    /// Folder of results by the hashes of what they are made of, which all machines see [default: `store` beside the plan]
+    /// Folder that stores results by the hash of their inputs, shared by all machines [default: `store` next to the plan]
     #[arg(long, value_name = "FOLDER")]
     store: Option<PathBuf>,
 
-    /// How the engine calls lipz
-    #[arg(long, value_name = "PROGRAM", default_value = "lipz")]
-    lipz: String,
-
-    /// Show no summary
+    /// Hide the summary
     #[arg(short, long)]
     quiet: bool,
 }
 
-/// What runs the steps.
+/// The program that runs the steps.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Engine {
-    /// Ninja, on one machine or with a distributed executor: also makes the plan again when sources change
+    /// Ninja, on one machine or with a distributed executor; updates the plan when sources change
     Ninja,
-    /// HyperQueue: a job of one task for each shard, and one that depends on them
+    /// HyperQueue, as a job with a task for each shard and a final task
     Hyperqueue,
-    /// Slurm: a script that submits an array job, and a job that depends on it
+    /// Slurm, as a script that submits an array job and a final job
     Slurm,
-    /// GNU Make, on one machine: also makes the plan again when sources change
+    /// GNU Make, on one machine; updates the plan when sources change
     Make,
 }
 
-/// The steps of a plan, with paths as shells take them.
+/// The steps of a plan, with paths quoted for shells.
 struct Steps {
-    lipz: String,
     plan: String,
-    /// What the steps do.
-    step: StepKind,
-    /// The arguments that made the plan.
+    /// The kind of work in the steps.
+    step: Step,
+    /// The arguments of the run that made the plan.
     made_by: Vec<String>,
-    shards: Vec<Step>,
+    shards: Vec<ShardStep>,
     bank: String,
     store: String,
 }
 
-/// The step that packs a shard.
-struct Step {
+/// The step for a shard.
+struct ShardStep {
     number: u16,
     /// The plan of the shard.
     plan: String,
@@ -86,7 +82,7 @@ impl Run for Emit {
         stdio::is_meant(&self.output)
     }
 
-    fn run(&self, reporter: &mut Reporter) -> Ended {
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
         output_file::refuse_source(&self.output, reporter)?;
         output_file::refuse_same(&[("the plan", &self.plan), ("the output", &self.output)], reporter)?;
         let plan = Plan::read(&self.plan).map_err(|report| reporter.refuse(vec![report]))?;
@@ -116,14 +112,13 @@ impl Emit {
         let mut plain = |path: &Path| plain(path, reporter);
         let mut shards = Vec::new();
         for shard in &plan.shards {
-            shards.push(Step {
+            shards.push(ShardStep {
                 number: shard.shard,
                 plan: plain(&self.plan.with_file_name(&shard.needs))?,
                 object: plain(&self.plan.with_file_name(&shard.makes))?,
             });
         }
         Ok(Steps {
-            lipz: plain(Path::new(&self.lipz))?,
             plan: plain(&self.plan)?,
             step: plan.step,
             made_by: plan.made_by.clone(),
@@ -135,54 +130,52 @@ impl Emit {
 }
 
 impl Steps {
-    /// The command that packs a shard, whose number and object the engine puts in.
+    /// Returns the command for a shard; the engine inserts its number and its object.
     fn pack(&self, shard: &str, object: &str) -> String {
         let command = match self.step {
-            StepKind::Pack => "pack",
-            StepKind::Sync => "sync",
+            Step::Pack => "pack",
+            Step::Sync => "sync",
         };
-        format!(
-            "{} {command} --plan {} --shard {shard} -o {object} --store {} --quiet",
-            self.lipz, self.plan, self.store
-        )
+        format!("lipz shard {command} {} {shard} -o {object} --store {} --quiet", self.plan, self.store)
     }
 
-    /// The command that makes the plan again.
+    /// Returns the command that makes the plan again.
     fn plan_again(&self) -> String {
         let quoted = self.made_by.iter().map(|argument| quoted(argument));
-        let words: Vec<String> = std::iter::once(self.lipz.clone()).chain(quoted).collect();
+        let words: Vec<String> = std::iter::once("lipz".to_owned()).chain(quoted).collect();
         words.join(" ")
     }
 
-    /// The command that links the objects, or merges the mouths. A pattern stands for their names: thousands do not fit a command line.
+    /// Returns the command that links the objects or merges the visemes. It contains a pattern, because thousands of
+    /// names do not fit into a command line.
     fn link(&self) -> String {
-        let (lipz, objects, makes) = (&self.lipz, self.objects(), &self.bank);
+        let (objects, makes) = (self.objects(), &self.bank);
         match self.step {
-            StepKind::Pack => format!("{lipz} link '{objects}' -o {makes} --quiet"),
-            StepKind::Sync => format!("{lipz} sync --from '{objects}' --quiet && touch {makes}"),
+            Step::Pack => format!("lipz shard link '{objects}' -o {makes} --quiet"),
+            Step::Sync => format!("lipz shard merge '{objects}' --quiet && touch {makes}"),
         }
     }
 
-    /// The pattern of the objects of this plan, and of no other one.
+    /// Returns a pattern that matches the objects of this plan only.
     fn objects(&self) -> String {
         let name = format!("*-of-{}.{}", self.shards.len(), self.step.extension());
         Path::new(&self.plan).with_file_name(name).to_string_lossy().into_owned()
     }
 }
 
-/// A path that no engine and no shell takes for something else.
+/// Returns a path without characters that are special to a build engine or a shell.
 fn plain(path: &Path, reporter: &mut Reporter) -> Result<String, Abort> {
     let is_plain = |letter: char| letter.is_alphanumeric() || "/._+-@,=~".contains(letter);
     match path.to_str().filter(|path| !path.is_empty() && path.chars().all(is_plain) && !path.starts_with(['-', '~'])) {
         Some(path) => Ok(path.to_owned()),
         None => {
-            let message = format!("`{}` has characters that build engines give a meaning", console::path(path));
-            Err(reporter.usage(message, "choose a name of letters, digits, and `/._+-@,=`"))
+            let message = format!("`{}` contains special characters of build engines", console::path(path));
+            Err(reporter.usage(message, "use only letters, digits, and `/._+-@,=`"))
         }
     }
 }
 
-/// A word of a command line for a shell.
+/// Returns an argument, quoted for a shell.
 fn quoted(word: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "/._+-@,=".contains(letter);
     if !word.is_empty() && word.chars().all(is_plain) {

@@ -1,9 +1,9 @@
-//! A build file of Ninja. `restat` lets a step whose output is the same end what depends on it.
+//! A build file of Ninja. With `restat`, Ninja skips the dependents of a step whose output did not change.
 
 use super::Steps;
 use std::fmt::Write;
 
-/// The build file.
+/// Returns the build file.
 pub(super) fn file(steps: &Steps) -> String {
     let escaped = |command: String| command.replace('$', "$$");
     let mut text = format!(

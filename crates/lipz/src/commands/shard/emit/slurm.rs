@@ -3,7 +3,7 @@
 use super::Steps;
 use std::path::Path;
 
-/// The script: an array job, and a job that starts when all of its tasks have succeeded.
+/// Returns the script: an array job, and a job that starts when all of its tasks have succeeded.
 pub(super) fn file(steps: &Steps) -> String {
     let count = steps.shards.len();
     let object =

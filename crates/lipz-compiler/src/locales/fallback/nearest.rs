@@ -1,0 +1,143 @@
+//! Fallback of many locales at once, in linear time, where [`chain`](super::chain) would be computed for each.
+
+use super::cldr::{ancestors, script};
+use crate::project::Options;
+use crate::project::pseudo_locale::is_pseudo;
+use foldhash::{HashMap, HashSet};
+use lipz_file::locale::language;
+
+/// The locales of a bank or a clip, and their inheritance.
+pub(crate) struct Fallbacks {
+    locales: Vec<Locale>,
+    default: Option<usize>,
+    /// The nearest locale with a text for each group.
+    nearest: Vec<Option<Rank>>,
+    /// The groups that have one.
+    found: Vec<u32>,
+}
+
+/// The inheritance of one locale.
+struct Locale {
+    /// The locales that it falls back to, if the project names them.
+    named: Option<Vec<usize>>,
+    /// Whether others fall back to it.
+    is_offered: bool,
+    /// The groups of locales in which it looks for a text, in order: those that share an ancestor, then those of its
+    /// language, all in its script.
+    groups: Vec<u32>,
+}
+
+/// The distance of a locale from the ancestor that a group shares, whether it is not the default locale, and its
+/// number.
+type Rank = (usize, bool, usize);
+
+impl Fallbacks {
+    /// Creates it from the tags of the locales, in order.
+    pub(crate) fn new<T: AsRef<str>>(tags: &[T], options: &Options) -> Fallbacks {
+        let numbers: HashMap<&str, usize> = tags.iter().map(AsRef::as_ref).zip(0..).collect();
+        let mut groups: HashMap<(String, Option<String>), u32> = HashMap::default();
+        let mut locales = Vec::with_capacity(tags.len());
+        for (number, tag) in tags.iter().map(AsRef::as_ref).enumerate() {
+            let script = script(tag);
+            // Tags contain no slash, so that groups of languages and of ancestors have different names.
+            let names = ancestors(tag).into_iter().chain([format!("{}/", language(tag))]);
+            let mut group = |name: String| {
+                let next = groups.len() as u32;
+                *groups.entry((name, script.map(str::to_owned))).or_insert(next)
+            };
+            let named = options.fallbacks.get(tag).map(|named| {
+                let known = named.iter().filter_map(|tag| numbers.get(tag.as_str()).copied());
+                known.filter(|&other| other != number).collect()
+            });
+            let groups = names.map(&mut group).collect();
+            locales.push(Locale { named, is_offered: !is_pseudo(tag), groups });
+        }
+        let default = options.default_locale.as_deref().and_then(|tag| numbers.get(tag).copied());
+        Fallbacks { locales, default, nearest: vec![None; groups.len()], found: Vec::new() }
+    }
+
+    /// Calls `show` for each of the `missing` locales with its fallback, in a clip that has texts in the locales `own`:
+    /// the first of [`chain`](super::chain) that has a text.
+    pub(crate) fn resolve(
+        &mut self,
+        own: impl Iterator<Item = usize>,
+        missing: impl Iterator<Item = usize>,
+        mut show: impl FnMut(usize, usize),
+    ) {
+        let mut has_text: HashSet<usize> = HashSet::default();
+        for number in own {
+            has_text.insert(number);
+            let Some(locale) = self.locales.get(number).filter(|locale| locale.is_offered) else { continue };
+            let last = locale.groups.len() - 1;
+            for (depth, &group) in locale.groups.iter().enumerate() {
+                // In the group of a language, all have the same rank.
+                let depth = if depth == last { 0 } else { depth };
+                let rank = (depth, Some(number) != self.default, number);
+                let nearest = &mut self.nearest[group as usize];
+                if nearest.is_none() {
+                    self.found.push(group);
+                }
+                *nearest = Some(nearest.map_or(rank, |known| known.min(rank)));
+            }
+        }
+        for number in missing {
+            let Some(locale) = self.locales.get(number) else { continue };
+            let other = match &locale.named {
+                Some(named) => named.iter().copied().find(|other| has_text.contains(other)),
+                None => {
+                    let of_group = |&group: &u32| self.nearest[group as usize].map(|(_, _, other)| other);
+                    let default = || self.default.filter(|default| has_text.contains(default));
+                    locale.groups.iter().find_map(of_group).or_else(default)
+                }
+            };
+            if let Some(other) = other {
+                show(number, other);
+            }
+        }
+        for group in self.found.drain(..) {
+            self.nearest[group as usize] = None;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::locales::fallback::chain;
+    use proptest::prelude::*;
+
+    const TAGS: [&str; 22] = [
+        "de-at", "de-ch", "de-de", "en-au", "en-gb", "en-us", "en-xa", "es-419", "es-ar", "es-es", "es-mx", "hi-latn",
+        "nb-no", "nn-no", "pt-ao", "pt-br", "pt-pt", "qq-xx", "sr-me", "sr-rs", "zh-cn", "zh-tw",
+    ];
+
+    proptest! {
+        #[test]
+        fn the_nearest_is_the_first_of_the_chain_with_a_text(
+            chosen in proptest::sample::subsequence(&TAGS[..], 1..TAGS.len()),
+            own in any::<[u32; 3]>(),
+            default in proptest::option::of(proptest::sample::select(&TAGS[..])),
+            named in proptest::collection::btree_map(
+                proptest::sample::select(&TAGS[..]), proptest::sample::subsequence(&TAGS[..], 0..4), 0..3),
+        ) {
+            let mut options = Options::new().extended_locales(true);
+            options.default_locale = default.map(str::to_owned);
+            for (tag, chain) in named {
+                options = options.fallback(tag, chain).unwrap();
+            }
+            let mut fallbacks = Fallbacks::new(&chosen, &options);
+            for own in own {
+                let has = |number: &usize| own >> number & 1 == 1;
+                let mut found = vec![None; chosen.len()];
+                let all = || 0..chosen.len();
+                fallbacks.resolve(all().filter(has), all().filter(|number| !has(number)), |locale, other| {
+                    found[locale] = Some(other);
+                });
+                for locale in all().filter(|number| !has(number)) {
+                    let expected = chain(&chosen, locale, &options).into_iter().find(has);
+                    prop_assert_eq!(found[locale], expected, "{}", chosen[locale]);
+                }
+            }
+        }
+    }
+}

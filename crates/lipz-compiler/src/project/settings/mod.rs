@@ -1,0 +1,118 @@
+//! The settings of a project, and with the feature `settings` its file `lipz.toml`.
+
+mod audio;
+#[cfg(feature = "settings")]
+mod babble;
+#[cfg(feature = "settings")]
+mod emotions;
+#[cfg(feature = "settings")]
+mod face;
+#[cfg(feature = "settings")]
+mod file;
+mod find;
+#[cfg(feature = "settings")]
+pub mod lint;
+#[cfg(feature = "settings")]
+mod overrides;
+#[cfg(feature = "settings")]
+mod read;
+#[cfg(feature = "settings")]
+mod reading;
+mod sync;
+#[cfg(feature = "settings")]
+mod syntax;
+#[cfg(feature = "settings")]
+mod table;
+#[cfg(feature = "settings")]
+mod template;
+#[cfg(feature = "settings")]
+mod value;
+
+pub use audio::{Audio, KEY, SOUND_EXTENSIONS, refused_pattern, sound_rank, without_extension};
+pub use find::FILE_NAME;
+pub use sync::Sync;
+#[cfg(feature = "settings")]
+pub use table::{Content, Map, Setting, TABLES, Table};
+#[cfg(feature = "settings")]
+pub use template::{short_template, template};
+#[cfg(feature = "settings")]
+pub use value::is_word;
+
+use crate::project::{Options, Voices};
+use crate::sources::{Input, Inputs, discover};
+use lipz_diagnostics::{DiagnosticsError, Report};
+use std::path::PathBuf;
+
+/// The settings of a project: its Lipz files, its bank, and the options for packing.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct Settings {
+    /// Folders, files and glob patterns, for [`discover`](discover()).
+    pub sources: Vec<PathBuf>,
+    /// The folder that keys are relative to; `None` for each source.
+    pub root: Option<PathBuf>,
+    /// Whether to read hidden files and folders, whose names start with a dot.
+    pub hidden: bool,
+    /// The bank to write.
+    pub output: Option<PathBuf>,
+    /// Whether to write the texts of each locale into a separate text bank.
+    pub split_locales: bool,
+    /// Whether to write the dubs of each voice into a separate bank.
+    pub split_voices: bool,
+    /// The file that stores checked Lipz files for the next run.
+    pub cache: Option<PathBuf>,
+    /// Its recordings.
+    pub audio: Audio,
+    /// The rules for making visemes from them.
+    pub sync: Sync,
+    /// The options for packing the bank.
+    pub options: Options,
+    /// The warnings about the settings file.
+    #[cfg(feature = "settings")]
+    warnings: Option<Report>,
+}
+
+impl Settings {
+    /// Creates the default settings of a project with these sources.
+    pub fn from_sources(sources: Vec<PathBuf>) -> Settings {
+        Settings { sources, ..Settings::default() }
+    }
+
+    /// Returns the voices of the project, for [`Options::voices`](Options::voices()).
+    pub fn voices(&self) -> Voices {
+        let original = self.audio.locale.as_ref().or(self.options.default_locale.as_ref()).cloned();
+        Voices { original, patterns: self.audio.voices.clone() }
+    }
+
+    /// Returns the warnings about the file that the settings were [read](Settings::read) from.
+    #[cfg(feature = "settings")]
+    pub fn warnings(&self) -> &[Report] {
+        self.warnings.as_slice()
+    }
+
+    /// Returns the Lipz files of the sources with their keys, as [`discover`](discover()) finds them.
+    ///
+    /// # Errors
+    /// If a file cannot be read, if a folder contains no Lipz files, or for any other error about the sources: all
+    /// diagnostics, at the project's levels.
+    pub fn discover(&self) -> Result<Inputs, DiagnosticsError> {
+        let (inputs, reports) = self.discover_with_reports();
+        let (inputs, warnings) = DiagnosticsError::check(inputs, reports)?;
+        Ok(Inputs { inputs, warnings })
+    }
+
+    /// Returns the Lipz files that could be found, and all diagnostics about the sources, at the project's levels.
+    ///
+    /// This is for tools that report everything at once, such as the command `lipz` and editors. If a report has an
+    /// error, files of the project are missing. All other programs should call [`discover`](Settings::discover).
+    #[must_use = "check the reports for missing files"]
+    pub fn discover_with_reports(&self) -> (Vec<Input>, Vec<Report>) {
+        let (inputs, mut reports) =
+            discover::find(&self.sources, self.root.as_deref(), self.hidden, self.options.threads);
+        for report in &mut reports {
+            self.options.levels.apply(&mut report.diagnostics);
+        }
+        reports.retain(|report| !report.diagnostics.is_empty());
+        (inputs, reports)
+    }
+}

@@ -1,0 +1,164 @@
+//! Conversion of the TOML of a settings file to settings: tables and names, known and unknown.
+
+use super::Settings;
+use super::reading::{SettingsReader, dotted};
+use super::syntax::Faults;
+use super::table::{Content, TABLES, Table};
+use super::value::{NamedValue, span};
+use crate::files::path::plain;
+use lipz_diagnostics::{Code, Diagnostic, Levels, escape, suggest::nearest};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+/// Reads the settings in `text`, with paths relative to `folder`.
+pub(super) fn read(text: &str, folder: &Path, diagnostics: &mut Vec<Diagnostic>) -> Settings {
+    let (mut settings, levels) = read_over(Settings::default(), text, folder, diagnostics);
+    settings.options.levels = levels;
+    if settings.sources.is_empty() {
+        settings.sources.push(plain(folder));
+    }
+    settings
+}
+
+/// Returns `settings` overridden by those in `text`, and the levels in `text` separately.
+pub(super) fn read_over(
+    settings: Settings,
+    text: &str,
+    folder: &Path,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> (Settings, Levels) {
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let mut reading = SettingsReader {
+        settings,
+        folder,
+        diagnostics: Vec::new(),
+        groups: Levels::new(),
+        levels: BTreeMap::new(),
+        locales: BTreeSet::new(),
+    };
+    let before = std::mem::take(&mut reading.settings.options.levels);
+    for table in TABLES {
+        reading.table(table, root.get_ref());
+    }
+    reading.unknown_names("", root.get_ref());
+    let SettingsReader { mut settings, groups: mut levels, diagnostics: mut found, .. } = reading;
+    levels.extend(std::mem::replace(&mut settings.options.levels, before));
+    let faults = Faults::new(text, &errors);
+    found.retain(|diagnostic| {
+        let places = diagnostic.primary.iter().chain(&diagnostic.labels);
+        !places.into_iter().any(|label| faults.may_have_made_up(label.span))
+    });
+    diagnostics.extend(faults.diagnostics(root.get_ref()));
+    diagnostics.append(&mut found);
+    (settings, levels)
+}
+
+impl<'t> SettingsReader<'t> {
+    /// Reads the settings of one table.
+    fn table(&mut self, table: &Table, root: &'t DeTable<'t>) {
+        let entries = match table.name {
+            "" => root,
+            name => match root.get_key_value(name) {
+                None => return,
+                Some((key, node)) => match node.get_ref() {
+                    DeValue::Table(entries) => entries,
+                    _ => {
+                        let value = NamedValue { name: name.to_owned(), key: key.span(), node };
+                        let help = format!("write [{name}] on its own line, and its settings below");
+                        value.wrong_type::<()>("a table", &help, &mut self.diagnostics);
+                        return;
+                    }
+                },
+            },
+        };
+        match &table.content {
+            Content::Settings(settings) => {
+                for setting in *settings {
+                    if let Some((key, node)) = entries.get_key_value(setting.name) {
+                        let name = dotted(table.name, setting.name);
+                        (setting.read)(&NamedValue { name, key: key.span(), node }, self);
+                    }
+                }
+                if !table.name.is_empty() {
+                    self.unknown_names(table.name, entries);
+                }
+            }
+            Content::Map(map) => {
+                for (key, node) in entries {
+                    let name = dotted(table.name, key.get_ref());
+                    (map.read)(key.get_ref(), &NamedValue { name, key: key.span(), node }, self);
+                }
+            }
+        }
+    }
+
+    /// Reports the entries of a table that are not settings.
+    fn unknown_names(&mut self, table: &str, entries: &DeTable<'_>) {
+        let known = names(table);
+        for (key, _) in entries.iter().filter(|(key, _)| !known.contains(&key.get_ref().as_ref())) {
+            self.diagnostics.push(unknown_name(table, key, &known));
+        }
+    }
+}
+
+/// Returns the allowed names in a table; in the root, also the names of the other tables.
+fn names(table: &str) -> Vec<&'static str> {
+    let own = TABLES.iter().filter(|found| found.name == table).flat_map(setting_names);
+    let tables = TABLES.iter().map(|table| table.name).filter(|name| table.is_empty() && !name.is_empty());
+    own.chain(tables).collect()
+}
+
+fn setting_names(table: &Table) -> impl Iterator<Item = &'static str> {
+    let settings = match table.content {
+        Content::Settings(settings) => settings,
+        Content::Map(_) => &[],
+    };
+    settings.iter().map(|setting| setting.name)
+}
+
+fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]) -> Diagnostic {
+    let name = key.get_ref().as_ref();
+    let diagnostic = |what: &str| {
+        Diagnostic::at(Code::UnknownSetting, span(&key.span()), format!("{} {what}", escape::quoted(name)))
+    };
+    // A setting after a table's header belongs to the table, which is the usual mistake.
+    if let Some(other) = TABLES.iter().find(|other| setting_names(other).any(|setting| setting == name)) {
+        return match (other.name, table) {
+            ("", table) => diagnostic(&format!("is not a setting of [{table}]")).help("write it above the first table"),
+            (other, _) => diagnostic(&format!("is a setting of [{other}]")).help(format!("write it below [{other}]")),
+        };
+    }
+    let place = if table.is_empty() { "is not a setting".to_owned() } else { format!("is not a setting of [{table}]") };
+    if let Some(help) = of_flat_name(name) {
+        return diagnostic(&place).help(help);
+    }
+    // Inside a table, suggesting a root-level name would lead to the next mistake.
+    let elsewhere = || {
+        let others = TABLES.iter().filter(|other| table.is_empty() || !other.name.is_empty());
+        others.flat_map(setting_names)
+    };
+    match nearest(name, known.iter().copied()).or_else(|| nearest(name, elsewhere())) {
+        Some(known) => diagnostic(&place).help(format!("did you mean `{known}`?")),
+        None => diagnostic(&place).help(match table {
+            "" => format!("the settings and tables are {}", known.join(", ")),
+            table => format!("the settings of [{table}] are {}", known.join(", ")),
+        }),
+    }
+}
+
+/// Returns the qualified name of the setting with this name, for users who expect settings without tables.
+fn of_flat_name(name: &str) -> Option<String> {
+    let is_meant = |names: &str| names.split(", ").any(|flat| flat == name);
+    TABLES.iter().find_map(|table| match &table.content {
+        Content::Settings(settings) => settings
+            .iter()
+            .find(|setting| is_meant(setting.flat_name))
+            .map(|setting| format!("write `{name}` as `{}` in [{}]", setting.name, table.name)),
+        Content::Map(map) => {
+            let entry = || Some(format!("write `{name}` as an entry of [{}]: {}", table.name, map.examples.first()?));
+            is_meant(map.flat_name).then(entry).flatten()
+        }
+    })
+}

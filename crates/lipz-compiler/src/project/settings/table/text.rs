@@ -1,0 +1,38 @@
+//! `[text]`: display and limits of texts.
+
+use super::Setting;
+
+pub(super) const TEXT: &[Setting] = &[
+    Setting {
+        name: "literal-braces",
+        flat_name: "literal-braces",
+        about: "Display braces as they are, so that `{0}` is a placeholder for the game instead of meta.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.options.literal_braces = value.boolean(&mut to.diagnostics).unwrap_or_default(),
+    },
+    Setting {
+        name: "line-columns",
+        flat_name: "max-line-columns",
+        about: "Maximum number of columns in a line; East Asian wide characters count as two.",
+        default: "no limit",
+        example: "42",
+        read: |value, to| to.settings.options.text_limits.line_columns = value.count(&mut to.diagnostics),
+    },
+    Setting {
+        name: "lines",
+        flat_name: "max-lines",
+        about: "Maximum number of lines in a segment.",
+        default: "no limit",
+        example: "2",
+        read: |value, to| to.settings.options.text_limits.lines = value.count(&mut to.diagnostics),
+    },
+    Setting {
+        name: "characters-per-second",
+        flat_name: "max-characters-per-second",
+        about: "Maximum number of characters per second that a player has to read in a segment.",
+        default: "no limit",
+        example: "17",
+        read: |value, to| to.settings.options.text_limits.characters_per_second = value.positive(&mut to.diagnostics),
+    },
+];

@@ -1,0 +1,10 @@
+//! Conversion of the sources that a user names to inputs: Lipz files with their keys.
+
+pub(crate) mod discover;
+mod input;
+pub mod key;
+mod list;
+pub(crate) mod walk;
+
+pub use discover::{discover, discover_with_reports, is_pattern};
+pub use input::{Content, Input, Inputs};

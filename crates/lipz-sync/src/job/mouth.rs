@@ -1,0 +1,171 @@
+//! Conversion of a recording and its script to frames, and the words to check by ear.
+
+use crate::job::progress::Progress;
+use crate::job::{SyncOptions, grid};
+use lipz_compiler::{WordTime, WordTimes};
+use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::JsonString;
+use lipz_speech::{
+    AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms,
+};
+use lipz_types::{Fps, VisemeType};
+use std::ops::Range;
+
+/// The confidence below which a word is doubtful.
+const DOUBTFUL: f32 = 0.5;
+
+/// The result of analysing a recording.
+#[derive(Default)]
+pub(super) struct HeardMouth {
+    /// The codes of the frames.
+    pub(super) codes: String,
+    /// The first frame of each segment.
+    pub(super) segment_starts: Vec<usize>,
+    /// The times of the script's words.
+    words: Vec<AlignedWord>,
+    /// All phones and pauses; empty if the visemes follow the loudness.
+    pub(super) phones: Vec<AlignedPhone>,
+    /// The doubtful words of the script: index, and start in microseconds.
+    pub(super) doubtful: Vec<(usize, u64)>,
+    /// The mismatches between audio and script.
+    mismatches: Vec<Mismatch>,
+    /// The alignment and the visemes, as a TextGrid.
+    pub(super) grid: Option<String>,
+}
+
+impl HeardMouth {
+    /// Drops the doubtful words.
+    pub(super) fn forget_words(&mut self) {
+        self.words.clear();
+        self.doubtful.clear();
+        self.mismatches.clear();
+    }
+}
+
+/// The input of an analysis.
+pub(super) struct Hearing<'a> {
+    pub(super) sound: &'a Sound,
+    pub(super) model: &'a Model,
+    /// The result of a recogniser, if there is one, to check whether the script matches.
+    pub(super) opinion: Option<&'a lipz_speech::RecognisedWords>,
+    /// A corrected alignment, which replaces the analysis.
+    pub(super) corrected: Option<Alignment>,
+    /// Whether a TextGrid is wanted.
+    pub(super) with_grid: bool,
+    pub(super) progress: &'a Progress<'a>,
+}
+
+/// Returns the visemes of a recording.
+pub(super) fn make(
+    hearing: Hearing<'_>,
+    script: &Script,
+    (viseme_type, fps): (VisemeType, Fps),
+    options: &SyncOptions,
+) -> HeardMouth {
+    let Hearing { sound, model, opinion, corrected, with_grid, progress } = hearing;
+    if viseme_type == VisemeType::Rms {
+        let mouth = rms(sound, fps, &options.rms);
+        return HeardMouth { codes: mouth.frames, segment_starts: mouth.segment_starts, ..HeardMouth::default() };
+    }
+    let progress = |share| progress.heard(share);
+    let aligner = Aligner::new(model, options.align).with_progress(&progress);
+    // Without words, all phones are recognised freely.
+    let (is_corrected, is_unwritten) = (corrected.is_some(), script.words.is_empty());
+    let listen = || if is_unwritten { aligner.listen(sound) } else { aligner.align(sound, script) };
+    let alignment = corrected.unwrap_or_else(listen);
+    let mouth = render(&alignment, fps, viseme_type, &options.rules);
+    let doubtful = doubtful(&alignment, script);
+    let opinion = opinion.filter(|_| !is_corrected);
+    let mismatches = opinion.map(|opinion| opinion.mismatches(script, &alignment));
+    let grid = with_grid.then(|| grid::written(&alignment, script, &mouth.frames, (viseme_type, fps)));
+    let mismatches = mismatches.unwrap_or(alignment.mismatches);
+    let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
+    let Alignment { words, phones, .. } = alignment;
+    HeardMouth { codes, segment_starts, words, phones, doubtful, mismatches, grid }
+}
+
+/// Returns the times of the words of `text`, from which `script` was made.
+pub(super) fn word_times(heard: &HeardMouth, script: &Script, text: &str) -> WordTimes {
+    let ms = |us: u64| u32::try_from(us / 1000).unwrap_or(u32::MAX);
+    let mut times: Vec<WordTime> = Vec::new();
+    // A missing word is doubtful, and takes no time.
+    let said = heard.words.iter().zip(&script.words).filter(|(_, word)| !word.pronunciations.is_empty());
+    for (aligned, word) in said {
+        let is_doubtful = aligned.confidence < DOUBTFUL;
+        match times.last_mut().filter(|last| last.range == word.range) {
+            // A number consists of several words.
+            Some(last) => {
+                last.end_ms = ms(aligned.end_us);
+                last.is_doubtful |= is_doubtful;
+            }
+            None => times.push(WordTime {
+                range: word.range.clone(),
+                start_ms: ms(aligned.start_us),
+                end_ms: ms(aligned.end_us),
+                is_doubtful,
+            }),
+        }
+    }
+    WordTimes::new(text, &times)
+}
+
+fn doubtful(alignment: &Alignment, script: &Script) -> Vec<(usize, u64)> {
+    let words = alignment.words.iter().zip(&script.words).enumerate();
+    let is_said = words.filter(|(_, (_, word))| !word.pronunciations.is_empty());
+    let doubtful = is_said.filter(|(_, (word, _))| word.confidence < DOUBTFUL);
+    doubtful.map(|(number, (word, _))| (number, word.start_us)).collect()
+}
+
+/// Returns the mismatches between audio and `text` in the form of the record: as word times. Speech that is not in the
+/// text has no bytes; missing words are doubtful.
+pub(super) fn differences(heard: &HeardMouth, script: &Script, text: &str) -> Option<WordTimes> {
+    let ms = |us: u64| u32::try_from(us / 1000).unwrap_or(u32::MAX);
+    let found = heard.mismatches.iter().map(|found| WordTime {
+        range: place(found, script, text),
+        start_ms: ms(found.start_us),
+        end_ms: ms(found.end_us),
+        is_doubtful: found.kind == MismatchKind::NotSaid,
+    });
+    let found: Vec<WordTime> = found.collect();
+    (!found.is_empty()).then(|| WordTimes::new(text, &found))
+}
+
+/// Returns the bytes of the text to which a mismatch applies.
+fn place(found: &Mismatch, script: &Script, text: &str) -> Range<usize> {
+    let words = script.words.get(found.words.clone()).unwrap_or_default();
+    match (words.first(), words.last()) {
+        (Some(first), Some(last)) => first.range.start..last.range.end.max(first.range.start),
+        // Between two words: the start of the next one.
+        _ => {
+            let at = script.words.get(found.words.start).map_or(text.len(), |next| next.range.start);
+            at..at
+        }
+    }
+}
+
+/// Reports the mismatches between audio and text.
+pub(crate) fn mismatches(differences: Option<&WordTimes>, text: &JsonString<'_>) -> Vec<Diagnostic> {
+    let found = differences.map(|differences| differences.of_text(&text.text)).unwrap_or_default();
+    found.iter().map(|found| mismatch(found, text)).collect()
+}
+
+fn mismatch(found: &WordTime, text: &JsonString<'_>) -> Diagnostic {
+    let seconds = |ms: u32| format!("{:.2} s", f64::from(ms) / 1e3);
+    let time = match found.end_ms == found.start_ms {
+        true => format!("at {}", seconds(found.start_ms)),
+        false => format!("from {} to {}", seconds(found.start_ms), seconds(found.end_ms)),
+    };
+    let written = || escape::quoted(text.text.get(found.range.clone()).unwrap_or_default());
+    let (message, help) = match (found.is_doubtful, found.range.is_empty()) {
+        (true, _) => (format!("{} is not spoken; expected {time}", written()), "remove it from the text, or record it"),
+        (_, true) => {
+            (format!("the speech {time} is not in the text"), "add it to the text, or cut it from the recording")
+        }
+        _ => (
+            format!("{time}, the recording differs from {}", written()),
+            "check whether this text belongs to the recording; for an unusual pronunciation use `{say: …}` or the \
+                lexicon",
+        ),
+    };
+    Diagnostic::at(Code::TextMismatch, text.span_of(found.range.clone()), message).help(help)
+}

@@ -1,0 +1,44 @@
+//! The hash of all settings that affect visemes.
+
+use super::SyncOptions;
+use super::grid::Grid;
+use crate::record::hashes::hash;
+use lipz_speech::{RenderRules, Script};
+use lipz_types::{Fps, VisemeType};
+
+/// The version of lip sync. It must change when the same recording, text and settings produce different visemes.
+const VERSION: u32 = 4;
+
+/// Returns the hash of everything that affects visemes, apart from recording and text.
+pub(super) fn settings_hash(
+    options: &SyncOptions,
+    locale: Option<&str>,
+    script: &Script,
+    (viseme_type, fps): (VisemeType, Fps),
+    grid: Option<&Grid>,
+) -> u64 {
+    // Excludes the positions of words in the text, which formatting changes.
+    let said = || script.words.iter().map(|word| &word.pronunciations).collect::<Vec<_>>();
+    let rules = match viseme_type {
+        VisemeType::Rms => format!("{:?}", options.rms),
+        _ => {
+            let model = options.trained_for(locale).map_or(String::new(), |trained| format!(" {:x}", trained.hash));
+            let recogniser = options.recogniser.as_ref().filter(|_| script.words.is_empty());
+            let recogniser = recogniser.map_or(String::new(), |recogniser| format!(" heard {:x}", recogniser.hash()));
+            let rules = hash_of_rules(&options.rules);
+            format!("{:?} {rules} {:?} {:?}{model}{recogniser}", options.align, said(), script.breaks)
+        }
+    };
+    let grid = grid.map_or(String::new(), |grid| format!(" {grid:?}"));
+    hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}{grid}", fps.numerator(), fps.denominator()).as_bytes())
+}
+
+/// Returns the hash of rules. Later additions only affect it if they differ from the default, so that old hashes stay
+/// valid.
+fn hash_of_rules(rules: &RenderRules) -> String {
+    let RenderRules { lead_us, hold_us, shortest_wide_us, .. } = rules;
+    let consonants = if rules.hold_consonants { " consonants" } else { "" };
+    format!(
+        "RenderRules {{ lead_us: {lead_us}, hold_us: {hold_us}, shortest_wide_us: {shortest_wide_us} }}{consonants}"
+    )
+}

@@ -1,0 +1,65 @@
+//! The Lipz file that gets visemes. Its other elements stay.
+
+use crate::job::SyncOptions;
+use crate::job::mouth::HeardMouth;
+use lipz_diagnostics::Diagnostic;
+use lipz_file::format::{LineEnding, Style, format, rewrite};
+use lipz_file::rate::Rate;
+use lipz_file::{Document, Element, JsonString, Value};
+use lipz_interop::{MergeOptions, Mouth, Time, merge};
+use lipz_speech::Script;
+use lipz_types::{Fps, VisemeType};
+use std::borrow::Cow;
+
+/// A Lipz file that gets visemes.
+pub(super) struct Target<'a> {
+    pub(super) bytes: &'a [u8],
+    pub(super) before: &'a Document<'a>,
+    pub(super) is_new: bool,
+    /// The spoken locale.
+    pub(super) locale: Option<&'a str>,
+    /// The name of the element and the text, if it comes from the file of the original.
+    pub(super) borrowed: Option<(String, &'a str)>,
+    pub(super) fps: Fps,
+    pub(super) viseme_type: VisemeType,
+}
+
+/// Returns the file with its new visemes, and the diagnostics about guesses.
+pub(super) fn merged(
+    heard: &HeardMouth,
+    script: &Script,
+    options: &SyncOptions,
+    target: &Target<'_>,
+) -> (String, Vec<Diagnostic>) {
+    let rate = |fps: Fps| Rate { numerator: fps.numerator(), denominator: fps.denominator(), is_exact: true };
+    let time = |&frame: &usize| Time::of_frame(frame as u64, rate(target.fps));
+    let starts = || heard.segment_starts.iter().skip(1).map(time).collect::<Vec<_>>();
+    let mouth = Mouth::new(heard.codes.as_str(), rate(target.fps), target.viseme_type)
+        .segment_starts((!script.words.is_empty()).then(starts));
+    let merge_options = MergeOptions::new()
+        .locale(target.locale)
+        .default_rate(options.options.get_default_fps().map(rate))
+        .default_viseme_type(options.options.get_default_viseme_type());
+    let mut merged = merge(&divided(target), &mouth, &merge_options);
+    if let Some((name, _)) = &target.borrowed {
+        merged.document.elements.retain(|element| element.name.text != *name);
+    }
+    let text = String::from_utf8_lossy(target.bytes);
+    let default_locale = options.options.get_default_locale();
+    let style = Style { default_locale, line_ending: LineEnding::detect(&text) };
+    let after = match target.is_new {
+        true => format(&merged.document, style),
+        false => rewrite(&text, target.before, &merged.document, style),
+    };
+    (after, merged.diagnostics)
+}
+
+/// Returns the file with the borrowed text, which determines the segments.
+fn divided<'a>(target: &Target<'a>) -> Document<'a> {
+    let mut document = target.before.clone();
+    document.elements.extend(target.borrowed.as_ref().map(|(name, text)| Element {
+        name: JsonString::from(Cow::Owned(name.clone())),
+        value: Value::String(JsonString::from(Cow::Borrowed(*text))),
+    }));
+    document
+}

@@ -1,0 +1,170 @@
+//! Placeholders and other `{meta}` of a text, which its translation should contain as well.
+
+use lipz_diagnostics::escape;
+use lipz_file::emotion::{Blend, preset};
+use lipz_file::text::{is_white_space, meta as meta_places, trim};
+use std::ops::Range;
+
+/// The help for placeholders that differ.
+pub(crate) const HELP: &str = "repeat `{…}` as in the source, for games and actors";
+
+/// The help for other meta that differ.
+pub(crate) const META_HELP: &str = "repeat it; you may translate the part after `:`, and notes for people";
+
+/// A part of a text: a placeholder, or the text between placeholders.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum TextPart<'t> {
+    Text(&'t str),
+    Placeholder(&'t str),
+}
+
+/// Returns the parts of a text in order, without empty ones.
+pub(crate) fn parts(text: &str) -> Vec<TextPart<'_>> {
+    let mut parts = Vec::new();
+    let mut done = 0;
+    for place in meta_places(text) {
+        let before = text.get(done..place.start).unwrap_or_default();
+        parts.extend((!before.is_empty()).then_some(TextPart::Text(before)));
+        parts.extend(text.get(place.clone()).map(TextPart::Placeholder));
+        done = place.end;
+    }
+    let rest = text.get(done..).unwrap_or_default();
+    parts.extend((!rest.is_empty()).then_some(TextPart::Text(rest)));
+    parts
+}
+
+/// The purpose of a meta.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Meta<'t> {
+    /// `{name}`, which a game replaces or evaluates.
+    Placeholder(&'t str),
+    /// `{to: amy}`, identified by its name. The part after the colon may be translated.
+    Named(&'t str),
+    /// `{very loud, then calm}`, a note for people, which may be translated.
+    Note,
+}
+
+/// Returns the purposes of all meta in a text, sorted, because their order may change with the language. Emotions are
+/// excluded, because they depend on the voice.
+fn metas(text: &str) -> Vec<Meta<'_>> {
+    let meta = |place: Range<usize>| {
+        let whole = text.get(place)?;
+        let inner = trim(whole.get(1..whole.len().checked_sub(1)?)?);
+        let is_emotion = Blend::parse(inner, 0)
+            .is_some_and(|blend| blend.has_value() || blend.terms.iter().all(|term| preset(term.name.text).is_some()));
+        match inner.split_once(':') {
+            _ if is_emotion => None,
+            Some((name, value)) if value.starts_with(is_white_space) && !name.contains(is_white_space) => {
+                Some(Meta::Named(name))
+            }
+            _ if inner.contains(is_white_space) => Some(Meta::Note),
+            _ => Some(Meta::Placeholder(whole)),
+        }
+    };
+    let mut all: Vec<Meta<'_>> = meta_places(text).into_iter().filter_map(meta).collect();
+    all.sort_unstable();
+    all
+}
+
+/// Whether a text has placeholders that are all plain names or numbers, `{name}` and `{0}`, and no other braces.
+pub(crate) fn are_plain(text: &str) -> bool {
+    let is_word = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    let is_name = |name: &str| {
+        let is_number = name.chars().all(|character| character.is_ascii_digit());
+        is_number || !name.starts_with(|first: char| first.is_ascii_digit()) && name.chars().all(is_word)
+    };
+    let places = meta_places(text);
+    let braces = text.chars().filter(|character| matches!(character, '{' | '}')).count();
+    let metas = metas(text);
+    let plain = metas.iter().filter(|meta| match meta {
+        Meta::Placeholder(whole) => whole.get(1..whole.len() - 1).is_some_and(|name| !name.is_empty() && is_name(name)),
+        Meta::Named(_) | Meta::Note => false,
+    });
+    !places.is_empty() && plain.count() == places.len() && braces == 2 * places.len()
+}
+
+/// Returns the difference between the placeholders of a translation and its source; `None` if they are the same.
+///
+/// Lost placeholders occur less often in the translation, added ones more often.
+pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
+    said(source, text, |meta| match meta {
+        Meta::Placeholder(whole) => Some(escape::quoted(whole).to_string()),
+        Meta::Named(_) | Meta::Note => None,
+    })
+}
+
+/// Returns the same for other meta: those with a name, by name, and the number of notes for people.
+pub(crate) fn meta_difference(source: &str, text: &str) -> Option<String> {
+    said(source, text, |meta| match meta {
+        Meta::Placeholder(_) => None,
+        Meta::Named(name) => Some(format!("`{{{}: …}}`", escape::text(name))),
+        Meta::Note => Some("a note `{…}`".to_owned()),
+    })
+}
+
+/// Returns the difference between the meta for which `shown` returns a text.
+fn said(source: &str, text: &str, shown: impl Fn(&Meta<'_>) -> Option<String>) -> Option<String> {
+    let (source, text) = (metas(source), metas(text));
+    let list = |all: Vec<Meta<'_>>| all.iter().filter_map(&shown).collect::<Vec<_>>().join(", ");
+    let (lost, added) = (list(without(&source, &text)), list(without(&text, &source)));
+    match (lost.is_empty(), added.is_empty()) {
+        (true, true) => None,
+        (false, true) => Some(format!("the translation lacks {lost}")),
+        (true, false) => Some(format!("the translation has {added}, but its source does not")),
+        (false, false) => Some(format!("the translation has {added} instead of {lost}")),
+    }
+}
+
+/// Returns the elements of `all`, which is sorted, that occur less often in `others`.
+fn without<'t>(all: &[Meta<'t>], others: &[Meta<'_>]) -> Vec<Meta<'t>> {
+    let mut others = others.iter().peekable();
+    let mut rest = Vec::new();
+    for one in all {
+        while others.next_if(|other| *other < one).is_some() {}
+        if others.next_if(|other| *other == one).is_none() {
+            rest.push(*one);
+        }
+    }
+    rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn placeholders_count_and_their_order_does_not() {
+        assert_eq!(difference("{a} and {b}", "{b} und {a}"), None);
+        assert_eq!(difference("{a}{a}", "{a}"), Some("the translation lacks `{a}`".into()));
+        let added = Some("the translation has `{b}`, but its source does not".into());
+        assert_eq!(difference("{a}", "{a}{b}"), added);
+        assert_eq!(difference("{a}", "{A}"), Some("the translation has `{A}` instead of `{a}`".into()));
+    }
+
+    #[test]
+    fn names_of_meta_and_notes_count_and_their_words_do_not() {
+        assert_eq!(meta_difference("{to: amy} {very loud} {anger 2} {joy}", "{to: Эми} {sehr laut}"), None);
+        assert_eq!(meta_difference("{to: amy} Hi", "Hallo"), Some("the translation lacks `{to: …}`".into()));
+        let added = Some("the translation has a note `{…}`, but its source does not".into());
+        assert_eq!(meta_difference("{a}", "{b} {sehr laut}"), added);
+        assert_eq!(difference("{to: amy} {0:NAME}", "{0:NAME}"), None);
+    }
+
+    #[test]
+    fn plain_placeholders_are_those_that_gettext_checks() {
+        for text in ["{name}", "Hi {first_name}, {0}!"] {
+            assert!(are_plain(text), "{text}");
+        }
+        for text in ["", "Hi", "{speaker: Mara} {name}", "{anger 2}", "{very loud}", "{a-b}", "{}", "{a} {", "{1a}"] {
+            assert!(!are_plain(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn parts_make_the_text() {
+        use TextPart::{Placeholder, Text};
+        assert_eq!(parts("a {m} b"), [Text("a "), Placeholder("{m}"), Text(" b")]);
+        assert_eq!(parts("{m}{n}"), [Placeholder("{m}"), Placeholder("{n}")]);
+        assert_eq!(parts(""), []);
+    }
+}

@@ -1,0 +1,146 @@
+//! The content of a CSV's columns, determined by their names.
+
+use crate::exchange::entry::{NoLocale, ReadOptions};
+use std::sync::Arc;
+
+/// The content of a column.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub(super) enum CsvColumn {
+    /// Keys, optionally with the number of a segment.
+    Key,
+    /// Source texts.
+    Source,
+    /// The locale of the row.
+    Language,
+    /// The translation into the locale of the row.
+    Text,
+    /// The translations into a locale.
+    Locale(Arc<str>),
+    /// The marks of the source texts.
+    SourceMark,
+    /// The marks of the translations into a locale.
+    Mark(Arc<str>),
+    /// The state of the translation into the locale of the row.
+    State,
+    /// Information for people or other tools.
+    Other,
+}
+
+/// The reason why a column is not imported.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum NoColumn {
+    /// The name is unknown.
+    Unknown,
+    /// The name is that of a language which is not a locale of the project.
+    Locale,
+}
+
+/// Columns for people or other tools.
+const OTHERS: [&str; 16] = [
+    "",
+    "characters",
+    "comment",
+    "comments",
+    "context",
+    "description",
+    "events",
+    "file",
+    "limit",
+    "linenumber",
+    "node",
+    "note",
+    "notes",
+    "recording",
+    "speaker",
+    "time",
+];
+
+/// The prefix of the locale in the names of columns with marks.
+pub(crate) const LOCK: &str = "lock";
+
+/// Returns the content of the columns with these names; `Err` for one that is not imported.
+pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvColumn, NoColumn>> {
+    let is = |name: &str, known: &str| name.trim().eq_ignore_ascii_case(known);
+    let has = |known: &str| names.iter().any(|name| is(name, known));
+    let is_by_row = has("language") && has("text");
+    let key = ["key", "keys", "id"].into_iter().find(|key| has(key)).unwrap_or_default();
+    let column = |name: &&str| {
+        let name = name.trim();
+        let plain = name.trim_start_matches('_');
+        // Unity numbers its rows in `Id`; `id` in lower case is Indonesian.
+        let is_number = name == "Id" && key != "id";
+        if is(name, key) {
+            return Ok(CsvColumn::Key);
+        } else if is_number
+            || OTHERS.iter().any(|other| is(plain, other))
+            || plain.to_ascii_lowercase().ends_with(" comments")
+        {
+            return Ok(CsvColumn::Other);
+        } else if is(name, "source") || is(name, "sourcestring") {
+            return Ok(CsvColumn::Source);
+        } else if is_by_row && is(name, "language") {
+            return Ok(CsvColumn::Language);
+        } else if is_by_row && is(name, "text") {
+            return Ok(CsvColumn::Text);
+        } else if is(name, "state") {
+            return Ok(CsvColumn::State);
+        } else if is(name, LOCK) {
+            return Ok(CsvColumn::SourceMark);
+        }
+        if let Some(locale) = plain.strip_prefix(LOCK).and_then(|rest| rest.strip_prefix(' ')) {
+            return options.locale(locale).map(|locale| CsvColumn::Mark(locale.into())).map_err(|_| NoColumn::Unknown);
+        }
+        match locale(name, options) {
+            Ok(locale) if locale == options.source_locale && !has("source") && !has("sourcestring") => {
+                Ok(CsvColumn::Source)
+            }
+            Ok(locale) => Ok(CsvColumn::Locale(locale.into())),
+            Err(_) if name.starts_with('_') || name.starts_with('?') => Ok(CsvColumn::Other),
+            Err(NoLocale::Tag) => Err(NoColumn::Unknown),
+            Err(NoLocale::Shape) => Err(NoColumn::Locale),
+        }
+    };
+    names.iter().map(column).collect()
+}
+
+/// Returns the locale of a column: `de-DE`, `German(de-DE)`, `German (Germany)(de-DE)`.
+fn locale(name: &str, options: &ReadOptions) -> Result<String, NoLocale> {
+    let inside = name.strip_suffix(')').and_then(|name| name.rsplit_once('(')).map(|(_, tag)| tag);
+    options.locale(inside.unwrap_or(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(names: &[&str]) -> Vec<Result<CsvColumn, NoColumn>> {
+        columns(names, &ReadOptions::new("en-us").known(["de-de"]))
+    }
+
+    #[test]
+    fn headers_of_all_tools() {
+        let locale = |tag: &str| Ok(CsvColumn::Locale(tag.into()));
+        let other = || Ok(CsvColumn::Other);
+        let no_locale = Err(NoColumn::Locale);
+        assert_eq!(
+            of(&["keys", "en", "de", "id"]),
+            [Ok(CsvColumn::Key), Ok(CsvColumn::Source), locale("de-de"), no_locale]
+        );
+        assert_eq!(
+            of(&["Key", "Id", "Shared Comments", "English(en)", "German(de)", "German(de) Comments"]),
+            [Ok(CsvColumn::Key), other(), other(), Ok(CsvColumn::Source), locale("de-de"), other()]
+        );
+        assert_eq!(
+            of(&["Key", "SourceString", "en-US", "Comment"]),
+            [Ok(CsvColumn::Key), Ok(CsvColumn::Source), locale("en-us"), other()]
+        );
+        assert_eq!(
+            of(&["language", "id", "text", "lock"]),
+            [Ok(CsvColumn::Language), Ok(CsvColumn::Key), Ok(CsvColumn::Text), Ok(CsvColumn::SourceMark)]
+        );
+        assert_eq!(
+            of(&["key", "_lock de_DE", "_ours", "Who knows"]),
+            [Ok(CsvColumn::Key), Ok(CsvColumn::Mark("de-de".into())), other(), Err(NoColumn::Unknown)]
+        );
+    }
+}

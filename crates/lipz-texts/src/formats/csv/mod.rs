@@ -1,0 +1,15 @@
+//! CSV: a row per clip or segment, in the columns of several tools.
+
+mod cell;
+mod columns;
+mod header;
+mod read;
+mod row;
+mod scan;
+mod write;
+
+pub use cell::defused;
+pub(crate) use read::read;
+pub(crate) use write::write;
+#[cfg(feature = "xlsx")]
+pub(crate) use {columns::LOCK, read::CsvTable, row::CsvRow, write::rows};

@@ -1,0 +1,90 @@
+//! A row of a table, and the translations in it.
+
+use super::header::{CsvHeader, TranslationColumn};
+use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
+use crate::exchange::{Mark, State};
+use lipz_diagnostics::{Code, Diagnostic, Span};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A row, and the positions of its cells.
+#[derive(Debug, Default)]
+pub(crate) struct CsvRow {
+    /// The contents of its cells.
+    pub(crate) cells: Vec<String>,
+    /// The ranges of its cells, in bytes from `start`.
+    pub(crate) places: Vec<Range<usize>>,
+    /// The offset of the row in the text.
+    pub(crate) start: usize,
+    /// The diagnostics of cells, used if their columns are read.
+    pub(crate) faults: Vec<(usize, Diagnostic)>,
+}
+
+impl CsvRow {
+    /// Returns the position of a cell without quotes, or the start of the row if there is no such cell.
+    pub(crate) fn span(&self, at: usize) -> Span {
+        let place = self.places.get(at).cloned().unwrap_or(0..0);
+        Span::new(self.start + place.start, self.start + place.end)
+    }
+
+    fn words(&self, at: usize) -> Words {
+        Words { text: self.cells.get(at).cloned().unwrap_or_default(), span: self.span(at) }
+    }
+
+    fn mark(&self, at: Option<usize>) -> Option<Mark> {
+        self.cells.get(at?)?.parse().ok()
+    }
+
+    /// Adds the translations of a row. Locales with neither text nor mark have no entry, because rows may be much
+    /// shorter than the header. Only a row without any text or mark gets an entry, with which its key and source are
+    /// compared.
+    pub(super) fn entries(&self, header: &CsvHeader, options: &ReadOptions, incoming: &mut IncomingFile) {
+        let key = self.words(header.key);
+        if key.text.is_empty() {
+            if self.cells.iter().any(|cell| !cell.is_empty()) {
+                let message = "the row has no key and is not imported";
+                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeLoss, self.span(0), message));
+            }
+            return;
+        }
+        let source = header.source.map(|at| Arc::new(self.words(at)));
+        let source_mark = self.mark(header.source_mark);
+        let state = header.state.and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
+        let row_locale = self.locale(header.language, options, incoming);
+        let (id, segment) = entry::id(&key.text);
+        let key = Arc::new(Words { text: id.to_owned(), span: key.span });
+        let entry = |column: &TranslationColumn| {
+            // These do not include columns of other locales, but rows may have any locale.
+            let locale = column.locale.clone().or_else(|| row_locale.clone().filter(|locale| options.wants(locale)))?;
+            let text = self.words(column.at);
+            Some(Entry {
+                key: Arc::clone(&key),
+                segment,
+                source: source.clone(),
+                source_mark,
+                state: if text.text.is_empty() { State::Initial } else { state.unwrap_or(State::Translated) },
+                says_state: state.is_some(),
+                text,
+                mark: self.mark(header.mark(column, &locale)),
+                locale,
+                is_of_table: true,
+                ..Entry::default()
+            })
+        };
+        let before = incoming.entries.len();
+        let has_something = |entry: &Entry| !entry.text.text.is_empty() || entry.mark.is_some();
+        incoming.entries.extend(header.texts_of(self.cells.len()).filter_map(entry).filter(has_something));
+        if incoming.entries.len() == before {
+            incoming.entries.extend(header.texts_of(usize::MAX).find_map(entry));
+        }
+        // Columns were sorted by their marks, which may come before the texts.
+        incoming.entries[before..].sort_by_key(|entry| entry.text.span);
+    }
+
+    /// Returns the locale of the row, if a column states it.
+    fn locale(&self, column: Option<usize>, options: &ReadOptions, incoming: &mut IncomingFile) -> Option<Arc<str>> {
+        let language = self.words(column?);
+        let locale = options.locale(&language.text).map(Arc::from);
+        locale.map_err(|why| incoming.diagnostics.push(why.diagnostic(&language.text, language.span))).ok()
+    }
+}

@@ -1,0 +1,11 @@
+//! gettext PO: an entry per clip or segment, with information for translators in its comments.
+
+mod read;
+mod string;
+mod write;
+
+pub(crate) use read::read;
+pub(crate) use write::write;
+
+/// The prefix of a translation's mark in the comments of an entry.
+const EXPORTED: &str = "as exported: ";

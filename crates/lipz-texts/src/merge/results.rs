@@ -1,0 +1,68 @@
+//! The results of merging.
+
+use crate::exchange::State;
+use lipz_diagnostics::{Diagnostic, Span};
+
+/// A Lipz file with translations.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct MergedFile {
+    /// The new text of the file; `None` if nothing changes.
+    pub text: Option<String>,
+    /// The conflicts, each with the number of its exchange file.
+    pub found: Vec<(usize, Diagnostic)>,
+    /// The numbers of merged texts.
+    pub counts: Counts,
+    /// The source texts of translations that the file confirms, imported or unchanged.
+    pub confirmed: Vec<ConfirmedTranslations>,
+    /// The source texts in the file that differ from those of the clip, with the number of the file. They are never
+    /// imported.
+    pub other_sources: Vec<(usize, Span)>,
+}
+
+/// Translations of a clip into a locale and their source texts, according to an exchange file. The source texts are the
+/// current ones, or older ones if their translations were imported regardless.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ConfirmedTranslations {
+    /// The locale of the translations.
+    pub locale: String,
+    /// The source texts of the segments.
+    pub sources: Vec<String>,
+    /// Their translations after the import.
+    pub texts: Vec<String>,
+    /// The state of each segment; `None` if the file does not state it.
+    pub states: Vec<Option<State>>,
+    /// Whether the text of the segment was changed in the file, or the file states the state of each text. Other texts
+    /// may only be new to the project's [record](crate::TextRecord), and possibly unchecked.
+    pub is_looked_at: Vec<bool>,
+}
+
+/// The numbers of texts of an exchange file, each for a clip in a locale.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct Counts {
+    /// Clips that had no text in the locale.
+    pub added: usize,
+    /// Clips whose text changed.
+    pub changed: usize,
+    /// Clips whose text is the same in the file.
+    pub unchanged: usize,
+    /// Clips whose text has changed in the project since the export, but not in the file. They stay unchanged.
+    pub newer: usize,
+    /// Clips with conflicts. They stay unchanged.
+    pub refused: usize,
+    /// Texts that were replaced although the file had no mark of them at the export.
+    pub unmarked: usize,
+}
+
+impl Counts {
+    /// Adds the counts of `others`.
+    pub fn add(&mut self, others: Counts) {
+        self.added += others.added;
+        self.changed += others.changed;
+        self.unchanged += others.unchanged;
+        self.newer += others.newer;
+        self.refused += others.refused;
+        self.unmarked += others.unmarked;
+    }
+}

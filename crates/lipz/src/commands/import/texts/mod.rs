@@ -1,0 +1,270 @@
+//! `lipz import texts`: imports translations into clips.
+
+mod incoming_texts;
+
+use crate::commands::Run;
+use crate::console;
+use crate::interrupt::Files;
+use crate::reporter::{CommandResult, Reporter};
+use crate::shared::inputs::find_all;
+use crate::shared::lint_flags::LintFlags;
+use crate::shared::settings_file::SettingsFile;
+use crate::shared::text_record::RecordFile;
+use crate::shared::translations::{locales_of, source_locale};
+use crate::shared::values::{parse_locale, refuse_locales};
+use clap::{Args, ValueEnum};
+use incoming_texts::IncomingTexts;
+use lipz_compiler::settings::Settings;
+use lipz_compiler::{Compiler, Content, Input};
+use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
+use lipz_texts::{ConfirmedTranslations, Counts, Entry, Merge, MergedFile, ReadOptions, unknown_keys};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+
+/// Import translations into the clips that they belong to.
+///
+/// Only texts that were changed in the file change in the clips. Everything else keeps its spelling. Texts that do not fit
+/// their clips are reported with line and column, and are not imported.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  lipz import texts de-de.po
+  lipz import texts texts.xlsx -o voices --locale fr-fr --check
+  msgmerge old.po texts.pot | lipz import texts - --stdin-filename de-de.po")]
+pub(crate) struct ImportTexts {
+    /// Translated files: .po, .xlf, .csv, .tsv, .xlsx, .json; `-` is standard input
+    #[arg(value_name = "FILES", required = true)]
+    files: Vec<PathBuf>,
+
+    /// Lipz files to change: folders, files or patterns [default: those of lipz.toml]
+    #[arg(short, long, value_name = "SOURCES")]
+    output: Vec<PathBuf>,
+
+    /// Only this locale, also for files that do not name theirs; may be given several times
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    locale: Vec<String>,
+
+    /// Source locale [default: `default-locale` of lipz.toml]
+    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    from: Option<String>,
+
+    /// Minimum state of imported translations
+    #[arg(long, value_enum, default_value_t = MinState::Translated)]
+    state: MinState,
+
+    /// Import stale translations, and replace newer ones
+    #[arg(long)]
+    discard_edits: bool,
+
+    /// Show what would be imported, and write nothing
+    #[arg(long)]
+    check: bool,
+
+    #[command(flatten)]
+    file: SettingsFile,
+
+    #[command(flatten)]
+    lints: LintFlags,
+
+    /// Hide progress and summary
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// States on the command line.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum MinState {
+    /// Any translation, including fuzzy ones
+    Initial,
+    /// Finished translations
+    Translated,
+    /// Reviewed translations
+    Reviewed,
+    /// Final translations
+    Final,
+}
+
+impl From<MinState> for lipz_texts::State {
+    fn from(state: MinState) -> lipz_texts::State {
+        match state {
+            MinState::Initial => lipz_texts::State::Initial,
+            MinState::Translated => lipz_texts::State::Translated,
+            MinState::Reviewed => lipz_texts::State::Reviewed,
+            MinState::Final => lipz_texts::State::Final,
+        }
+    }
+}
+
+impl Run for ImportTexts {
+    fn prints_result(&self) -> bool {
+        false
+    }
+
+    fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        run(self, reporter)
+    }
+}
+
+fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
+    let mut project = arguments.file.project_reading(&arguments.files, &arguments.output, reporter)?;
+    let settings = &mut project.settings;
+    arguments.lints.apply(&mut settings.options);
+    let settings = &project.settings;
+    let options = &settings.options;
+    refuse_locales(arguments.locale.iter().chain(&arguments.from).map(String::as_str), options, reporter)?;
+    let (inputs, mut reports) = find_all(settings, reporter)?;
+    let source_locale = source_locale(arguments.from.as_ref(), options, reporter)?;
+    let known = locales_of(&inputs, options, &source_locale);
+    let read_options = ReadOptions::new(source_locale.as_str())
+        .wanted(arguments.locale.iter().cloned())
+        .known(known)
+        .extended_locales(options.get_extended_locales());
+    let mut incoming = IncomingTexts::read(&arguments.files, &read_options, reporter, &mut reports)?;
+    let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
+    incoming.found.extend(unknown_keys(&incoming.entries, &keys));
+    incoming.found.retain_mut(|(_, diagnostic)| {
+        let mut one = vec![diagnostic.clone()];
+        options.get_levels().apply(&mut one);
+        one.pop().map(|levelled| *diagnostic = levelled).is_some()
+    });
+    let (record, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
+    reports.extend(odd_lines);
+    let (counts, confirmed) = arguments.merge(settings, &source_locale, &inputs, &mut incoming, &mut reports);
+    let remembered = match arguments.check {
+        true => Ok(String::new()),
+        false => remember(record, &source_locale, &confirmed),
+    };
+    let remembered = remembered.unwrap_or_else(|report| {
+        reports.push(report);
+        String::new()
+    });
+    reports.extend(incoming.reports());
+    all_reports::sort(&mut reports);
+    reporter.end(reports, (!arguments.quiet).then(|| summary(counts, arguments.check) + &remembered))
+}
+
+impl ImportTexts {
+    /// Merges the translations into the clips.
+    fn merge(
+        &self,
+        settings: &Settings,
+        source_locale: &str,
+        inputs: &[Input],
+        incoming: &mut IncomingTexts,
+        reports: &mut Vec<Report>,
+    ) -> (Counts, Vec<(Input, Vec<ConfirmedTranslations>)>) {
+        let options = &settings.options;
+        let mut by_key: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
+        for entry in &incoming.entries {
+            by_key.entry(&entry.key.text).or_default().push(entry);
+        }
+        let inputs: Vec<Input> = inputs.iter().filter(|input| by_key.contains_key(&*input.key)).cloned().collect();
+        let merge = Merge::new(source_locale)
+            .default_locale(options.get_default_locale())
+            .min_state(self.state.into())
+            .forced(self.discard_edits)
+            .levels(options.get_levels());
+        let bar = console::progress_bar(inputs.len(), self.quiet);
+        let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
+        let files = Files::new();
+        let results = compiler.each_file(&inputs, |input, bytes| {
+            let merged = one(&merge, input, bytes, by_key.get(&*input.key).map_or(&[], Vec::as_slice))?;
+            if let (Some(text), Content::File(path), false) = (&merged.text, &input.content, self.check) {
+                files.rewrite(path, bytes, text.as_bytes())?;
+            }
+            Ok(merged)
+        });
+        let unwritten = files.finish();
+        bar.finish_and_clear();
+        let mut counts = Counts::default();
+        let mut confirmed = Vec::new();
+        let mut other_sources: BTreeMap<usize, BTreeSet<Span>> = BTreeMap::new();
+        for (input, result) in inputs.into_iter().zip(results) {
+            match result.and_then(|result| result) {
+                Ok(merged) => {
+                    counts.add(merged.counts);
+                    let is_written = unwritten.iter().all(|report| report.source.path != input.name());
+                    if is_written && !merged.confirmed.is_empty() {
+                        confirmed.push((input, merged.confirmed));
+                    }
+                    incoming.found.extend(merged.found);
+                    for (file, span) in merged.other_sources {
+                        other_sources.entry(file).or_default().insert(span);
+                    }
+                }
+                Err(report) => reports.push(report),
+            }
+        }
+        reports.extend(unwritten);
+        let mut found: Vec<(usize, Diagnostic)> =
+            other_sources.iter().filter_map(|(file, spans)| Some((*file, not_imported(spans)?))).collect();
+        found.extend((counts.unmarked > 0).then(|| (0, unmarked(counts.unmarked, self.check))));
+        for (file, diagnostic) in found {
+            let mut one = vec![diagnostic];
+            options.get_levels().apply(&mut one);
+            incoming.found.extend(one.into_iter().map(|diagnostic| (file, diagnostic)));
+        }
+        (counts, confirmed)
+    }
+}
+
+/// Records the source texts of the translations, and returns a message about them.
+fn remember(
+    mut file: RecordFile,
+    source_locale: &str,
+    confirmed: &[(Input, Vec<ConfirmedTranslations>)],
+) -> Result<String, Report> {
+    for (input, confirmed) in confirmed {
+        let name = file.name(input);
+        for one in confirmed {
+            file.record.confirm(&name, source_locale, one);
+        }
+    }
+    let is_written = file.write()?;
+    Ok(if is_written && !file.exists() { file.introduction() } else { String::new() })
+}
+
+/// Merges the translations into one clip.
+fn one(merge: &Merge<'_>, input: &Input, bytes: &[u8], entries: &[&Entry]) -> Result<MergedFile, Report> {
+    let parsed = lipz_file::parse(bytes);
+    let mut diagnostics = parsed.diagnostics;
+    diagnostics.retain(Diagnostic::is_error);
+    match parsed.document.filter(|_| diagnostics.is_empty()) {
+        Some(document) => Ok(merge.merge(&String::from_utf8_lossy(bytes), &document, entries)),
+        None => Err(Report::from_bytes(input.name(), bytes, diagnostics)),
+    }
+}
+
+/// Returns the diagnostic for source texts that differ from those of the project, at the first of them.
+fn not_imported(spans: &BTreeSet<Span>) -> Option<Diagnostic> {
+    let texts = console::counted(spans.len(), "source text");
+    let (differ, are) = if spans.len() == 1 { ("differs", "is") } else { ("differ", "are") };
+    let message = format!("{texts} of the file {differ} from the project and {are} not imported");
+    let diagnostic = Diagnostic::at(Code::ExchangeLoss, *spans.first()?, message);
+    Some(diagnostic.help("edit source texts in the Lipz files; if they changed there, export again"))
+}
+
+/// Returns the diagnostic for texts that were replaced without a mark.
+fn unmarked(count: usize, is_check: bool) -> Diagnostic {
+    let (texts, were) = (console::counted(count, "text"), if count == 1 { "was" } else { "were" });
+    let what = if is_check { "would be".to_owned() } else { were.to_owned() };
+    Diagnostic::new(Code::TextReplaced, format!("{texts} of the project {what} replaced"))
+        .note("the file does not contain the texts from its export, so changes since then may be lost")
+        .help("compare the texts in version control, and keep the marks of the export, such as the column `lock de-de`")
+}
+
+fn summary(counts: Counts, is_check: bool) -> String {
+    let parts = [
+        (counts.added, "new"),
+        (counts.changed, "changed"),
+        (counts.unchanged, "unchanged"),
+        (counts.newer, "kept (newer in the project)"),
+        (counts.refused, "not imported"),
+    ];
+    let parts: Vec<String> = parts
+        .into_iter()
+        .filter(|(count, what)| *count > 0 || *what == "new")
+        .map(|(count, what)| format!("{} {what}", console::grouped(count)))
+        .collect();
+    let head = if is_check { "texts that would be imported" } else { "texts imported" };
+    format!("{head}: {}\n", parts.join(", "))
+}

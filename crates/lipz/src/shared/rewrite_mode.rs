@@ -1,0 +1,70 @@
+//! Commands that change source files: in place, or as a preview of the changes.
+
+use crate::Abort;
+use crate::console;
+use crate::interrupt::Files;
+use crate::reporter::Reporter;
+use crate::shared::stdio;
+use lipz_compiler::{Content, Input};
+use lipz_diagnostics::{Report, escape};
+use similar::TextDiff;
+use std::borrow::Cow;
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+
+/// The treatment of a changed file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum RewriteMode {
+    /// Replaced.
+    InPlace,
+    /// Only counted.
+    Nothing,
+    /// Counted, and shown as a difference.
+    Diff,
+}
+
+impl RewriteMode {
+    /// Changes a file that was read as `before` to `after`. Returns the difference if it was requested.
+    pub(crate) fn rewrite(self, files: &Files, input: &Input, before: &[u8], after: &str) -> Result<String, Report> {
+        match (self, &input.content) {
+            (RewriteMode::InPlace, Content::File(path)) => {
+                files.rewrite(path, before, after.as_bytes()).map(|()| String::new())
+            }
+            (RewriteMode::Diff, _) => Ok(diff(&input.name(), before, after)),
+            _ => Ok(String::new()),
+        }
+    }
+}
+
+/// Whether standard input is to be changed; the result goes to standard output. It cannot be combined with files, which
+/// change in place.
+pub(crate) fn reads_standard_input(sources: &[PathBuf], reporter: &mut Reporter) -> Result<bool, Abort> {
+    if sources.len() > 1 && sources.iter().any(|source| stdio::is_meant(source)) {
+        let tip = "name `-` alone, or files and folders only";
+        return Err(reporter.usage("standard input cannot be rewritten together with files", tip));
+    }
+    Ok(is_standard_input(sources))
+}
+
+/// Whether standard input is the only source.
+pub(crate) fn is_standard_input(sources: &[PathBuf]) -> bool {
+    matches!(sources, [source] if stdio::is_meant(source))
+}
+
+/// Returns the difference between two texts of a file in the format of `diff -u` and `patch`, with terminal control
+/// characters escaped.
+pub(crate) fn diff(name: &str, before: &[u8], after: &str) -> String {
+    let before = String::from_utf8_lossy(before);
+    // A name may contain line breaks, but the header is one line, and GitHub interprets some lines as commands.
+    let name = &escape::text(name);
+    let unified = TextDiff::from_lines(before.as_ref(), after).unified_diff().header(name, name).to_string();
+    if !io::stdout().is_terminal() {
+        return unified;
+    }
+    unified.lines().flat_map(|line| [escape::text(line), Cow::Borrowed("\n")]).collect()
+}
+
+/// Returns `1 file` or `2 files`.
+pub(crate) fn files(number: usize) -> String {
+    console::counted(number, "file")
+}
