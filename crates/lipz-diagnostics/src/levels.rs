@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, btree_map};
 /// assert_eq!(levels.severity(Code::UnknownEmotion), Some(Severity::Error));
 ///
 /// let mut diagnostics = vec![
-///     Diagnostic::new(Code::UnknownEmotion, "`smug` is no emotion"),
+///     Diagnostic::new(Code::UnknownEmotion, "`smug` is not an emotion"),
 ///     Diagnostic::new(Code::ByteOrderMark, "the file starts with a byte order mark"),
 /// ];
 /// levels.apply(&mut diagnostics);

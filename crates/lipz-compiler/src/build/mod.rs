@@ -194,7 +194,7 @@ impl Build {
         }
     }
 
-    /// Returns the settings file found for the sources; `None` if there is none, or if the script uses none.
+    /// Returns the settings file found for the sources; `None` if no file was found, or if the script does not use one.
     fn found_settings(&self) -> Option<PathBuf> {
         if self.ignores_settings || self.settings_file.is_some() { None } else { Settings::find_of(&self.sources) }
     }

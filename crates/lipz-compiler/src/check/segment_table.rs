@@ -11,7 +11,7 @@ const SHOWN: usize = 12;
 const SHOWN_ALONE: usize = 2;
 /// Columns to show of a segment.
 const WIDTH: usize = 36;
-/// The length of an element when its segments are compared with those of another one.
+/// The length to which both elements are scaled, so that the positions of their segments can be compared.
 const WHOLE: u64 = 1 << 20;
 
 /// An element with its segments.

@@ -22,7 +22,7 @@ pub struct FixedFile {
 }
 
 impl Compiler<'_> {
-    /// Applies the certain fixes of a file's diagnostics; `None` if there are none.
+    /// Returns a file with the certain fixes of its diagnostics applied; `None` if it does not have such a fix.
     ///
     /// A fix is certain if the bank made from the file is the same before and after, or, if an error prevents a bank,
     /// if the intent is beyond doubt. Everything else in the file keeps its spelling. Diagnostics of lints that the
@@ -53,7 +53,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Returns the file after one round of fixes, without those that overlap; `None` if there are none.
+/// Returns the file after one round of fixes, without fixes that overlap; `None` if there is nothing to fix.
 fn round(bytes: &[u8], options: &Options) -> Option<FixedFile> {
     let (text, fixes) = fixes(bytes, options)?;
     let applied = Fix::apply_all(text, &fixes.iter().map(|(_, fix)| fix).collect::<Vec<_>>());

@@ -77,7 +77,7 @@ fn flush(above: Option<&Element<'_>>, added: &mut String, changes: &mut Vec<Chan
     }
 }
 
-/// Formats an element like another one, for insertion after it or, with `is_above`, before it.
+/// Formats an element in the layout of `like`, for insertion after `like` or, with `is_above`, before it.
 fn alike(text: &str, like: &Element<'_>, element: &Element<'_>, is_above: bool) -> Option<String> {
     let (name, value) = (like.name.span().range(), like.value.span().range());
     let text_before = text.get(..name.start)?;

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test stops at the first surprise")]
 
+pub(crate) mod approved;
 pub(crate) mod editor;
 pub(crate) mod forge;
 pub(crate) mod sound;

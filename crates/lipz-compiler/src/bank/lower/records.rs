@@ -5,7 +5,7 @@ use super::numbering::Numbering;
 use super::strings::NamePool;
 use crate::clip::Clip;
 use crate::locales::localise::LocalisedTexts;
-use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
+use foldhash::{HashMap, HashMapExt}; // seeded differently in each process; the order of entries is never used
 use lipz_bank::{Fps, VisemeType};
 use lipz_diagnostics::Report;
 use lipz_layout::{

@@ -3,7 +3,7 @@
 use super::limits::{fit, too_large};
 use crate::clip::Clip;
 use crate::locales::localise::LocalisedTexts;
-use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
+use foldhash::{HashMap, HashMapExt}; // seeded differently in each process; the order of entries is never used
 use lipz_diagnostics::Report;
 use lipz_layout::U32;
 

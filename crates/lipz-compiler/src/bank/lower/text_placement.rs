@@ -3,7 +3,7 @@
 use super::numbering::Numbering;
 use super::repeated_hashes::RepeatedHashes;
 use super::texts::TextRun;
-use foldhash::{HashMap, HashMapExt}; // seeded anew in each process: the order of entries is never used
+use foldhash::{HashMap, HashMapExt}; // seeded differently in each process; the order of entries is never used
 
 /// The position of the texts of a clip in a locale.
 #[derive(Clone, Copy)]

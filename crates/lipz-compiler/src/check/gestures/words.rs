@@ -87,7 +87,7 @@ impl SpokenWord<'_> {
         self.goes_on && self.behind.chars().all(char::is_whitespace)
     }
 
-    /// Whether the writer marks it for stress: `I *told* you`.
+    /// Whether the text marks the word for stress: `I *told* you`.
     pub(super) fn is_marked(&self) -> bool {
         self.before.ends_with(['*', '_'])
     }
