@@ -90,7 +90,7 @@ pub use run::shard;
 pub use run::{
     CheckResult, CompileError, Compiled, Compiler, DeliveredFiles, Lint, LintResult, Outputs, Phases, StackBelow,
 };
-pub use sources::{Content, Input, Inputs, discover, discover_with_reports, is_pattern, key};
+pub use sources::{Content, Input, Inputs, discover, discover_with_reports, is_pattern, key, resolved_below};
 #[cfg(feature = "diff")]
 pub use views::diff;
 #[cfg(feature = "ids")]

@@ -33,6 +33,8 @@ fn has(bank: &[u8], tag: Tag) -> bool {
 fn every_optional_section_is_known_to_all_that_must_know_it() {
     let (with, without) = banks();
     let split = SplitBank::from_bytes(&with).unwrap();
+    let not_in_base = Tag::OPTIONAL.into_iter().filter(|section| !section.is_in_base).map(|section| section.tag);
+    assert_eq!(not_in_base.collect::<Vec<_>>(), [Tag::SOURCE_INDEX, Tag::SOURCES, Tag::LAYER]);
     // Only banks on top of others have a layer: see `layers.rs` next to this test.
     for section in Tag::OPTIONAL.into_iter().filter(|section| section.tag != Tag::LAYER) {
         let tag = section.tag;

@@ -41,6 +41,16 @@ impl OptionalSection {
     }
 }
 
+// Every length of an entry is a power of two, so that no division is needed to check whether entries fill a section.
+#[allow(clippy::indexing_slicing)]
+const _: () = {
+    let mut place = 0;
+    while place < Tag::OPTIONAL.len() {
+        assert!(Tag::OPTIONAL[place].entry_bytes.is_power_of_two());
+        place += 1;
+    }
+};
+
 impl Tag {
     /// [`BabbleRecord`]s, ordered by name (bytewise), each with its strings.
     pub const BABBLE: Tag = Tag(*b"BABL");

@@ -26,7 +26,7 @@ struct Edges {
 /// Options of `cargo xtask edges`.
 #[derive(clap::Args, Debug)]
 pub(crate) struct Settings {
-    /// Print the files of the crates with wings, with their contents
+    /// Print the files of the crates with wings, each with the first sentence of its comment
     #[arg(long)]
     map: bool,
 }

@@ -14,11 +14,11 @@ const SACCADE_MS: u16 = 50;
 /// Pitch and yaw of the left eye, the right eye and the mouth of a person one metre away. The eyes are 6.5 cm apart,
 /// and the mouth is 7 cm below them.
 const OF_A_FACE: [(i32, i32); 3] = [(0, 1900), (0, -1900), (-4000, 0)];
-/// The least angle of hands and body below the eyes,
+/// The smallest angle of a glance below the eyes, in thousandths of a degree.
 const GLANCE_DOWN: i32 = 10_000;
-/// the most that is added to it,
+/// The largest random addition to that angle.
 const GLANCE_MORE: u32 = 8000;
-/// and the greatest angle to the side.
+/// The largest angle of a glance to the side.
 const GLANCE_ASIDE: u32 = 12_000;
 
 /// Returns the direction of the eyes, relative to the head at rest.

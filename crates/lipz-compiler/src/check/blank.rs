@@ -13,9 +13,11 @@ pub(super) const CHECKS: &[Check] = &[Check { trigger: Trigger::File(may_be_blan
 /// Whether a text shows nothing in a segment in which the text of the default locale shows something.
 fn may_be_blank(file: &CleanFile<'_>) -> bool {
     let CleanFile { clip, locales, options, has_blank, .. } = *file;
-    let default = || options.default_locale.as_deref().and_then(|tag| locales.get(tag));
-    let spoken = || clip.texts.iter().find(|text| Some(text.locale) == default());
-    let Some(spoken) = has_blank.then(spoken).flatten() else { return false };
+    if !has_blank {
+        return false;
+    }
+    let Some(default) = options.default_locale.as_deref().and_then(|tag| locales.get(tag)) else { return false };
+    let Some(spoken) = clip.texts.iter().find(|text| text.locale == default) else { return false };
     let is_silent = |text, segment| clip.is_blank(text, segment) && !clip.is_blank(spoken, segment);
     clip.texts.iter().any(|text| (0..clip.starts.len()).any(|segment| is_silent(text, segment)))
 }

@@ -13,7 +13,7 @@ fn all() -> impl Iterator<Item = &'static Check> {
 }
 
 /// Runs the checks of a text element.
-pub(super) fn of_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+pub(super) fn run_on_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
     for check in all() {
         if let Run::Text(run) = check.run {
             run(text, diagnostics);
@@ -22,7 +22,7 @@ pub(super) fn of_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>)
 }
 
 /// Runs the checks of a clip.
-pub(super) fn of_clip(clip: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
+pub(super) fn run_on_clip(clip: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
     for check in all() {
         if let Run::Clip(run) = check.run {
             run(clip, diagnostics);
@@ -37,6 +37,5 @@ pub(super) fn may_report_all(options: &Options) -> bool {
 
 /// Whether a check may report something about a file.
 pub(super) fn may_report(file: &CleanFile<'_>) -> bool {
-    let may_report = |check: &Check| matches!(check.trigger, Trigger::File(may_report) if may_report(file));
-    LISTS.iter().any(|list| list.iter().any(may_report))
+    all().any(|check| matches!(check.trigger, Trigger::File(may_report) if may_report(file)))
 }

@@ -81,7 +81,7 @@ pub(crate) fn check(
         texts::display_texts(text.string, options, &mut clip.displays, diagnostics);
         let count = expected_count(clip.displays.count());
         let is_divided = clip.displays.count() == count;
-        checks::of_text(
+        checks::run_on_text(
             &CheckedText { string: text.string, displays: &clip.displays, clip, is_divided, options },
             diagnostics,
         );
@@ -113,7 +113,7 @@ pub(crate) fn check(
     emotions::curves(&roles, options, spoken, locales, clip, diagnostics);
     emotions::sums(&curves.unwrap_or_default(), clip, diagnostics);
     gestures::curves(&roles, options, spoken, locales, clip, diagnostics);
-    checks::of_clip(&CheckedClip { roles: &roles, clip, locales, options }, diagnostics);
+    checks::run_on_clip(&CheckedClip { roles: &roles, clip, locales, options }, diagnostics);
     bound::limit(diagnostics);
     bank_limits::for_segments(&roles, clip.starts.len(), diagnostics);
 }
@@ -138,7 +138,10 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         bound::limit_many(&mut found);
         texts::display_texts(text.string, options, &mut clip.displays, &mut found);
         let (displays, is_divided) = (&clip.displays, false);
-        checks::of_text(&CheckedText { string: text.string, displays, clip: &clip, is_divided, options }, &mut found);
+        checks::run_on_text(
+            &CheckedText { string: text.string, displays, clip: &clip, is_divided, options },
+            &mut found,
+        );
         bank_limits::for_texts(text.string, &clip.displays, &mut found);
     }
     roles.curves.into_iter().for_each(|value| drop(curves::curves(value, &options.known_names, &mut clip, &mut found)));

@@ -63,7 +63,7 @@ fn nul_in_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
 
 /// Whether nothing is displayed of a text in a file.
 fn shows_nothing(file: &CleanFile<'_>) -> bool {
-    file.displays().any(<[u8]>::is_empty)
+    file.clip.texts.iter().any(|text| file.clip.text_of(text).is_empty())
 }
 
 fn nothing_displayed(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {

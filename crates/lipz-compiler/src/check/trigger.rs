@@ -4,7 +4,6 @@
 //! defines when it may have something to report. `clean` then leaves such files to the full parser and to
 //! [`check`](super::check()).
 
-pub(super) use super::clean::CleanFile;
 use super::elements::Roles;
 use crate::clip::{ClipData, Locales};
 use crate::project::Options;
@@ -32,7 +31,7 @@ pub(super) enum Trigger {
     File(fn(&CleanFile<'_>) -> bool),
 }
 
-/// The argument of a check.
+/// The function of a check, by its argument.
 pub(super) enum Run {
     /// Each text element, once its display texts are known.
     Text(fn(&CheckedText<'_>, &mut Vec<Diagnostic>)),
@@ -40,12 +39,22 @@ pub(super) enum Run {
     Clip(fn(&CheckedClip<'_>, &mut Vec<Diagnostic>)),
 }
 
+/// A file without escapes, unknown elements and values of wrong types, whose elements all have the same number of
+/// segments.
+pub(super) struct CleanFile<'f> {
+    pub(super) clip: &'f ClipData,
+    pub(super) locales: &'f Locales,
+    pub(super) options: &'f Options,
+    /// Whether a segment of a text displays nothing.
+    pub(super) has_blank: bool,
+}
+
 /// A text element.
 pub(super) struct CheckedText<'t> {
     pub(super) string: &'t JsonString<'t>,
     /// Its display texts, one per segment.
     pub(super) displays: &'t Strings,
-    /// The clip without its texts, events and curves.
+    /// The unfinished clip, with its visemes, the curves of the file, and the texts before this one.
     pub(super) clip: &'t ClipData,
     /// Whether it has as many segments as the clip.
     pub(super) is_divided: bool,

@@ -280,9 +280,10 @@ fn key_of(path: &Path, root: &Path) -> Result<String, (String, &'static str)> {
     Ok(if is_lipz(path) { key.get(..stem).unwrap_or_default().to_owned() } else { key })
 }
 
-/// Returns the path of a file relative to `root`, after resolving its folder and the root; `None` if it is outside of
-/// it.
-fn resolved_below(path: &Path, root: &Path) -> Option<PathBuf> {
+/// Returns the path of a file relative to `root`, after resolving the folder of the file and `root`; `None` if the file
+/// is outside of `root`, or if one of the two folders does not exist. The file itself need not exist, and a link keeps
+/// its name.
+pub fn resolved_below(path: &Path, root: &Path) -> Option<PathBuf> {
     let root = plain(root).canonicalize().ok()?;
     let folder = plain(path.parent()?).canonicalize().ok()?;
     Some(folder.strip_prefix(root).ok()?.join(path.file_name()?))

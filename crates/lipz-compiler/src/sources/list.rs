@@ -15,7 +15,7 @@ pub(crate) struct FileListing {
 
 /// Returns the Lipz files below `folder`, with keys from `key`. Returns `None` if an entry needs further examination,
 /// such as a link or an unreadable folder, and on systems that do not distinguish files from folders in listings. A
-/// [`Walk`](crate::sources::walk::Walk) handles all of that, but takes three times as long.
+/// [`FolderWalk`](crate::sources::walk::FolderWalk) handles all of that, but takes three times as long.
 #[cfg(not(target_os = "linux"))]
 pub(crate) fn plain(
     _folder: &Path,

@@ -6,5 +6,5 @@ pub mod key;
 mod list;
 pub(crate) mod walk;
 
-pub use discover::{discover, discover_with_reports, is_pattern};
+pub use discover::{discover, discover_with_reports, is_pattern, resolved_below};
 pub use input::{Content, Input, Inputs};

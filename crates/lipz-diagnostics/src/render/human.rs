@@ -1,6 +1,6 @@
 //! Diagnostics as text for people: message, position, caret, notes, help.
 //!
-//! Keys, paths and texts are untrusted: they must not output control characters to the terminal (`visible.rs` ensures
+//! Keys, paths and texts are untrusted: they must not output control characters to the terminal (`visible_text.rs` ensures
 //! this in excerpts).
 
 use super::excerpt::{Excerpt, Mark, excerpts};

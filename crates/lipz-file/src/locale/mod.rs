@@ -49,6 +49,18 @@ pub fn text_name(name: &str) -> Option<TextName> {
     Some(TextName::OtherShape(locale.to_owned(), extended))
 }
 
+impl TextName {
+    /// Returns the tag in canonical spelling, of the form `ll-cc` or of BCP 47; `None` for a name without a locale, or
+    /// with one that is not a language tag.
+    pub fn tag(self) -> Option<String> {
+        match self {
+            TextName::Canonical(tag) | TextName::Misspelt(tag) => Some(tag),
+            TextName::OtherShape(_, extended) => extended,
+            TextName::NoLocale => None,
+        }
+    }
+}
+
 /// Returns the canonical form of a locale tag (`en-us` for `en_US`). `None` if it does not have the form `ll-cc` or,
 /// with `extended`, is not a BCP 47 language tag.
 ///

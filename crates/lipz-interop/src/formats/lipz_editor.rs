@@ -5,7 +5,7 @@ use super::Format;
 use crate::json::{self, Node};
 use crate::{DEFAULT_RATE, ImportOptions, Shape, Text, Time, TimedText, Track, source};
 use lipz_diagnostics::{Code, Diagnostic, Span};
-use lipz_file::locale::{TextName, text_name};
+use lipz_file::locale::text_name;
 use lipz_file::rate::Rate;
 use lipz_file::text::DELIMITER;
 use lipz_file::{Element, JsonString, Value};
@@ -45,8 +45,7 @@ fn track(object: Node<'_>, number: usize, diagnostics: &mut Vec<Diagnostic>) -> 
     }
     for (name, node) in object.members() {
         let locale = match text_name(&name) {
-            Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => Some(tag),
-            Some(_) => None,
+            Some(text) => text.tag(),
             None => {
                 other(&name, node, &mut track, diagnostics);
                 continue;

@@ -25,7 +25,7 @@ pub(super) fn settings_hash(
             let model = options.trained_for(locale).map_or(String::new(), |trained| format!(" {:x}", trained.hash));
             let recogniser = options.recogniser.as_ref().filter(|_| script.words.is_empty());
             let recogniser = recogniser.map_or(String::new(), |recogniser| format!(" heard {:x}", recogniser.hash()));
-            let rules = hash_of_rules(&options.rules);
+            let rules = text_of_rules(&options.rules);
             format!("{:?} {rules} {:?} {:?}{model}{recogniser}", options.align, said(), script.breaks)
         }
     };
@@ -33,9 +33,9 @@ pub(super) fn settings_hash(
     hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}{grid}", fps.numerator(), fps.denominator()).as_bytes())
 }
 
-/// Returns the hash of rules. Later additions only affect it if they differ from the default, so that old hashes stay
-/// valid.
-fn hash_of_rules(rules: &RenderRules) -> String {
+/// Returns the text of the rules for the hash. Later additions appear in it only if they differ from the default, so that
+/// old hashes stay valid.
+fn text_of_rules(rules: &RenderRules) -> String {
     let RenderRules { lead_us, hold_us, shortest_wide_us, .. } = rules;
     let consonants = if rules.hold_consonants { " consonants" } else { "" };
     format!(

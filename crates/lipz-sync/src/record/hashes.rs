@@ -12,7 +12,7 @@ pub(crate) fn hash(bytes: &[u8]) -> u64 {
     XxHash3_64::oneshot(bytes)
 }
 
-/// Returns the hash of a text's words, without delimiters and meta. Pronunciations are part of the settings.
+/// Returns the hash of a text's words, without `|`. Pronunciations are part of the settings.
 pub(crate) fn text_hash(spoken: Option<&str>) -> u64 {
     spoken.map_or(NO_TEXT, |text| {
         let displayed: String =
@@ -52,7 +52,7 @@ pub(crate) fn mouth_hash(codes: &[u8], fps: Option<Fps>, viseme_type: Option<Vis
     hash(&[head.as_bytes(), codes].concat())
 }
 
-/// Returns the words of a text, without delimiters and meta.
+/// Returns the words of a text, without `|`.
 pub(crate) fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| c == DELIMITER || c.is_whitespace()).filter(|word| !word.is_empty())
 }

@@ -21,8 +21,8 @@ pub use word_times::{word_times, word_times_of};
 
 use crate::recordings::file_facts::unreadable;
 use crate::recordings::paths::shown;
-use lipz_compiler::replace_file;
 use lipz_compiler::settings::Settings;
+use lipz_compiler::{replace_file, resolved_below};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -224,11 +224,8 @@ impl SyncRecord {
         if let Ok(below) = lipz_file.strip_prefix(folder) {
             return shown(below);
         }
-        // Named from another folder: only the file system can resolve both paths.
-        let real = |path: &Path| path.canonicalize().ok();
-        let below = real(lipz_file).zip(real(folder));
-        let below = below.as_ref().and_then(|(file, folder)| file.strip_prefix(folder).ok());
-        shown(below.unwrap_or(lipz_file))
+        // Only the file system can resolve paths that start in a different folder. The file may not exist yet.
+        resolved_below(lipz_file, folder).map_or_else(|| shown(lipz_file), |below| shown(&below))
     }
 }
 
@@ -289,6 +286,21 @@ mod tests {
             "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b from:textgrid differs:0badcafe:4-9@300-410 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
+    }
+
+    #[test]
+    fn a_file_has_the_same_name_from_each_folder_before_and_after_it_exists() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = SyncRecord::read(&folder.path().join(RECORD_NAME)).unwrap();
+        fs::create_dir_all(folder.path().join("act1")).unwrap();
+        let roundabout = folder.path().parent().unwrap().join(".").join(folder.path().file_name().unwrap());
+        let paths = [folder.path().join("act1/../act1/x.lipz"), roundabout.join("act1/./x.lipz")];
+        let roundabout_record = SyncRecord::read(&roundabout.join("act1/..").join(RECORD_NAME)).unwrap();
+        let names = || paths.each_ref().map(|path| roundabout_record.name(path));
+        assert_eq!(names(), ["act1/x.lipz"; 2], "not there yet");
+        fs::write(folder.path().join("act1/x.lipz"), "{}").unwrap();
+        assert_eq!(names(), ["act1/x.lipz"; 2]);
+        assert_eq!(record.name(&folder.path().join("act1/x.lipz")), "act1/x.lipz");
     }
 
     #[test]

@@ -13,9 +13,8 @@ pub(crate) fn spoken<'d>(
     let mut texts = document.elements.iter().filter_map(|element| {
         let Value::String(string) = &element.value else { return None };
         let tag = match text_name(&element.name.text)? {
-            TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => Some(tag),
-            TextName::OtherShape(_, None) => return None,
             TextName::NoLocale => default_locale.map(str::to_owned),
+            text => Some(text.tag()?),
         };
         Some((tag, string))
     });

@@ -31,8 +31,7 @@ pub(crate) fn trimmed(text: &str) -> Vec<String> {
 /// Returns the locale of a text from the name of its element.
 pub(crate) fn tag_of(name: &str, default_locale: Option<&str>) -> Option<String> {
     match text_name(name)? {
-        TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => Some(tag),
         TextName::NoLocale => default_locale.map(str::to_owned),
-        TextName::OtherShape(_, None) => None,
+        text => text.tag(),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::reporter::{Abort, Reporter};
 use lipz_compiler::{Compiler, Input, Options};
-use lipz_file::locale::{TextName, text_name};
+use lipz_file::locale::text_name;
 use std::collections::BTreeSet;
 
 /// Returns the locale that the texts are translated from.
@@ -22,15 +22,8 @@ pub(crate) fn source_locale(
 pub(crate) fn locales_of(inputs: &[Input], options: &Options, source_locale: &str) -> Vec<String> {
     let each = Compiler::new(options.clone()).each_file(inputs, |_, bytes| {
         let document = lipz_file::parse(bytes).document.unwrap_or_default();
-        document.elements.iter().filter_map(|element| tag(&element.name.text)).collect::<Vec<String>>()
+        document.elements.iter().filter_map(|element| text_name(&element.name.text)?.tag()).collect::<Vec<String>>()
     });
     let all: BTreeSet<String> = each.into_iter().flatten().flatten().collect();
     all.into_iter().filter(|locale| locale != source_locale).collect()
-}
-
-fn tag(name: &str) -> Option<String> {
-    match text_name(name)? {
-        TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => Some(tag),
-        TextName::NoLocale | TextName::OtherShape(_, None) => None,
-    }
 }

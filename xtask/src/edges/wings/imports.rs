@@ -1,9 +1,11 @@
 //! Parses the declarations and imports of a source file, outside of its tests.
 
 use proc_macro2::{TokenStream, TokenTree};
+use syn::punctuated::Punctuated;
 use syn::visit::{self, Visit};
 use syn::{
-    Attribute, ImplItemFn, ItemFn, ItemMod, ItemUse, LitStr, Macro, MetaList, Path, UseTree, VisRestricted, Visibility,
+    Attribute, ImplItemFn, ItemFn, ItemMod, ItemUse, LitStr, Macro, Meta, MetaList, Path, Token, UseTree,
+    VisRestricted, Visibility,
 };
 
 /// A name that `use` brings into a module.
@@ -179,11 +181,18 @@ impl<'a> Visit<'a> for Reader {
 
 /// Whether an item is compiled for tests only.
 fn is_of_tests(attributes: &[Attribute]) -> bool {
-    let names =
-        |tokens: &TokenStream| tokens.to_string().split(|c: char| !c.is_alphanumeric()).any(|word| word == "test");
-    let is_negated = |tokens: &TokenStream| tokens.to_string().contains("not");
     attributes.iter().any(|attribute| match &attribute.meta {
-        syn::Meta::List(list) if list.path.is_ident("cfg") => names(&list.tokens) && !is_negated(&list.tokens),
+        Meta::List(list) if list.path.is_ident("cfg") => list.parse_args().is_ok_and(|condition| is_test(&condition)),
         meta => meta.path().is_ident("test"),
     })
+}
+
+/// Whether a condition holds only in tests: `test`, or `all(…)` with such a part.
+fn is_test(condition: &Meta) -> bool {
+    match condition {
+        Meta::List(list) if list.path.is_ident("all") => list
+            .parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated)
+            .is_ok_and(|parts| parts.iter().any(is_test)),
+        meta => meta.path().is_ident("test"),
+    }
 }

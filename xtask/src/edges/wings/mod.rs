@@ -11,12 +11,12 @@ use crate::paths::workspace_root;
 use circles::circles;
 use modules::Sources;
 use std::collections::BTreeSet;
-use table::{FLOORS, Floor, LARGEST_CIRCLE, MOST_EXCEPTIONS};
+use table::{FLOORS, Floor, LARGEST_CIRCLE};
 
 pub(super) use map::map;
 
 /// The result for the imports of a crate.
-struct Found {
+struct WingReport {
     /// Imports from one wing to another: pairs of files.
     between_wings: usize,
     /// The number of these that are against the order.
@@ -27,14 +27,14 @@ struct Found {
     refused: Vec<String>,
 }
 
-/// Checks all crates that are divided into wings, and returns a line with the numbers of each.
+/// Returns a line with the numbers of each crate that has wings, and the forbidden imports.
 ///
 /// # Errors
 /// If a source cannot be read.
 pub(super) fn check() -> Result<(Vec<String>, Vec<String>), Failure> {
     let (mut numbers, mut refused) = (Vec::new(), Vec::new());
     for floor in FLOORS {
-        let Found { between_wings, against_order, largest_circle, refused: lines } = examine(&read(floor)?, floor);
+        let WingReport { between_wings, against_order, largest_circle, refused: lines } = examine(&read(floor)?, floor);
         numbers.push(format!(
             "{}: {} wings, {between_wings} imports between them, {against_order} against their order, \
              {largest_circle} files in the largest circle",
@@ -56,7 +56,7 @@ fn wing(file: &str) -> &str {
     file.split('/').next().unwrap_or_default().trim_end_matches(".rs")
 }
 
-fn examine(sources: &Sources, floor: &Floor) -> Found {
+fn examine(sources: &Sources, floor: &Floor) -> WingReport {
     let mut refused = Vec::new();
     let wings: BTreeSet<&str> = sources.files.keys().map(|file| wing(file)).filter(|wing| *wing != "lib").collect();
     let unlisted = wings.iter().filter(|wing| !floor.wings.contains(wing));
@@ -77,21 +77,11 @@ fn examine(sources: &Sources, floor: &Floor) -> Found {
         || imports.files.iter().flat_map(|(from, files)| files.iter().map(move |to| (from.as_str(), to.as_str())));
     let against: Vec<(&str, &str)> =
         pairs().filter(|(from, to)| height(from) < height(to) && *from != "lib.rs").collect();
-    let is_allowed =
-        |(from, to): &(&str, &str)| floor.exceptions.iter().any(|allowed| (allowed.from, allowed.to) == (*from, *to));
     refused.extend(
         against
             .iter()
-            .filter(|pair| !is_allowed(pair))
             .map(|(from, to)| format!("{from} imports {to}: the wing `{}` is below `{}`", wing(from), wing(to))),
     );
-    let needless = floor.exceptions.iter().filter(|allowed| !against.contains(&(allowed.from, allowed.to)));
-    refused.extend(needless.map(|allowed| {
-        format!("{} no longer imports {} ({}): remove the exception", allowed.from, allowed.to, allowed.reason)
-    }));
-    if floor.exceptions.len() > MOST_EXCEPTIONS {
-        refused.push(format!("{} exceptions, but {MOST_EXCEPTIONS} are allowed", floor.exceptions.len()));
-    }
 
     let circles = circles(&imports.files);
     let too_large = circles.iter().filter(|circle| circle.len() > LARGEST_CIRCLE);
@@ -99,7 +89,7 @@ fn examine(sources: &Sources, floor: &Floor) -> Found {
         let files: Vec<&str> = circle.iter().copied().collect();
         format!("{} files import each other, but {LARGEST_CIRCLE} may: {}", files.len(), files.join(", "))
     }));
-    Found {
+    WingReport {
         between_wings: pairs().filter(|(from, to)| *from != "lib.rs" && wing(from) != wing(to)).count(),
         against_order: against.len(),
         largest_circle: circles.first().map_or(1, BTreeSet::len),

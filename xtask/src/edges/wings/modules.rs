@@ -66,13 +66,14 @@ impl Sources {
     pub(super) fn imports(&self) -> Imports {
         let mut all = Imports::default();
         for (path, module) in &self.modules {
-            // An imported module counts where one of its items is used.
-            let used = module.imports.iter().filter(|import| !import.is_exported).map(|import| &import.path);
-            let used = used.filter_map(|used| Some((self.absolute(path, used)?, used[0] == "crate")));
-            let used = used.filter(|(used, _)| !self.modules.contains_key(used) || used.len() < 2);
-            let globs = module.imports.iter().filter(|import| !import.is_exported && import.name == "*");
-            let globs =
-                globs.filter_map(|import| Some((self.absolute(path, &import.path)?, import.path[0] == "crate")));
+            let used = module.imports.iter().filter_map(|import| {
+                let used = self.absolute(path, &import.path)?;
+                // An imported module counts where one of its items is used.
+                let is_item = import.name == "*" || !self.modules.contains_key(&used);
+                // A module that exports the items of its own modules does not import them.
+                let is_facade = import.is_exported && used.starts_with(path);
+                (is_item && !is_facade).then(|| (used, import.path[0] == "crate"))
+            });
             let in_code = module.paths.iter().filter_map(|used| {
                 let imported = module.imports.iter().find(|import| import.name == used[0]);
                 let (used, is_of_crate) = match imported {
@@ -81,11 +82,11 @@ impl Sources {
                 };
                 Some((self.absolute(path, &used)?, is_of_crate))
             });
-            for (used, is_of_crate) in used.chain(globs).chain(in_code) {
+            for (used, is_of_crate) in used.chain(in_code) {
                 if is_of_crate {
                     all.of_crate.insert((module.file.clone(), used.clone()));
                 }
-                let file = self.defining_file(&used, 0);
+                let file = self.defining_file(&used);
                 if *file != module.file {
                     all.files.entry(module.file.clone()).or_default().insert(file.clone());
                 }
@@ -108,19 +109,16 @@ impl Sources {
         }
     }
 
-    /// Returns the file that defines the item at `path`. Modules that re-export it are followed.
-    fn defining_file(&self, path: &[String], steps: usize) -> &String {
+    /// Returns the file that defines the item at `path`. Re-exports are followed, which the compiler has checked for circles.
+    fn defining_file(&self, path: &[String]) -> &String {
         let depth = (0..=path.len()).rev().find(|depth| self.modules.contains_key(&path[..*depth])).unwrap_or_default();
         let module = &self.modules[&path[..depth]];
-        let (Some(name), true) = (path.get(depth), steps < MOST_STEPS) else { return &module.file };
+        let Some(name) = path.get(depth) else { return &module.file };
         let exported = module.imports.iter().find(|import| import.is_exported && import.name == *name);
         let exported = exported.and_then(|import| self.absolute(&path[..depth], &import.path));
         match exported {
-            Some(exported) => self.defining_file(&[&exported, &path[depth + 1..]].concat(), steps + 1),
+            Some(exported) => self.defining_file(&[&exported, &path[depth + 1..]].concat()),
             None => &module.file,
         }
     }
 }
-
-/// The most re-exports that are followed. None of them is circular.
-const MOST_STEPS: usize = 8;

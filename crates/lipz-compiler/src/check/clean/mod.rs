@@ -5,7 +5,6 @@
 //! report something. The full parser and [`check`](super::check) then read the file again, so that all diagnostics come
 //! from them. Both ways produce the same clip, which a test compares.
 
-mod clean_file;
 mod elements;
 mod gaps;
 mod members;
@@ -13,10 +12,9 @@ mod strings;
 #[cfg(test)]
 mod tests;
 
-pub(super) use clean_file::CleanFile;
-
 use super::checks;
 use super::emotions::{self, Feeling};
+use super::trigger::CleanFile;
 use super::visemes;
 use crate::clip::source_record::{self, Recorder};
 use crate::clip::{ClipData, Locales};
@@ -131,8 +129,7 @@ impl<'o> CleanFiles<'o> {
             return Err(UncleanFile);
         }
         self.order_texts(locales, clip)?;
-        let (elements, options) = (self.elements.as_slice(), self.options);
-        only_if(!checks::may_report(&CleanFile { file, elements, clip, locales, options, has_blank }))?;
+        only_if(!checks::may_report(&CleanFile { clip, locales, options: self.options, has_blank }))?;
         self.record(file, clip);
         Ok(())
     }

@@ -4,7 +4,7 @@ use super::CleanFiles;
 use crate::check::{self, ClipSpeech};
 use crate::clip::{ClipData, Locales, source_record};
 use crate::project::Options;
-use crate::project::options::{EmotionCurves, GestureKeys};
+use crate::project::options::{EmotionCurves, GestureKeys, TextLimits};
 use lipz_bank::{Fps, VisemeType};
 use lipz_diagnostics::{Code, Diagnostic};
 use proptest::prelude::*;
@@ -93,6 +93,8 @@ fn all_options() -> Vec<Options> {
             ..usual.clone()
         },
         Options { default_viseme_type: Some(VisemeType::Rms), ..usual.clone() },
+        Options { text_limits: TextLimits::new().line_columns(8), ..usual.clone() },
+        usual.clone().default_locale("en-us").unwrap().pseudo(true),
         of_values,
         usual,
     ]

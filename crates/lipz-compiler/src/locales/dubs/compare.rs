@@ -182,9 +182,8 @@ fn divided<'d>(document: &'d Document<'d>) -> Option<&'d JsonString<'d>> {
 fn text_in<'d>(document: &'d Document<'d>, tag: &str, options: &Options) -> Option<&'d JsonString<'d>> {
     let default = options.default_locale.as_deref();
     string_where(document, |name| match text_name(name) {
-        Some(TextName::Canonical(own) | TextName::Misspelt(own) | TextName::OtherShape(_, Some(own))) => own == tag,
         Some(TextName::NoLocale) => default == Some(tag),
-        Some(TextName::OtherShape(_, None)) | None => false,
+        text => text.and_then(TextName::tag).as_deref() == Some(tag),
     })
 }
 

@@ -144,11 +144,8 @@ impl Options {
     pub(crate) fn packs(&self, name: &str) -> bool {
         let Some(packed) = &self.locales else { return true };
         match lipz_file::locale::text_name(name) {
-            Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => {
-                packed.contains(&tag)
-            }
             Some(TextName::NoLocale) => self.default_locale.as_ref().is_none_or(|tag| packed.contains(tag)),
-            Some(TextName::OtherShape(_, None)) | None => true,
+            text => text.and_then(TextName::tag).is_none_or(|tag| packed.contains(&tag)),
         }
     }
 

@@ -29,12 +29,12 @@ pub(super) fn next(task: &Task<'_>, before: Option<PreviousRun>, room: &mut Vec<
     let before = before.filter(|before| before.stamps.are_of(options));
     let mut looked = Survey::at(task, before.as_ref());
     let old = before.map(|before| before.bank);
-    if looked.run.run.has_errors() {
-        return NextStep::Nothing(looked.run.compare_dubs(task));
+    if looked.stamped.run.has_errors() {
+        return NextStep::Nothing(looked.stamped.compare_dubs(task));
     }
     if looked.is_unchanged {
         return match old {
-            Some(old) => NextStep::Stay(looked.run, old, looked.are_stamps_unchanged),
+            Some(old) => NextStep::Stay(looked.stamped, old, looked.are_stamps_unchanged),
             None => NextStep::Make(read_all(task)),
         };
     }
@@ -42,24 +42,24 @@ pub(super) fn next(task: &Task<'_>, before: Option<PreviousRun>, room: &mut Vec<
     let recall = old.as_ref().filter(|_| looked.found > 0).and_then(Recall::new);
     // Diagnostics about dubs concern all clips, not only the changed ones.
     let recall_few = recall.as_ref().filter(|_| looked.has_same_keys && options.voices.patterns.is_empty());
-    let changed = looked.run.run.changed_clips();
+    let changed = looked.stamped.run.changed_clips();
     let room = std::mem::take(room);
     if let Some(bank) = recall_few.and_then(|recall| patch::patched(recall, &changed, room)) {
         drop(changed);
-        looked.run.run.phases.lower = start.elapsed();
-        return NextStep::Patch(looked.run, bank);
+        looked.stamped.run.phases.lower = start.elapsed();
+        return NextStep::Patch(looked.stamped, bank);
     }
     drop(changed);
     // Prove the bank before recalling everything else, and only then, so that a bank that stays or is patched is read
     // once.
     let clips = match recall.as_ref().filter(|recall| recall.old.is_proven()) {
-        Some(recall) => recall_all::recalled(recall, task.inputs, &looked.run.stamps.recalled, options.threads),
+        Some(recall) => recall_all::recalled(recall, task.inputs, &looked.stamped.stamps.recalled, options.threads),
         None => (looked.found == 0).then(Vec::new),
     };
     match clips {
-        Some(clips) => looked.run.run.add(clips, start.elapsed()),
+        Some(clips) => looked.stamped.run.add(clips, start.elapsed()),
         // The old bank is damaged, or has been modified in the meantime.
         None => return NextStep::Make(read_all(task)),
     }
-    NextStep::Make(looked.run.compare_dubs(task))
+    NextStep::Make(looked.stamped.compare_dubs(task))
 }

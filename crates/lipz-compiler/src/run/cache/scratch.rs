@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// State that is kept from one file to the next.
 #[derive(Default)]
-pub(crate) struct Scratch {
+pub(super) struct Scratch {
     /// A buffer for a path and a key.
     buffer: Vec<u8>,
     /// The number of the stamp that the next file probably has in the cache; `None` before the first one.

@@ -37,7 +37,7 @@ pub(super) fn hash(bytes: &[u8]) -> Hash {
 
 /// The state of a source file without diagnostics when it was packed.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Stamp {
+pub(super) struct Stamp {
     meta: FileMeta,
     contents: Hash,
     flags: u8,
@@ -61,12 +61,12 @@ impl Stamp {
     }
 
     /// Sets whether a lint counts the file.
-    pub(crate) fn mark(&mut self, is_marked: bool) {
+    pub(super) fn mark(&mut self, is_marked: bool) {
         self.flags = self.flags & !MARKED | if is_marked { MARKED } else { 0 };
     }
 
     /// Whether a lint counts the file.
-    pub(crate) fn is_marked(self) -> bool {
+    pub(super) fn is_marked(self) -> bool {
         self.flags & MARKED != 0
     }
 
@@ -78,7 +78,7 @@ impl Stamp {
 
 /// The name of a file in a cache.
 #[derive(Encode, Decode, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) struct CacheFileName(Hash);
+pub(super) struct CacheFileName(Hash);
 
 impl CacheFileName {
     /// Creates the name of the file at `path`, whose clip has this key, using a buffer.

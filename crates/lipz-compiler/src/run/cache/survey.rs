@@ -9,14 +9,14 @@ use std::time::Instant;
 
 /// A run that has examined files, and the consequences for the old bank.
 pub(super) struct Survey {
-    pub(super) run: StampedRun,
-    /// The number of clips found in it.
+    pub(super) stamped: StampedRun,
+    /// The number of clips found in the old bank.
     pub(super) found: usize,
-    /// Whether it is the bank of all these files.
+    /// Whether the old bank is the bank of exactly these files.
     pub(super) is_unchanged: bool,
     /// Whether the stamps are unchanged as well.
     pub(super) are_stamps_unchanged: bool,
-    /// Whether it has the same keys.
+    /// Whether the old bank has the same keys.
     pub(super) has_same_keys: bool,
 }
 
@@ -45,7 +45,7 @@ impl Survey {
             is_unchanged,
             are_stamps_unchanged: is_unchanged && run.stamps.unread == found && stamp_count == found,
             has_same_keys: clip_count == Some(inputs.len()) && found + run.run.clip_count() == inputs.len(),
-            run,
+            stamped: run,
         }
     }
 }

@@ -72,8 +72,11 @@ impl TextFacts {
         }
     }
 
-    /// Whether the required share is translated.
-    pub(crate) fn are_enough(&self, options: &Options) -> Result<(), Report> {
+    /// Checks that the required shares are translated.
+    ///
+    /// # Errors
+    /// If a locale is below its minimum.
+    pub(crate) fn check_coverage(&self, options: &Options) -> Result<(), Report> {
         if options.min_coverage == MinCoverage::default() || self.locales.is_none() {
             return Ok(());
         }

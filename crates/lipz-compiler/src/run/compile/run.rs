@@ -288,7 +288,7 @@ impl CompileRun {
     /// Checks the texts of a bank against the project's requirements.
     fn judge(&mut self, bank: &[u8], options: &Options) -> Result<(), Report> {
         let texts = TextFacts::of(bank, options);
-        texts.are_enough(options)?;
+        texts.check_coverage(options)?;
         self.expect(&texts, options)
     }
 

@@ -83,7 +83,7 @@ impl Compiler<'_> {
         reports.splice(..0, of_keys);
         let mut finished = Ok(None);
         if !reports::have_errors(&reports) {
-            finished = texts.are_enough(options).and_then(|()| {
+            finished = texts.check_coverage(options).and_then(|()| {
                 reports.push(texts.judged(options));
                 if reports::have_errors(&reports) {
                     return Ok(None);
