@@ -50,11 +50,15 @@ impl Run for ManPages {
 
 /// Returns the pages with their file names.
 fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
-    let mut lipz = Arguments::command();
+    let mut lipz = Arguments::command().disable_help_subcommand(true);
     // Sets the full names of the commands and the common options.
     lipz.build();
-    let commands = lipz.get_subcommands().filter(|command| command.get_name() != "help").cloned();
-    std::iter::once(lipz.clone()).chain(commands).map(page).collect()
+    with_subcommands(&lipz).into_iter().map(page).collect()
+}
+
+/// Returns the command and all commands below it.
+fn with_subcommands(command: &Command) -> Vec<Command> {
+    std::iter::once(command.clone()).chain(command.get_subcommands().flat_map(with_subcommands)).collect()
 }
 
 fn page(command: Command) -> io::Result<(String, Vec<u8>)> {
