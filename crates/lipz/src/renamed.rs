@@ -1,5 +1,8 @@
 //! Names from earlier versions and from other tools, with their equivalents in lipz.
 
+use crate::shared::subtitle_formats::SubtitleFormatArgument;
+use crate::shared::text_formats::TextFormatArgument;
+use clap::ValueEnum;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use lipz_compiler::settings::{Content, TABLES};
 use lipz_interop::formats;
@@ -28,10 +31,6 @@ const COMMANDS: &[(&str, &str)] = &[
     ("validate", "`lipz check`"),
     ("version", "`lipz --version`"),
 ];
-
-/// Formats used without their kind after `lipz import` and `lipz export`.
-const KINDS: &[(&str, &[&str])] =
-    &[("texts", &["po", "pot", "xliff", "xliff-1.2", "csv", "xlsx", "json"]), ("subtitles", &["srt", "vtt"])];
 
 /// Options, with their equivalents.
 const OPTIONS: &[(&str, &str)] = &[
@@ -84,20 +83,47 @@ pub(crate) fn help(error: &clap::Error) -> Option<String> {
         _ => None,
     };
     match error.kind() {
-        ErrorKind::InvalidSubcommand => named(ContextKind::InvalidSubcommand).and_then(instead_of_command),
+        ErrorKind::InvalidSubcommand => {
+            named(ContextKind::InvalidSubcommand).and_then(|name| instead_of_command(name, parent(error).as_deref()))
+        }
         ErrorKind::UnknownArgument => named(ContextKind::InvalidArg).and_then(instead_of_option),
         _ => None,
     }
     .map(|instead| format!("did you mean {instead}?"))
 }
 
-fn instead_of_command(name: &str) -> Option<String> {
+/// Returns the first-level command that refuses an unknown command below it.
+fn parent(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::StyledStr(usage)) = error.get(ContextKind::Usage) else { return None };
+    usage.to_string().split_whitespace().skip_while(|word| *word != "lipz").nth(1).map(str::to_owned)
+}
+
+/// Returns the equivalent of an unknown command below `parent`.
+fn instead_of_command(name: &str, parent: Option<&str>) -> Option<String> {
     if let Some((_, instead)) = COMMANDS.iter().find(|(old, _)| *old == name) {
         return Some((*instead).to_owned());
     }
-    let of_kind = KINDS.iter().find(|(_, formats)| formats.contains(&name)).map(|(kind, _)| *kind);
-    let kind = of_kind.or_else(|| formats::find(name).map(|_| "visemes"))?;
-    Some(format!("`{kind} {name}`"))
+    let (export, import) = commands_of_format(name)?;
+    let quoted = |command: String| format!("`{command}`");
+    match (parent, export.map(quoted), import.map(quoted)) {
+        (Some("export"), export, _) => export,
+        (Some("import"), _, import) => import,
+        (_, Some(export), Some(import)) => Some(format!("{export} or {import}")),
+        (_, export, import) => export.or(import),
+    }
+}
+
+/// Returns the commands that export and import a format, as far as lipz writes and reads it.
+fn commands_of_format(name: &str) -> Option<(Option<String>, Option<String>)> {
+    if TextFormatArgument::from_str(name, false).is_ok() {
+        return Some((Some(format!("lipz export texts {name}")), Some("lipz import texts FILE".to_owned())));
+    }
+    if SubtitleFormatArgument::from_str(name, false).is_ok() {
+        return Some((Some(format!("lipz export subtitles {name}")), Some("lipz import subtitles FILE".to_owned())));
+    }
+    let format = formats::find(name)?;
+    let command = |direction: &str| format!("lipz {direction} visemes {name}");
+    Some((format.write.map(|_| command("export")), format.read.map(|_| command("import"))))
 }
 
 fn instead_of_option(option: &str) -> Option<String> {
@@ -156,7 +182,7 @@ mod tests {
         for old in OLD.lines().filter(|line| !line.starts_with('#')) {
             let is_known = match old.strip_prefix("--") {
                 Some(_) => options.contains(old) || instead_of_option(old).is_some(),
-                None => commands.contains(old) || instead_of_command(old).is_some(),
+                None => commands.contains(old) || instead_of_command(old, None).is_some(),
             };
             assert!(is_known, "{old}");
         }
@@ -178,8 +204,20 @@ mod tests {
     #[test]
     fn slips_on_a_command_line() {
         assert_eq!(answer("lipz stats d.lipzbank").unwrap(), "did you mean `lipz inspect --show stats`?");
-        assert_eq!(answer("lipz import rhubarb-tsv a.tsv -o v").unwrap(), "did you mean `visemes rhubarb-tsv`?");
-        assert_eq!(answer("lipz export po").unwrap(), "did you mean `texts po`?");
+        for (line, instead) in [
+            ("lipz import rhubarb-tsv a.tsv -o v", "`lipz import visemes rhubarb-tsv`"),
+            ("lipz export moho voices", "`lipz export visemes moho`"),
+            ("lipz import po a.po", "`lipz import texts FILE`"),
+            ("lipz import srt a.srt", "`lipz import subtitles FILE`"),
+            ("lipz export po", "`lipz export texts po`"),
+            ("lipz export unity", "`lipz export texts unity`"),
+            ("lipz export vtt", "`lipz export subtitles vtt`"),
+            ("lipz po", "`lipz export texts po` or `lipz import texts FILE`"),
+            ("lipz ovr", "`lipz import visemes ovr`"),
+        ] {
+            assert_eq!(answer(line).unwrap(), format!("did you mean {instead}?"));
+        }
+        assert_eq!(answer("lipz export ovr"), None, "lipz only imports this format");
         assert_eq!(answer("lipz check --format json").unwrap(), "did you mean `--output-format`?");
         assert!(answer("lipz pack --max-lines 3").unwrap().contains("`--config text.lines=VALUE`"));
         assert!(answer("lipz pack --min-coverage=90").unwrap().contains("`--config coverage.LOCALE=VALUE`"));

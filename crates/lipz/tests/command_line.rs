@@ -120,15 +120,17 @@ fn names_of_earlier_versions_are_answered_with_the_new_ones() {
     scene.write("voices/a.lipz", r#"{ "text_en-us": "Aye." }"#);
     scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--quiet"]);
     let before = tree(scene.path());
-    let old: [(&[&str], &str); 18] = [
+    let old: [(&[&str], &str); 20] = [
         (&["stats", "b.lipzbank"], "`lipz inspect --show stats`"),
         (&["accept", "--all"], "`lipz approve`"),
         (&["face", "voices"], "`lipz convert --write-curves`"),
         (&["fallout", "heads", "art"], "`lipz check --fallout-heads`"),
         (&["link", "a.lipzobj", "-o", "c.lipzbank"], "`lipz shard link`"),
         (&["schema"], "`lipz print schema`"),
-        (&["import", "rhubarb-tsv", "a.tsv", "-o", "voices"], "`visemes rhubarb-tsv`"),
-        (&["export", "po", "-o", "a.po"], "`texts po`"),
+        (&["import", "rhubarb-tsv", "a.tsv", "-o", "voices"], "`lipz import visemes rhubarb-tsv`"),
+        (&["import", "po", "a.po"], "`lipz import texts FILE`"),
+        (&["export", "po", "-o", "a.po"], "`lipz export texts po`"),
+        (&["export", "unity", "voices"], "`lipz export texts unity`"),
         (&["texts", "import", "a.po"], "`lipz import texts`"),
         (&["check", "voices", "--format", "json"], "`--output-format`"),
         (&["check", "voices", "--threads", "2"], "`--jobs`"),
