@@ -2,10 +2,13 @@
 
 use crate::Abort;
 use crate::reporter::Reporter;
+use crate::shared::text_record::from_root;
 use crate::{console, interrupt};
 use lipz_compiler::settings::FILE_NAME;
 use lipz_compiler::{key, replace_file};
+use lipz_diagnostics::{Code, Report};
 use std::path::{Path, PathBuf};
+use std::{env, io};
 
 /// Refuses an output with the name of a Lipz file or of settings, so that a typing error does not replace a clip by a
 /// bank.
@@ -42,6 +45,22 @@ fn place(path: &Path) -> PathBuf {
         Some(folder.canonicalize().ok()?.join(path.file_name()?))
     };
     path.canonicalize().ok().or_else(folder).unwrap_or_else(|| path.to_owned())
+}
+
+/// Returns the report about a folder that cannot be created.
+pub(crate) fn unwritable(folder: &Path, error: &io::Error) -> Report {
+    let shown = console::path(folder);
+    let message = format!("`{shown}` cannot be created: {error}");
+    Report::failure(shown, Code::OutputFailed, message, "check that you may write there")
+}
+
+/// Refuses a folder that cannot be created because it, or a folder above it, is a file.
+pub(crate) fn refuse_file(folder: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
+    let whole = from_root(&env::current_dir().unwrap_or_default(), folder);
+    if whole.ancestors().find(|path| path.exists()).is_none_or(Path::is_dir) {
+        return Ok(());
+    }
+    Err(reporter.fail(unwritable(folder, &io::ErrorKind::NotADirectory.into())))
 }
 
 /// Replaces the file at `path` completely, even if the run is interrupted. Reports errors.

@@ -9,6 +9,7 @@ use super::hearing::Phones;
 use super::listing::Listing;
 use super::version::Version;
 use crate::interrupt::Files;
+use crate::shared::output_file::unwritable;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lipz_bank::Bank;
@@ -161,16 +162,6 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Report {
         lipz_diagnostics::Code::UnreadableFile,
         message,
         "check that you may read it",
-    )
-}
-
-fn unwritable(path: &Path, error: &std::io::Error) -> Report {
-    let message = format!("`{}` cannot be created: {error}", crate::console::path(path));
-    Report::failure(
-        crate::console::path(path),
-        lipz_diagnostics::Code::OutputFailed,
-        message,
-        "check that you may write there",
     )
 }
 
