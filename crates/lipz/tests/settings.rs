@@ -6,7 +6,7 @@ mod support;
 use lipz_compiler::settings::{Content, Setting, TABLES, Table};
 use lipz_diagnostics::{Code, Severity};
 use std::fs;
-use support::{Comparison, Scene, lipz, repository, tree};
+use support::{Comparison, Scene, lipz, repository};
 
 const CLIP: &str = r#"{ "text": "Aye.", "events": "feels nervous" }"#;
 const UNEVEN: &str = r#"{ "visemes": "A|M", "text_en-us": "Hello,|{softly} dear|Amy.", "events": "feels sad" }"#;

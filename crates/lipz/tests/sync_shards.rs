@@ -93,6 +93,8 @@ fn shards_make_what_is_made_in_one_go() {
         order.iter().for_each(|shard| drop(step(&scene, *shard, shards)));
         assert!(made(&scene) == before, "steps write only their results");
         let merged = merge(&scene, shards);
+        // `lipz shard merge` does not have the option.
+        assert!(merged.stdout.contains("\nkept visemes (`lipz sync --discard-edits` replaces them)\n"), "{merged:?}");
         let files = made(&scene);
         for (name, bytes) in &expected_files {
             assert_eq!(

@@ -4,13 +4,14 @@ use crate::CommandResult;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
-use crate::shared::rewrite_mode::{RewriteMode, diff, files, is_standard_input, reads_standard_input};
+use crate::shared::rewrite_mode::{RewriteMode, files, is_standard_input, reads_standard_input};
 use crate::shared::settings_file::{Project, SettingsFile};
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::Compiler;
-use lipz_diagnostics::{Report, escape};
+use lipz_diagnostics::Report;
 use lipz_file::format::{LineEnding, Style, format};
 use std::path::PathBuf;
 
@@ -31,8 +32,11 @@ pub(crate) struct Fmt {
     #[command(flatten)]
     file: SettingsFile,
 
+    #[command(flatten)]
+    stdin: StdinFile,
+
     /// List the files that would change, and write nothing; exit code 1 if any
-    #[arg(long)]
+    #[arg(long, conflicts_with = "diff")]
     check: bool,
 
     /// Show the changes as a unified diff, and write nothing; exit code 1 if any
@@ -54,6 +58,7 @@ impl Run for Fmt {
     }
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        self.stdin.apply(&self.sources, reporter)?;
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
         settings.options = std::mem::take(&mut settings.options).threads(self.jobs.map(usize::from));
         let default_locale = settings.options.get_default_locale();
@@ -74,15 +79,11 @@ impl Run for Fmt {
         let unwritten = files_to_write.finish();
         bar.finish_and_clear();
         let (mut changed, mut unchanged, mut shown) = (0, 0, String::new());
-        for (input, result) in std::iter::zip(&inputs, results) {
+        for result in results {
             match result.and_then(|result| result) {
                 Ok(None) => unchanged += 1,
                 Ok(Some(difference)) => {
                     changed += 1;
-                    if self.check {
-                        shown.push_str(&escape::text(&input.name()));
-                        shown.push('\n');
-                    }
                     shown.push_str(&difference);
                 }
                 Err(report) => reports.push(report),
@@ -125,13 +126,12 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut 
         .and_then(|before| formatted(&stdio::input_name(), &before, default_locale).map(|after| (before, after)));
     match formatted {
         Ok((before, after)) => {
-            match arguments.rewriting() {
-                RewriteMode::InPlace => reporter.print(&after)?,
-                RewriteMode::Diff => reporter.print(&diff(&stdio::input_name(), &before, &after))?,
-                RewriteMode::Nothing => {}
+            let rewriting = arguments.rewriting();
+            let is_changed = after.as_bytes() != before;
+            if rewriting == RewriteMode::InPlace || is_changed {
+                reporter.print(&rewriting.shown(&stdio::input_name(), &before, &after))?;
             }
-            let differs = arguments.rewriting() != RewriteMode::InPlace && after.as_bytes() != before;
-            Ok(if differs { Outcome::Errors } else { Outcome::Clean })
+            Ok(if rewriting != RewriteMode::InPlace && is_changed { Outcome::Errors } else { Outcome::Clean })
         }
         Err(report) => {
             let outcome = Outcome::from_reports(std::slice::from_ref(&report));

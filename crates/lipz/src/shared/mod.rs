@@ -19,6 +19,7 @@ pub(crate) mod set_file;
 pub(crate) mod settings_file;
 pub(crate) mod sources;
 pub(crate) mod stack;
+pub(crate) mod stdin_file;
 pub(crate) mod stdio;
 pub(crate) mod subtitle_formats;
 pub(crate) mod text_formats;

@@ -24,10 +24,6 @@ pub(crate) struct SettingsFile {
     /// Ignore lipz.toml
     #[arg(long, help_heading = PROJECT)]
     no_config: bool,
-
-    /// File name of standard input, for diagnostics and to find lipz.toml
-    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
-    stdin_filename: Option<PathBuf>,
 }
 
 /// The name of the command line's settings in messages.
@@ -76,23 +72,6 @@ impl SettingsFile {
     /// Returns the project of these sources, or of its settings file if there are none. Prints its problems and returns
     /// how the run ends.
     pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
-        self.project_reading(sources, sources, reporter)
-    }
-
-    /// Returns the project for a command that does not read the sources but other files.
-    pub(crate) fn project_reading(
-        &self,
-        files: &[PathBuf],
-        sources: &[PathBuf],
-        reporter: &mut Reporter,
-    ) -> Result<Project, Abort> {
-        if let Some(file) = &self.stdin_filename {
-            if !files.iter().any(|file| stdio::is_meant(file)) {
-                let tip = "name `-` among the files, or leave out `--stdin-filename`";
-                return Err(reporter.usage("`--stdin-filename` needs standard input, which is not read", tip));
-            }
-            stdio::is_text_of(file.clone());
-        }
         let (files, assignments) = self.config();
         if files.len() + usize::from(self.no_config) > 1 {
             let tip = "name one settings file; settings have the form KEY=VALUE: --config text.lines=2";
@@ -107,7 +86,7 @@ impl SettingsFile {
         };
         let warnings = settings.assign(assignments, CONFIG).map_err(|report| reporter.fail(report))?;
         reporter.add(warnings);
-        if let Some(file) = &self.stdin_filename {
+        if let Some(file) = stdio::name() {
             // The file has the same key as in the project.
             let source = settings.sources.iter().find(|source| file.starts_with(source));
             settings.root = settings.root.take().or_else(|| source.cloned());
@@ -139,8 +118,8 @@ impl SettingsFile {
             return None;
         }
         // Standard input counts as being in the folder of its file.
-        let place = |source: &PathBuf| match &self.stdin_filename {
-            Some(file) if stdio::is_meant(source) => file.clone(),
+        let place = |source: &PathBuf| match stdio::name() {
+            Some(file) if stdio::is_meant(source) => file,
             _ => source.clone(),
         };
         let places: Vec<PathBuf> = sources.iter().map(place).collect();

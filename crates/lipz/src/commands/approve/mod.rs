@@ -6,6 +6,7 @@ use crate::commands::Run;
 use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::parse_locale;
@@ -33,6 +34,9 @@ Exit codes: 0 done, 1 --check found missing approvals, 2 the tool could not run,
 pub(crate) struct Approve {
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// Approve only translations into this locale, and its dubs; may be given several times
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
@@ -87,6 +91,7 @@ impl Run for Approve {
             let tip = "leave out `--all`, or the files and folders";
             return Err(reporter.usage("`--all` cannot be combined with files or folders", tip));
         }
+        self.stdin.apply(self.sources.paths(), reporter)?;
         let mut project = self.sources.project(reporter)?;
         project.keep_keys();
         let options = &project.settings.options;

@@ -8,6 +8,7 @@ use crate::reporter::Reporter;
 use crate::shared::formats;
 use crate::shared::inputs::find;
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::subtitle_formats::SubtitleFormatArgument;
 use crate::shared::values::parse_locale;
 use clap::Args;
@@ -32,6 +33,9 @@ pub(crate) struct ExportSubtitles {
 
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// Folder to write into
     #[arg(short, long, value_name = "FOLDER")]
@@ -68,6 +72,7 @@ impl Run for ExportSubtitles {
 }
 
 fn run(arguments: &ExportSubtitles, reporter: &mut Reporter) -> CommandResult {
+    arguments.stdin.apply(arguments.sources.paths(), reporter)?;
     let project = arguments.sources.project(reporter)?;
     let (inputs, mut reports) = find(&project.settings);
     key::check(&inputs, &mut reports);

@@ -8,6 +8,7 @@ use crate::shared::format_examples::Direction;
 use crate::shared::formats;
 use crate::shared::inputs::find;
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
@@ -32,6 +33,9 @@ pub(crate) struct ExportVisemes {
 
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// Folder to write into; a file from standard input is written to standard output
     #[arg(short, long, value_name = "FOLDER")]
@@ -66,6 +70,7 @@ impl Run for ExportVisemes {
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let format = self.tool_format;
+        self.stdin.apply(self.sources.paths(), reporter)?;
         let project = self.sources.project(reporter)?;
         let options = &project.settings.options;
         let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;

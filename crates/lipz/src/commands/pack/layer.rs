@@ -1,6 +1,6 @@
 //! `lipz pack --over`: a layer on top of other banks.
 
-use super::Pack;
+use super::PackArguments;
 use super::destination::{Destination, Split};
 use crate::Abort;
 use crate::console;
@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// Returns the destination of the requested layer and the banks below it. Reports their problems.
 pub(super) fn destination(
-    arguments: &Pack,
+    arguments: &PackArguments,
     output: &Path,
     split: Split,
     reporter: &mut Reporter,

@@ -1,6 +1,6 @@
 //! One packing run: its input and its result.
 
-use super::Pack;
+use super::PackArguments;
 use super::destination::{self, Destination, PackedBank, Split};
 use super::layer;
 use crate::Abort;
@@ -50,7 +50,7 @@ pub(crate) struct PackResult {
 
 impl Plan {
     /// Creates the plan from the arguments and the settings file. Prints their problems and returns how the run ends.
-    pub(super) fn new(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
+    pub(super) fn new(arguments: &PackArguments, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         arguments.audio.apply(&mut settings.audio);

@@ -76,11 +76,7 @@ impl Run for ImportSubtitles {
 }
 
 fn run(arguments: &ImportSubtitles, reporter: &mut Reporter) -> CommandResult {
-    let mut options = arguments
-        .file
-        .project_reading(&arguments.files, std::slice::from_ref(&arguments.output), reporter)?
-        .settings
-        .options;
+    let mut options = arguments.file.project(std::slice::from_ref(&arguments.output), reporter)?.settings.options;
     arguments.lints.apply(&mut options);
     if let Some(locale) = &arguments.locale {
         options = with_default_locale(options, locale).map_err(|error| reporter.fail(error.to_report()))?;

@@ -9,6 +9,7 @@ use crate::reporter::{CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::settings_file::SettingsFile;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::{parse_locale, refuse_locales};
@@ -63,6 +64,9 @@ pub(crate) struct ImportTexts {
     file: SettingsFile,
 
     #[command(flatten)]
+    stdin: StdinFile,
+
+    #[command(flatten)]
     lints: LintFlags,
 
     /// Hide progress and summary
@@ -105,7 +109,8 @@ impl Run for ImportTexts {
 }
 
 fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
-    let mut project = arguments.file.project_reading(&arguments.files, &arguments.output, reporter)?;
+    arguments.stdin.apply(&arguments.files, reporter)?;
+    let mut project = arguments.file.project(&arguments.output, reporter)?;
     let settings = &mut project.settings;
     arguments.lints.apply(&mut settings.options);
     let settings = &project.settings;

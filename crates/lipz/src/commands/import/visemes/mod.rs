@@ -99,15 +99,20 @@ impl Run for ImportVisemes {
                 }
             };
         };
-        let mut written = summary::WrittenCounts::default();
+        let mut places = Vec::new();
         let files = Files::new();
         for made in &made {
             match made.write(&files, self.overwrite, folder, &settings, &mut reports) {
-                Ok(place) => written.add(place),
+                Ok(place) => places.push((made.output(folder).name(), place)),
                 Err(report) => reports.push(report),
             }
         }
-        reports.extend(files.finish());
+        let unwritten = files.finish();
+        let mut written = summary::WrittenCounts::default();
+        for (_, place) in places.iter().filter(|(name, _)| unwritten.iter().all(|report| report.source.path != *name)) {
+            written.add(*place);
+        }
+        reports.extend(unwritten);
         reporter.add_result("import", || {
             report::ImportDocument::new(self.tool_format, made.iter().map(|made| (&made.input, &made.clip)))
         });
