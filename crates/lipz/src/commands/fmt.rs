@@ -5,6 +5,7 @@ use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::rewrite_mode::{RewriteMode, files, is_standard_input, reads_standard_input};
+use crate::shared::run_flags::{JobsFlag, QuietFlag};
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
@@ -43,13 +44,11 @@ pub(crate) struct Fmt {
     #[arg(long)]
     diff: bool,
 
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    jobs: Option<u16>,
+    #[command(flatten)]
+    jobs: JobsFlag,
 
-    /// Hide progress and summary, but not diagnostics, files and differences
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for Fmt {
@@ -60,13 +59,13 @@ impl Run for Fmt {
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
         self.stdin.apply(&self.sources, reporter)?;
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
-        settings.options = std::mem::take(&mut settings.options).threads(self.jobs.map(usize::from));
+        settings.options = std::mem::take(&mut settings.options).threads(self.jobs.threads());
         let default_locale = settings.options.get_default_locale();
         if reads_standard_input(&settings.sources, reporter)? {
             return standard_input(self, default_locale, reporter);
         }
         let (inputs, mut reports) = settings.discover_with_reports();
-        let bar = console::progress_bar(inputs.len(), self.quiet);
+        let bar = console::progress_bar(inputs.len(), self.quiet.is_set());
         let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
         let files_to_write = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
@@ -95,7 +94,7 @@ impl Run for Fmt {
         reporter.add(reports);
         let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
         match self.rewriting() {
-            _ if self.quiet || inputs.is_empty() => {}
+            _ if self.quiet.is_set() || inputs.is_empty() => {}
             RewriteMode::InPlace => shown.push_str(&summary("formatted")),
             RewriteMode::Nothing | RewriteMode::Diff => reporter.remark(&summary("would change")),
         }

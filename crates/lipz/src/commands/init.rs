@@ -2,8 +2,9 @@
 
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::formats::unreadable;
+use crate::shared::input_file::unreadable;
 use crate::shared::output_file;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::text_record::RECORD_NAME;
 use crate::{Abort, CommandResult, Outcome, console};
 use clap::Args;
@@ -53,9 +54,8 @@ pub(crate) struct Init {
     #[arg(long)]
     overwrite: bool,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for Init {
@@ -103,7 +103,7 @@ impl Run for Init {
         set.extend(audio.as_deref().map(|audio| ("audio", "folder", audio)));
         let text = if self.full { template(&set) } else { short_template(&set) };
         output_file::write(&file, text.as_bytes(), reporter)?;
-        if self.quiet {
+        if self.quiet.is_set() {
             return Ok(Outcome::Clean);
         }
         let takes = self.audio.iter().map(|folder| console::path(&self.folder.join(folder))).next().unwrap_or_default();

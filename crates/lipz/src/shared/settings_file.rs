@@ -11,13 +11,13 @@ use lipz_diagnostics::Code;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// Which settings file applies.
+/// The settings file of a run, and the settings that override it.
 #[derive(Args, Debug)]
 pub(crate) struct SettingsFile {
     /// Settings file, or one setting: text.lines=2
     ///
-    /// The file is otherwise the lipz.toml next to or above the first source, or that of the current folder. Give the
-    /// option again for each setting; it replaces that of the file. `lipz print settings` lists all settings.
+    /// By default, the file is the lipz.toml next to or above the first source, or else that of the current folder. Repeat
+    /// the option to override several settings of the file. `lipz print settings` lists all settings.
     #[arg(long, value_name = "FILE|KEY=VALUE", action = ArgAction::Append, help_heading = PROJECT)]
     config: Vec<OsString>,
 
@@ -69,8 +69,7 @@ impl Project {
 }
 
 impl SettingsFile {
-    /// Returns the project of these sources, or of its settings file if there are none. Prints its problems and returns
-    /// how the run ends.
+    /// Returns the project of these sources, or of its settings file if there are none. Reports its problems.
     pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
         let (files, assignments) = self.config();
         if files.len() + usize::from(self.no_config) > 1 {

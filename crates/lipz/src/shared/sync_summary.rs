@@ -1,6 +1,6 @@
 //! The result of `lipz sync` for people.
 
-use super::table::why;
+use super::sync_table::why;
 use crate::console;
 use crate::console::counted;
 use lipz_diagnostics::escape;
@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 const SHOWN: usize = 50;
 
 /// Returns the results, and the items to check. `without` is the number of clips without a recording.
-pub(in crate::commands) fn summary(synced: &SyncResults, without: usize, place: &Path) -> String {
+pub(crate) fn summary(synced: &SyncResults, without: usize, place: &Path) -> String {
     let counts = [
         (synced.unchanged, "unchanged"),
         (synced.kept.len(), "kept"),

@@ -8,6 +8,8 @@ use crate::CommandResult;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
+use crate::shared::formats::path;
+use crate::shared::output_file::in_the_way;
 use crate::shared::rewrite_mode::{RewriteMode, files, is_standard_input, reads_standard_input};
 use crate::shared::sources::Sources;
 use crate::shared::stdin_file::StdinFile;
@@ -18,10 +20,10 @@ use clap::Args;
 use lipz_bank::VisemeType;
 use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::reports::count;
-use lipz_diagnostics::{Code, Diagnostic, Report, Severity};
+use lipz_diagnostics::{Report, Severity};
 use std::path::{Path, PathBuf};
 
-/// Convert Lipz files to another viseme type, or write their curves.
+/// Convert Lipz files to a different viseme type, or write their curves.
 ///
 /// --viseme-type changes the visemes and `viseme_type`. Toon Boom's chart does not contain Blair's L and U, so lipz
 /// reports files that lose them. rms cannot be converted.
@@ -218,7 +220,8 @@ impl ConversionTarget<'_> {
     fn refusal(self, inputs: &[Input], reports: &mut Vec<Report>) -> Option<Outcome> {
         let ConversionTarget::Folder(folder) = self else { return None };
         key::check(inputs, reports);
-        reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
+        let help = "write into another folder, or replace the sources with --in-place";
+        reports.extend(inputs.iter().filter_map(|input| in_the_way(&path(folder, &input.key, key::EXTENSION), help)));
         (!reports.is_empty()).then(|| Outcome::from_reports(reports).max(Outcome::Errors))
     }
 
@@ -227,29 +230,10 @@ impl ConversionTarget<'_> {
         match (self, after) {
             (ConversionTarget::Folder(folder), after) => {
                 let after = after.map_or(before, str::as_bytes);
-                files.replace(&output(folder, input), after).map(|()| String::new())
+                files.replace(&path(folder, &input.key, key::EXTENSION), after).map(|()| String::new())
             }
             (ConversionTarget::Sources(rewriting), Some(after)) => rewriting.rewrite(files, input, before, after),
             (ConversionTarget::Sources(_), None) => Ok(String::new()),
         }
     }
-}
-
-/// Returns the path of the converted file.
-fn output(folder: &Path, input: &Input) -> PathBuf {
-    folder.join(format!("{}.{}", input.key, key::EXTENSION))
-}
-
-/// Returns the diagnostic for an existing output file.
-fn in_the_way(folder: &Path, input: &Input) -> Option<Report> {
-    let path = output(folder, input);
-    path.symlink_metadata().ok()?;
-    let shown = console::path(&path);
-    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` already exists"));
-    Some(Report::about(
-        shown,
-        diagnostic
-            .note("nothing was written")
-            .help("write into another folder, or replace the sources with --in-place"),
-    ))
 }

@@ -4,7 +4,6 @@ mod destination;
 mod layer;
 mod plan;
 
-pub(crate) use destination::Split;
 pub(crate) use plan::{PackMemory, PackResult, Plan};
 
 use crate::Abort;
@@ -85,7 +84,7 @@ impl PackArguments {
         self.cache.as_deref().or(settings.cache.as_deref())
     }
 
-    /// Returns the input of a run at this time. Prints its problems and returns how the run ends.
+    /// Returns the input of a run at this time. Reports its problems.
     pub(crate) fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Abort> {
         Plan::new(self, reporter)
     }

@@ -5,6 +5,7 @@ use crate::args::Arguments;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::output_file;
+use crate::shared::run_flags::QuietFlag;
 use crate::{Outcome, console};
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
@@ -21,9 +22,8 @@ pub(crate) struct ManPages {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for ManPages {
@@ -39,7 +39,7 @@ impl Run for ManPages {
         for (name, page) in &pages {
             output_file::write(&self.output.join(name), page, reporter)?;
         }
-        if self.quiet {
+        if self.quiet.is_set() {
             return Ok(Outcome::Clean);
         }
         let count = console::counted(pages.len(), "page");

@@ -200,7 +200,7 @@ impl From<StateName> for Progress {
 enum EntryScope {
     /// A clip, with `|` between its segments
     Clip,
-    /// A segment, so that no `|` can be lost
+    /// A segment, so that a `|` cannot be lost
     Segment,
 }
 

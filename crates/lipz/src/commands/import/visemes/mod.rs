@@ -16,6 +16,7 @@ use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::Direction;
 use crate::shared::formats;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::{patterns, stdio};
 use clap::Args;
 use lipz_interop::Format;
@@ -55,9 +56,8 @@ pub(crate) struct ImportVisemes {
     #[command(flatten)]
     options: options::Options,
 
-    /// Hide the summary, but not diagnostics
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for ImportVisemes {
@@ -118,7 +118,7 @@ impl Run for ImportVisemes {
         });
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
-        if self.quiet || written.is_nothing() {
+        if self.quiet.is_set() || written.is_nothing() {
             return Ok(outcome);
         }
         reporter.summary(&summary::summary(self.tool_format, &made, &written, folder)).map(|()| outcome)
