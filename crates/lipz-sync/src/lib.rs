@@ -3,7 +3,7 @@
 //! A project with `[audio]` in its settings has a recording for each clip. [`Recordings`] finds them, [`FileFacts`]
 //! contains the length and the hash of one, [`RecordingCounts`] counts them, and [`RecordedClip`] describes that of a
 //! clip. [`check`] reports clips and recordings that do not match, and [`in_bank`] returns the data about recordings
-//! for a bank. A [`SyncRun`] makes visemes from recordings, and a [`SyncRecord`] stores their sources. [`unaccepted`]
+//! for a bank. A [`SyncRun`] makes visemes from recordings, and a [`SyncRecord`] stores their sources. [`unapproved`]
 //! lists recordings that are not confirmed for the current texts. [`PhoneTimeCache`] analyses a clip again to find the
 //! times of its phones. [`train`](train()) trains a model on the voices of a project.
 //!
@@ -27,7 +27,7 @@ pub use lints::{RecordingCounts, check};
 pub use lipz_speech::{Recogniser, RecogniserError, TrainedModel};
 pub use record::{
     DoubtfulWord, MouthHashes, OriginalHashes, RECORD_NAME, RecordLine, RecordedClip, RecordedText, SyncRecord,
-    SyncState, UnacceptedRecording, dependencies, record_place, unaccepted, unaccepted_with_reports, word_times,
+    SyncState, UnapprovedRecording, dependencies, record_place, unapproved, unapproved_with_reports, word_times,
     word_times_of,
 };
 pub use recordings::{FactsCache, FileFacts, Recordings, content_hash, in_bank, is_recording};

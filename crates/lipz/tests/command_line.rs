@@ -45,8 +45,8 @@ fn every_file_of_commands_is_a_command() {
     listed.sort();
     assert_eq!(
         files, listed,
-        "a new command is a file or folder in `commands`, a `mod` and a line of `commands!` in commands/mod.rs; what \
-         is no command belongs to `shared`, or into the folder of the command that uses it"
+        "a new command is a file or folder in `commands`, a `mod` and a line of `commands!` in commands/mod.rs; move \
+         other code to `shared`, or into the folder of the command that uses it"
     );
 }
 
@@ -77,39 +77,45 @@ fn help_lists_every_command_and_the_exit_codes() {
 
 #[test]
 fn usage_errors_exit_with_2() {
-    let usage_errors: &[&[&str]] = &[
-        &[],
-        &["pakc", "fixtures/drama"],
-        &["check"],
-        &["check", "fixtures/drama", "--fps", "24"],
-        &["check", "fixtures/drama", "--config", "default-fps=0"],
-        &["check", "fixtures/drama", "--config", "default-fps=1000.5"],
-        &["check", "fixtures/drama", "--config", "default-viseme-type=Blair"],
-        &["check", "fixtures/drama", "--config", "default-locale=english-us"],
-        &["pack", "fixtures/drama", "-o", "drama.lipzbank", "--config", "default-locale=es-419"],
-        &["check", "fixtures/drama", "--jobs", "0"],
-        &["pack", "fixtures/spec/repaired"],
-        &["unpack", "drama.lipzbank"],
-        &["inspect", "drama.lipzbank", "act1/otto-aye", "act1", "--show", "clips"],
-        &["diff", "drama.lipzbank"],
-        &["diff", "drama.lipzbank", "fixtures/drama", "--config", "default-locale=es-419"],
-        &["inspect", "--show", "stats", "fixtures/drama", "--config", "default-locale=es-419"],
-        &["print", "man"],
-        &["print"],
-        &["shard", "plan", "--shards", "2", "-o", "plan.json"],
-        &["check", "fixtures/drama", "--color", "red"],
-        &["check", "fixtures/drama", "--output-format", "xml"],
-        &["explain", "LZ0401", "LZ0402"],
-        &["check", "fixtures/drama", "--diff", "--show", "stats"],
-        &["check", "fixtures/drama", "--json"],
-        &["fmt"],
-        &["convert", "fixtures/drama", "--viseme-type", "toonboom"],
-        &["convert", "fixtures/drama", "-o", "out", "--in-place", "--viseme-type", "toonboom"],
+    // Without a command, lipz prints its help instead of a diagnostic.
+    let usage_errors: &[(&[&str], &str)] = &[
+        (&[], ""),
+        (&["pakc", "fixtures/drama"], "LZ1601"),
+        (&["check"], "LZ1601"),
+        (&["check", "fixtures/drama", "--fps", "24"], "LZ1601"),
+        (&["check", "fixtures/drama", "--config", "default-fps=0"], "LZ1004"),
+        (&["check", "fixtures/drama", "--config", "default-fps=1000.5"], "LZ1004"),
+        (&["check", "fixtures/drama", "--config", "default-viseme-type=Blair"], "LZ1004"),
+        (&["check", "fixtures/drama", "--config", "default-locale=english-us"], "LZ1004"),
+        (&["pack", "fixtures/drama", "-o", "drama.lipzbank", "--config", "default-locale=es-419"], "LZ1004"),
+        (&["check", "fixtures/drama", "--jobs", "0"], "LZ1601"),
+        (&["pack", "fixtures/spec/repaired"], "LZ1601"),
+        (&["unpack", "drama.lipzbank"], "LZ1601"),
+        (&["inspect", "drama.lipzbank", "act1/otto-aye", "act1", "--show", "clips"], "LZ1601"),
+        (&["diff", "drama.lipzbank"], "LZ1601"),
+        (
+            &["diff", "fixtures/banks/v1/drama.lipzbank", "fixtures/drama", "--config", "default-locale=es-419"],
+            "LZ1004",
+        ),
+        (&["inspect", "--show", "stats", "fixtures/drama", "--config", "default-locale=es-419"], "LZ1004"),
+        (&["print", "man"], "LZ1601"),
+        (&["print"], ""),
+        (&["shard", "plan", "--shards", "2", "-o", "plan.json"], "LZ1601"),
+        (&["check", "fixtures/drama", "--color", "red"], "LZ1601"),
+        (&["check", "fixtures/drama", "--output-format", "xml"], "LZ1601"),
+        (&["explain", "LZ0401", "LZ0402"], "LZ1601"),
+        (&["check", "fixtures/drama", "--diff", "--show", "stats"], "LZ1601"),
+        (&["check", "fixtures/drama", "--json"], "LZ1601"),
+        (&["fmt"], "LZ1601"),
+        (&["convert", "fixtures/drama", "--viseme-type", "toonboom"], "LZ1601"),
+        (&["convert", "fixtures/drama", "-o", "out", "--in-place", "--viseme-type", "toonboom"], "LZ1601"),
     ];
-    for &arguments in usage_errors {
+    for &(arguments, code) in usage_errors {
         let outcome = lipz(&repository(), arguments);
         assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}: {}", outcome.stderr);
-        assert!(!outcome.stderr.is_empty(), "{arguments:?}");
+        let start = if code.is_empty() { String::new() } else { format!("error[{code}]: ") };
+        assert!(outcome.stderr.len() > start.len(), "{arguments:?}");
+        assert!(outcome.stderr.starts_with(&start), "{arguments:?}: {}", outcome.stderr);
     }
 }
 
@@ -120,15 +126,17 @@ fn names_of_earlier_versions_are_answered_with_the_new_ones() {
     scene.write("voices/a.lipz", r#"{ "text_en-us": "Aye." }"#);
     scene.prepare(&["pack", "voices", "-o", "b.lipzbank", "--quiet"]);
     let before = tree(scene.path());
-    let old: [(&[&str], &str); 18] = [
+    let old: [(&[&str], &str); 21] = [
         (&["stats", "b.lipzbank"], "`lipz inspect --show stats`"),
         (&["accept", "--all"], "`lipz approve`"),
         (&["face", "voices"], "`lipz convert --write-curves`"),
         (&["fallout", "heads", "art"], "`lipz check --fallout-heads`"),
         (&["link", "a.lipzobj", "-o", "c.lipzbank"], "`lipz shard link`"),
         (&["schema"], "`lipz print schema`"),
-        (&["import", "rhubarb-tsv", "a.tsv", "-o", "voices"], "`visemes rhubarb-tsv`"),
-        (&["export", "po", "-o", "a.po"], "`texts po`"),
+        (&["import", "rhubarb-tsv", "a.tsv", "-o", "voices"], "`lipz import visemes rhubarb-tsv`"),
+        (&["import", "po", "a.po"], "`lipz import texts FILE`"),
+        (&["export", "po", "-o", "a.po"], "`lipz export texts po`"),
+        (&["export", "unity", "voices"], "`lipz export texts unity`"),
         (&["texts", "import", "a.po"], "`lipz import texts`"),
         (&["check", "voices", "--format", "json"], "`--output-format`"),
         (&["check", "voices", "--threads", "2"], "`--jobs`"),
@@ -137,16 +145,20 @@ fn names_of_earlier_versions_are_answered_with_the_new_ones() {
         (&["pack", "voices", "-o", "c.lipzbank", "--strip"], "`--config strip=VALUE`"),
         (&["pack", "voices", "-o", "c.lipzbank", "--max-lines=2"], "`--config text.lines=VALUE`"),
         (&["coverage", "voices", "--missing", "de-de"], "`--show missing --locale LOCALE`"),
-        (&["diff", "b.lipzbank", "b.lipzbank", "--new-texts", "b.de-de.lipztexts"], "the stack NEW+TEXTS"),
+        (
+            &["diff", "b.lipzbank", "b.lipzbank", "--new-texts", "b.de-de.lipztexts"],
+            "add the texts to the bank: NEW+TEXTS",
+        ),
         (&["unpack", "b.lipzbank", "-o", "out", "--force"], "`--overwrite`"),
+        (&["pack", "voices", "-o", "c.lipzbank", "--no-cache"], "delete the file of `--cache`; lipz creates it again"),
     ];
     for (arguments, new) in old {
         let outcome = lipz(scene.path(), arguments);
         assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}: {}", outcome.stderr);
-        let help = outcome.stderr.lines().find(|line| line.contains("= help: did you mean ")).unwrap_or_default();
+        let help = outcome.stderr.lines().find(|line| line.contains("= help: ")).unwrap_or_default();
         assert!(help.contains(new), "{arguments:?}: {}", outcome.stderr);
         let json = lipz(scene.path(), [&["--output-format", "json"], arguments].concat());
-        assert!(json.stdout.contains("did you mean ") || json.stderr.contains("did you mean "), "{json:?}");
+        assert!(json.stdout.contains(new) || json.stderr.contains(new), "{json:?}");
     }
     assert_eq!(tree(scene.path()), before, "nothing is done under an old name");
 }

@@ -29,7 +29,7 @@ fn rules_about_lipz_files_are_in_lipz_files_md() {
 }
 
 #[test]
-fn formats_of_other_tools_are_in_interop_md() {
+fn formats_of_other_tools_are_in_other_tools_md() {
     let page = read("docs/guides/other-tools.md");
     let cells = first_cells(&page);
     let is_missing = |name: &&str| !cells.iter().any(|cell| cell.contains(&format!("`{name}`")));

@@ -167,10 +167,10 @@ fn recordings_of_dubs_become_dubs() {
     assert_eq!(check(&scene), ["LZ1915"], "the dub has the old words");
     assert_eq!(first(&run(&["sync"]).stdout), "2 clips synced, in voices");
     assert_eq!(check(&scene), ["LZ1915"], "new visemes are not a new recording");
-    let accept = || lipz(scene.path(), ["approve", "voices/de/mayor.lipz"]).stdout;
-    let accepted = accept();
-    assert!(accepted.starts_with("de/mayor: rec/de/mayor.wav (its text has changed)\n"), "{accepted}");
-    assert!(accepted.contains("\napproved: 1 recording with a changed text, 0 new recordings\n"), "{accepted}");
+    let approve = || lipz(scene.path(), ["approve", "voices/de/mayor.lipz"]).stdout;
+    let approved = approve();
+    assert!(approved.starts_with("de/mayor: rec/de/mayor.wav (its text has changed)\n"), "{approved}");
+    assert!(approved.contains("\napproved: 1 recording with a changed text, 0 new recordings\n"), "{approved}");
     assert_eq!(check(&scene), [""; 0]);
     // The text of the original has changed since.
     let again = fs::read_to_string(scene.path().join("voices/en/mayor.lipz")).unwrap().replace("goes", "went");

@@ -130,6 +130,27 @@ fn what_is_unusual_in_lip_files() {
 }
 
 #[test]
+fn options_about_lipz_files_do_not_apply_to_heads() {
+    let scene = Scene::new();
+    scene.write("heads/elderna.frm", "");
+    let check = ["check", "--fallout-heads", "heads"];
+    for arguments in [
+        &["--audio", "recordings"][..],
+        &["--baseline", "known.txt"],
+        &["--baseline", "known.txt", "--write-baseline"],
+        &["--config", "strip=true"],
+        &["--no-config"],
+        &["--jobs", "2"],
+        &["--deny", "warnings"],
+        &["--fix"],
+    ] {
+        let refused = lipz(scene.path(), [&check[..], arguments].concat());
+        assert_eq!((refused.code, refused.stdout.as_str()), (2, ""), "{arguments:?}: {}", refused.stderr);
+        assert!(refused.stderr.contains("cannot be used with"), "{arguments:?}: {}", refused.stderr);
+    }
+}
+
+#[test]
 fn texts_come_from_scripts() {
     let scene = Scene::new();
     write_lips(&scene);

@@ -106,6 +106,28 @@ fn a_project_of_recordings_begins_with_a_folder_for_them() {
 }
 
 #[test]
+fn a_project_whose_folders_cannot_be_created_is_not_begun() {
+    let scene = Scene::new();
+    scene.write("takes", "");
+    scene.write("git/.gitignore/file", "");
+    let before = tree(scene.path());
+    for (arguments, code, message) in [
+        (["init", "game", "--audio", "../takes"], "LZ0904", "`game/../takes` cannot be created: not a directory"),
+        (
+            ["init", "takes/game", "--audio", "takes"],
+            "LZ0904",
+            "`takes/game/voices` cannot be created: not a directory",
+        ),
+        (["init", "git", "--audio", "takes"], "LZ0001", "`git/.gitignore` is a folder"),
+    ] {
+        let run = lipz(scene.path(), arguments);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{arguments:?}: {}", run.stderr);
+        assert!(run.stderr.starts_with(&format!("error[{code}]: {message}")), "{arguments:?}: {}", run.stderr);
+        assert_eq!(tree(scene.path()), before, "{arguments:?}");
+    }
+}
+
+#[test]
 fn new_clips_replace_none_and_fit_into_the_project() {
     let scene = Scene::new();
     scene.write("lipz.toml", "sources = [\"voices\"]\n");

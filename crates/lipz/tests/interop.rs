@@ -112,6 +112,22 @@ fn folders_stay_below_a_root_and_one_clash_stops_nothing_else() {
     assert!(elsewhere.code == 1 && elsewhere.stderr.contains("is not below the root `act2`"), "{}", elsewhere.stderr);
 }
 
+/// A clip and a link to it are one file, which cannot get the visemes of two files.
+#[cfg(unix)]
+#[test]
+fn files_that_are_not_written_are_not_counted() {
+    let scene = Scene::new();
+    scene.write("a.tsv", TSV);
+    scene.write("b.tsv", TSV.replace('A', "C"));
+    scene.write("voices/a.lipz", r#"{ "visemes": "MA-", "viseme_type": "blair", "fps": 24 }"#);
+    std::os::unix::fs::symlink("a.lipz", scene.path().join("voices/b.lipz")).unwrap();
+    let import = ["import", "visemes", "rhubarb-tsv", "a.tsv", "b.tsv", "-o", "voices"];
+    let imported = lipz(scene.path(), import);
+    assert!(imported.stderr.contains("another program has changed it in the meantime"), "{}", imported.stderr);
+    assert!(imported.stdout.starts_with("1 file imported from rhubarb-tsv into voices, "), "{}", imported.stdout);
+    assert!(imported.stdout.contains("\n1 existing file: only its visemes are new\n"), "{}", imported.stdout);
+}
+
 #[test]
 fn texts_and_files_that_do_not_belong_together_are_told() {
     let mut scene = Scene::new();

@@ -52,7 +52,7 @@ fn scene() -> Scene {
     scene
 }
 
-/// Standard output is reserved for the result.
+/// The document on standard error, because standard output is reserved for the result.
 const NO_DIAGNOSTICS: &str = "{\n  \"errors\": 0,\n  \"warnings\": 0,\n  \"diagnostics\": []\n}\n";
 
 #[test]

@@ -36,6 +36,19 @@ fn standard_input_goes_to_standard_output() {
         assert_eq!((converted.status.code(), converted.stdout.as_slice()), (Some(0), toonboom.as_bytes()));
         assert!(converted.stderr.is_empty(), "{converted:?}");
     }
+    for (command, before) in [
+        (&["fmt", "-"][..], ROUGH),
+        (&to_toonboom, blair),
+        (&["convert", "-", "--write-curves"], r#"{ "fps": 24, "visemes": "MAEO", "events": "feels joy" }"#),
+    ] {
+        let shown = |option: &str| {
+            let shown = with_input(&repository(), &[command, &[option, "--quiet"]].concat(), before.as_bytes());
+            assert_eq!((shown.status.code(), shown.stderr.as_slice()), (Some(1), &b""[..]), "{command:?} {option}");
+            String::from_utf8(shown.stdout).unwrap()
+        };
+        assert_eq!(shown("--check"), "<stdin>\n", "{command:?}");
+        assert!(shown("--diff").starts_with("--- <stdin>\n+++ <stdin>\n@@ "), "{command:?}");
+    }
     let loud = with_input(&repository(), &to_toonboom, b"{ \"visemes\": \"12\" }");
     assert_eq!((loud.status.code(), loud.stdout.is_empty()), (Some(1), true), "{loud:?}");
     assert!(loud.stderr.starts_with(b"error[LZ0405]"), "{loud:?}");
@@ -45,11 +58,12 @@ fn standard_input_goes_to_standard_output() {
 fn standard_input_is_no_file_that_can_be_changed() {
     let scene = Scene::new();
     scene.write("a.lipz", ROUGH);
-    let refused: [(&[&str], &str); 5] = [
+    let refused: [(&[&str], &str); 6] = [
         (&["fmt", "-", "a.lipz"], "standard input cannot be rewritten together with files"),
         (&["check", "--fix", "-"], "standard input cannot be fixed in place"),
         (&["convert", "a.lipz", "-", "--viseme-type", "blair", "--in-place"], "together with files"),
         (&["convert", "-", "--viseme-type", "blair", "--in-place"], "is converted to standard output"),
+        (&["convert", "-", "--write-curves", "--in-place"], "is converted to standard output"),
         (&["convert", "a.lipz", "--viseme-type", "blair"], "no output is named for the converted files"),
     ];
     for (arguments, why) in refused {
@@ -101,6 +115,11 @@ fn fmt_writes_and_check_does_not() {
     assert_eq!((fmt.code, fmt.stdout.as_str(), fmt.stderr.as_str()), (0, "1 file formatted, 1 unchanged\n", ""));
     assert_eq!((read("voices/a.lipz"), read("voices/b.lipz")), (NEAT.into(), NEAT.into()));
     assert_eq!(lipz(scene.path(), ["fmt", "--check", "voices"]).code, 0);
+    for command in [&["fmt"][..], &["convert", "--viseme-type", "blair"], &["convert", "--write-curves"]] {
+        let both = lipz(scene.path(), [command, &["voices", "--check", "--diff"]].concat());
+        assert_eq!((both.code, both.stdout.as_str()), (2, ""), "{command:?}: {}", both.stderr);
+        assert!(both.stderr.contains("'--check' cannot be used with '--diff'"), "{command:?}: {}", both.stderr);
+    }
     assert_eq!(tree(scene.path()), ["voices", "voices/a.lipz", "voices/b.lipz"]);
 }
 

@@ -59,7 +59,7 @@ fn a_changed_source_is_told_until_somebody_accepts_it() {
     for (slip, said) in [
         (&["approve", "voices", "--locale", "fr-fr"][..], "no clip has a text in `fr-fr`"),
         (&["approve", "voices/majo*"], "no Lipz files in `voices/majo*`"),
-        (&["approve", "--all", "voices"], "cannot be combined with files"),
+        (&["approve", "--all", "voices"], "'--all' cannot be used with '[SOURCES]...'"),
     ] {
         let refused = lipz(scene.path(), slip);
         assert!(refused.code == 2 && refused.stderr.contains(said), "{refused:?}");
@@ -178,14 +178,14 @@ fn a_renamed_clip_keeps_what_is_known() {
     assert_eq!(codes(folder), ["LZ1911"]);
     let inner = lipz(&folder.join("voices"), ["check", "act1", "--quiet"]);
     assert!(inner.stderr.contains("[LZ1911]"), "{}", inner.stderr);
-    let accept = lipz(folder, ["approve", "--all"]);
-    assert!(accept.stdout.starts_with("renamed: voices/mayor.lipz -> voices/act1/mayor.lipz\n"), "{}", accept.stdout);
+    let approve = lipz(folder, ["approve", "--all"]);
+    assert!(approve.stdout.starts_with("renamed: voices/mayor.lipz -> voices/act1/mayor.lipz\n"), "{}", approve.stdout);
     fs::remove_file(folder.join("voices/act1/mayor.lipz")).unwrap();
     scene.write("voices/other.lipz", "{ \"visemes\": \"MA\" }");
     lipz(folder, ["approve", "voices"]);
     assert_ne!(record(folder), "", "only a run on the whole project removes entries");
-    let accept = lipz(folder, ["approve", "--all"]);
-    assert!(accept.stdout.starts_with("deleted: voices/act1/mayor.lipz\n"), "{}", accept.stdout);
+    let approve = lipz(folder, ["approve", "--all"]);
+    assert!(approve.stdout.starts_with("deleted: voices/act1/mayor.lipz\n"), "{}", approve.stdout);
     assert_eq!(record(folder), "");
 }
 
@@ -276,13 +276,13 @@ fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
     let told = || -> Vec<String> {
         codes(scene.path()).into_iter().filter(|code| ["LZ1915", "LZ2006"].contains(&code.as_str())).collect()
     };
-    let accept = |arguments: &[&str]| lipz(scene.path(), [&["approve"], arguments].concat());
-    let check = accept(&["--all", "--check"]);
+    let approve = |arguments: &[&str]| lipz(scene.path(), [&["approve"], arguments].concat());
+    let check = approve(&["--all", "--check"]);
     let unknown = "\nto approve: 0 recordings with a changed text, 2 new recordings\n";
     assert!(check.code == 1 && check.stdout.ends_with(unknown), "{check:?}");
     assert!(!scene.path().join("lipz-sync.txt").exists() && !scene.path().join("voices/lipz-sync.txt").exists());
-    assert_eq!(accept(&["--all", "--quiet"]).code, 0);
-    let again = accept(&["--all", "--check"]);
+    assert_eq!(approve(&["--all", "--quiet"]).code, 0);
+    let again = approve(&["--all", "--check"]);
     assert!(again.code == 0 && !again.stdout.contains("recording"), "{again:?}");
     assert_eq!(told(), [""; 0]);
     // Both texts change: the recordings of the original and the dub have the old words, and the original of the dub has
@@ -294,7 +294,7 @@ fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
     assert_eq!(told(), ["LZ1915", "LZ2006"], "the original is recorded again");
     scene.write("rec/de/mayor.wav", voice(&[(true, 833)], 11));
     assert_eq!(told(), [""; 0], "and the dub");
-    assert_eq!(accept(&["--all", "--quiet"]).code, 0);
+    assert_eq!(approve(&["--all", "--quiet"]).code, 0);
     scene.write("voices/mayor.lipz", changed.replace("Morgen", "morgen"));
     assert_eq!(told(), ["LZ1915"]);
     let below = lipz(&scene.path().join("voices/de"), ["approve", "mayor.lipz", "--check"]);
@@ -302,7 +302,7 @@ fn recordings_of_mouths_by_hand_are_known_once_they_are_accepted() {
         below.code == 1 && below.stdout.starts_with("de/mayor: "),
         "by the key that it has in the project: {below:?}"
     );
-    let one = accept(&["voices/de/*"]);
+    let one = approve(&["voices/de/*"]);
     assert!(one.stdout.starts_with("de/mayor: rec/de/mayor.wav (its text has changed)\n"), "{one:?}");
     assert_eq!(told(), [""; 0]);
 }

@@ -102,3 +102,36 @@ fn standard_input_is_the_text_of_a_file() {
     assert_eq!(unread.code, 2);
     assert!(unread.stderr.contains("needs standard input, which is not read"), "{}", unread.stderr);
 }
+
+#[test]
+fn only_commands_that_read_standard_input_as_a_file_name_it() {
+    let is_listed = |command: &str| {
+        let arguments = command.split(' ').chain(["--help"]);
+        lipz(&repository(), arguments).stdout.contains("--stdin-filename")
+    };
+    for command in
+        ["approve", "check", "convert", "export texts", "fmt", "ids", "import texts", "import visemes", "pack"]
+    {
+        assert!(is_listed(command), "{command}");
+    }
+    for command in [
+        "coverage",
+        "diff",
+        "import subtitles",
+        "inspect",
+        "new",
+        "preview",
+        "print schema",
+        "shard plan",
+        "sync",
+        "watch",
+    ] {
+        assert!(!is_listed(command), "{command}");
+    }
+    let scene = Scene::new();
+    scene.write("voices/a.lipz", "{}");
+    for command in [&["preview"][..], &["sync", "--audio", "voices"], &["watch", "-o", "b.lipzbank"]] {
+        let refused = with_input(scene.path(), &[command, &["-"]].concat(), b"{}");
+        assert_eq!(refused.status.code(), Some(2), "{command:?}: {refused:?}");
+    }
+}

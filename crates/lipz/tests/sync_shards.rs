@@ -93,6 +93,8 @@ fn shards_make_what_is_made_in_one_go() {
         order.iter().for_each(|shard| drop(step(&scene, *shard, shards)));
         assert!(made(&scene) == before, "steps write only their results");
         let merged = merge(&scene, shards);
+        // `lipz shard merge` does not have the option.
+        assert!(merged.stdout.contains("\nkept visemes (`lipz sync --discard-edits` replaces them)\n"), "{merged:?}");
         let files = made(&scene);
         for (name, bytes) in &expected_files {
             assert_eq!(
@@ -203,19 +205,19 @@ fn newer_records_recordings_and_settings_are_not_undone() {
     scene.write(file, text.replace("Zwogg", "Zwack"));
     steps(2);
     assert_eq!((merge(&scene, 2).code, is_outdated()), (0, true));
-    // The text is accepted, and merging again keeps this.
+    // The text is approved, and merging again keeps this.
     scene.prepare(&["approve", "--all", "--quiet"]);
-    let accepted = record();
-    assert_eq!((merge(&scene, 2).code, record(), is_outdated()), (0, accepted, false));
-    // Accepted between step and merge: the visemes are refused.
+    let approved = record();
+    assert_eq!((merge(&scene, 2).code, record(), is_outdated()), (0, approved, false));
+    // Approved between step and merge: the visemes are refused.
     let text = fs::read_to_string(scene.path().join(file)).unwrap();
     scene.write(file, text.replace("Zwack", "Zweck"));
     steps(2);
     scene.prepare(&["approve", "--all", "--quiet"]);
-    let accepted = record();
+    let approved = record();
     let merged = merge(&scene, 2);
     assert!(merged.code == 1 && merged.stderr.contains("has changed since the plan was made"), "{merged:?}");
-    assert_eq!(record(), accepted);
+    assert_eq!(record(), approved);
     // In a new plan, the store does not return results from before the acceptance.
     steps(2);
     assert_eq!((merge(&scene, 2).code, is_outdated()), (0, false));

@@ -1,6 +1,6 @@
 //! The sources of visemes, in a text file that accompanies the Lipz files and merges in version control.
 
-mod acceptance;
+mod approval;
 mod dependencies;
 mod doubtful_word;
 pub(crate) mod expected_text;
@@ -10,7 +10,7 @@ mod recorded_text;
 mod recording_state;
 mod word_times;
 
-pub use acceptance::{UnacceptedRecording, unaccepted, unaccepted_with_reports};
+pub use approval::{UnapprovedRecording, unapproved, unapproved_with_reports};
 pub use dependencies::dependencies;
 pub use doubtful_word::DoubtfulWord;
 pub(crate) use line::parse_hash;
@@ -129,7 +129,7 @@ impl SyncRecord {
         self.lines.get(&self.name(lipz_file)).map_or(&[], Vec::as_slice)
     }
 
-    /// Returns the known texts of a Lipz file's recording: those that were accepted or kept by a run, otherwise those
+    /// Returns the known texts of a Lipz file's recording: those that were approved or kept by a run, otherwise those
     /// from which its visemes were made.
     pub fn spoken_for(&self, lipz_file: &Path, sound: u64) -> Vec<RecordedText> {
         let spoken = if self.spoken.is_empty() { None } else { self.spoken.get(&self.name(lipz_file)) };
@@ -159,7 +159,7 @@ impl SyncRecord {
     }
 
     /// Records the only text of a Lipz file's recording.
-    pub(crate) fn accept(&mut self, lipz_file: &Path, spoken: RecordedText) {
+    pub(crate) fn approve(&mut self, lipz_file: &Path, spoken: RecordedText) {
         self.say(self.name(lipz_file), spoken.sound, vec![spoken]);
     }
 
@@ -314,7 +314,7 @@ mod tests {
         record.append(&file, &A, &[of_dub]).unwrap();
         record = SyncRecord::read(&path).unwrap();
         assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 2)), (vec![of_dub], vec![]));
-        record.accept(&file, RecordedText { sound: 5, ..of_dub });
+        record.approve(&file, RecordedText { sound: 5, ..of_dub });
         let other = RecordedText { sound: 5, ..of_dub };
         assert_eq!((record.spoken_for(&file, 1), record.spoken_for(&file, 5)), (vec![of_dub], vec![other]));
         record.write().unwrap();

@@ -5,7 +5,7 @@ use crate::record::{OriginalHashes, RecordLine, parse_hash};
 /// The prefix of the hashes of a recording and its text.
 const SPOKEN: &str = "spoken:";
 
-/// The text for which a recording was made: it was accepted, or the first visemes were made from it.
+/// The text for which a recording was made: it was approved, or the first visemes were made from it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct RecordedText {
     /// The hash of the bytes of the recording.

@@ -85,7 +85,7 @@ fn put(
         return Err(outdated(message));
     }
     if is_done {
-        // Texts accepted since then stay.
+        // Texts approved since then stay.
         let is_in_record = known == std::slice::from_ref(&line);
         let grid = grid.filter(|(place, _)| !place.exists());
         let mut written = Ok(());

@@ -15,7 +15,7 @@ fn work() -> Work {
     let sources = ["x", "Old", "Two", "Three", "Four"];
     let german = ["", "Alt", "Zwei", "Drei", "Vier"];
     let states = [None, Some(State::Translated), None, Some(State::Reviewed), Some(State::Final)];
-    record.accept("a.lipz", "en-us", "de-de", &sources, &german, &states);
+    record.approve("a.lipz", "en-us", "de-de", &sources, &german, &states);
     let clip = texts(&[
         ("en-us", &["One and one", "New", "Two", "Three", "Four", ""]),
         ("de-de", &["", "Alt", "Zwei", "Drei", "Vier", ""]),

@@ -4,7 +4,7 @@
 //! with these marks, the second of them reviewed, and the French text of the second segment were made from that English
 //! text.
 
-use super::version::{AcceptedMark, Version};
+use super::version::{ApprovedMark, Version};
 use crate::exchange::State;
 use crate::exchange::clip_texts::trimmed;
 use std::fmt;
@@ -29,7 +29,7 @@ impl Line {
         };
         for translation in translations.split(' ') {
             let (locale, marks) = translation.split_once(':')?;
-            let made: Option<Vec<Option<AcceptedMark>>> = marks.split(',').map(made).collect();
+            let made: Option<Vec<Option<ApprovedMark>>> = marks.split(',').map(made).collect();
             let made = made.filter(|made| made.len() == version.sources.len())?;
             version.made.insert(locale.to_owned(), made);
         }
@@ -39,7 +39,7 @@ impl Line {
 }
 
 /// Parses the information about a segment; `None` if it is invalid.
-fn made(text: &str) -> Option<Option<AcceptedMark>> {
+fn made(text: &str) -> Option<Option<ApprovedMark>> {
     if text == NOTHING {
         return Some(None);
     }
@@ -49,7 +49,7 @@ fn made(text: &str) -> Option<Option<AcceptedMark>> {
         "f" => (text.get(..8)?, State::Final),
         _ => return None,
     };
-    Some(Some(AcceptedMark { mark: mark.parse().ok()?, state }))
+    Some(Some(ApprovedMark { mark: mark.parse().ok()?, state }))
 }
 
 /// Writes the line of a version, whose source texts are `source`.
@@ -62,7 +62,7 @@ pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, s
             f.write_str(if at == 0 { "" } else { "," })?;
             match made {
                 None => f.write_str(NOTHING)?,
-                Some(AcceptedMark { mark, state }) => {
+                Some(ApprovedMark { mark, state }) => {
                     write!(f, "{mark}")?;
                     f.write_str(match state {
                         State::Initial | State::Translated => "",

@@ -1,7 +1,7 @@
 //! Merging of lines about the same source texts into as few lines as possible. Records with the same content produce
 //! the same file, in any order of merges.
 
-use super::version::{AcceptedMark, Version};
+use super::version::{ApprovedMark, Version};
 use crate::exchange::{Mark, State};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -41,9 +41,9 @@ impl Version {
     }
 
     /// Returns versions with the content of this one and others of the same texts.
-    fn with(mut self, others: Vec<BTreeMap<String, Vec<Option<AcceptedMark>>>>) -> Vec<Version> {
+    fn with(mut self, others: Vec<BTreeMap<String, Vec<Option<ApprovedMark>>>>) -> Vec<Version> {
         // Usually they have different locales.
-        let mut same: BTreeMap<String, Vec<Vec<Option<AcceptedMark>>>> = BTreeMap::new();
+        let mut same: BTreeMap<String, Vec<Vec<Option<ApprovedMark>>>> = BTreeMap::new();
         for (locale, made) in others.into_iter().flatten() {
             match self.made.entry(locale) {
                 Entry::Vacant(own) => drop(own.insert(made)),
@@ -72,12 +72,12 @@ impl Version {
 }
 
 /// Arranges the distinct marks of each segment in as few rows as possible: each row has the next one of every segment.
-fn laid_out(all: impl Iterator<Item = Vec<Option<AcceptedMark>>>) -> Vec<Vec<Option<AcceptedMark>>> {
+fn laid_out(all: impl Iterator<Item = Vec<Option<ApprovedMark>>>) -> Vec<Vec<Option<ApprovedMark>>> {
     let mut known: Vec<BTreeMap<Mark, State>> = Vec::new();
     for made in all {
         known.resize_with(known.len().max(made.len()), BTreeMap::new);
         for (segment, made) in known.iter_mut().zip(made) {
-            if let Some(AcceptedMark { mark, state }) = made {
+            if let Some(ApprovedMark { mark, state }) = made {
                 let known = segment.entry(mark).or_insert(state);
                 *known = state.max(*known);
             }
@@ -86,7 +86,7 @@ fn laid_out(all: impl Iterator<Item = Vec<Option<AcceptedMark>>>) -> Vec<Vec<Opt
     let count = known.iter().map(BTreeMap::len).max().unwrap_or_default();
     let mut segments: Vec<_> = known.into_iter().map(BTreeMap::into_iter).collect();
     let row = |_| {
-        segments.iter_mut().map(|segment| segment.next().map(|(mark, state)| AcceptedMark { mark, state })).collect()
+        segments.iter_mut().map(|segment| segment.next().map(|(mark, state)| ApprovedMark { mark, state })).collect()
     };
     (0..count).map(row).collect()
 }

@@ -17,7 +17,7 @@ use merge::merge;
 use standing::Fact;
 use std::collections::BTreeMap;
 use std::fmt;
-use version::{AcceptedMark, Version};
+use version::{ApprovedMark, Version};
 
 /// The start of the file, for people.
 const HEAD: &str = "\
@@ -26,13 +26,13 @@ const HEAD: &str = "\
 ";
 
 /// The source texts of translations. Several lines may refer to the same translation: all of them are true, so merging
-/// the lines of two branches yields everything that both have accepted. Records with the same content produce the same
+/// the lines of two branches yields everything that both have approved. Records with the same content produce the same
 /// file.
 ///
 /// ```
 /// use lipz_texts::{Standing, State, TextRecord};
 /// let mut record = TextRecord::default();
-/// record.accept("mara.lipz", "en-us", "de-de", &["Hi."], &["Hallo."], &[Some(State::Translated)]);
+/// record.approve("mara.lipz", "en-us", "de-de", &["Hi."], &["Hallo."], &[Some(State::Translated)]);
 /// let standing = |source| record.standings("mara.lipz", "en-us", "de-de", &[source], &["Hallo."]).remove(0);
 /// assert_eq!(standing("Hi."), Standing::Current(State::Translated));
 /// assert_eq!(standing("Go away!"), Standing::Stale { made_from: "Hi.".into(), is_changed: false });
@@ -121,25 +121,25 @@ impl TextRecord {
     /// Information about other segments stays, as far as it concerns the current texts.
     ///
     /// `file` is the path of the Lipz file; `sources` and `texts` are the texts of its segments in both locales.
-    pub fn accept<S: AsRef<str>, T: AsRef<str>>(
+    pub fn approve<S: AsRef<str>, T: AsRef<str>>(
         &mut self,
         file: &str,
         source_locale: &str,
         locale: &str,
         sources: &[S],
         texts: &[T],
-        accepted: &[Option<State>],
+        approved: &[Option<State>],
     ) {
         let facts = self.facts(file, source_locale, locale, sources, texts);
         let mut current = vec![None; sources.len()];
-        let mut older: BTreeMap<usize, Vec<(usize, AcceptedMark)>> = BTreeMap::new();
+        let mut older: BTreeMap<usize, Vec<(usize, ApprovedMark)>> = BTreeMap::new();
         for (at, (fact, text)) in facts.into_iter().zip(texts).enumerate() {
             let mark = Mark::of(text.as_ref());
-            let state = accepted.get(at).copied().flatten().filter(|_| !text.as_ref().is_empty());
+            let state = approved.get(at).copied().flatten().filter(|_| !text.as_ref().is_empty());
             match (state, fact) {
                 (Some(state), _) | (None, Fact::Current(state)) => {
                     if let Some(slot) = current.get_mut(at) {
-                        *slot = Some(AcceptedMark { mark, state });
+                        *slot = Some(ApprovedMark { mark, state });
                     }
                 }
                 (None, Fact::Stale { version, segment, made, .. }) => {

@@ -1,7 +1,7 @@
 //! The state of a clip's current translations according to the record.
 
 use super::TextRecord;
-use super::version::AcceptedMark;
+use super::version::ApprovedMark;
 use crate::exchange::{Mark, State};
 use std::collections::{HashMap, HashSet};
 
@@ -14,7 +14,7 @@ pub enum Standing {
     Stale {
         /// The source text of the translation.
         made_from: String,
-        /// Whether the translation has changed as well, without being accepted.
+        /// Whether the translation has changed as well, without being approved.
         is_changed: bool,
     },
     /// The record has no information about it.
@@ -29,7 +29,7 @@ pub(super) enum Fact<'r> {
         version: usize,
         /// The index in the segments of the version.
         segment: usize,
-        made: AcceptedMark,
+        made: ApprovedMark,
         source: &'r str,
         is_changed: bool,
     },
@@ -41,7 +41,7 @@ pub(super) enum Fact<'r> {
 struct AcceptedFact<'r> {
     version: usize,
     segment: usize,
-    made: AcceptedMark,
+    made: ApprovedMark,
     source: &'r str,
 }
 

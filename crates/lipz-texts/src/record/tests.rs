@@ -14,17 +14,17 @@ fn stale(made_from: &str, is_changed: bool) -> Standing {
     Standing::Stale { made_from: made_from.to_owned(), is_changed }
 }
 
-fn accepted(pairs: &[(&str, &str)]) -> TextRecord {
+fn approved(pairs: &[(&str, &str)]) -> TextRecord {
     let mut record = TextRecord::default();
     for (source, text) in pairs {
-        record.accept("a.lipz", "en-us", "de-de", &[source], &[text], &[DONE]);
+        record.approve("a.lipz", "en-us", "de-de", &[source], &[text], &[DONE]);
     }
     record
 }
 
 #[test]
 fn what_becomes_of_a_translation() {
-    let record = accepted(&[("Hi.", "Hallo.")]);
+    let record = approved(&[("Hi.", "Hallo.")]);
     assert_eq!(standing(&record, "Hi.", "Hallo."), Standing::Current(State::Translated));
     assert_eq!(standing(&record, "Hi.", "Moin."), Standing::Current(State::Translated), "only the translation changed");
     assert_eq!(standing(&record, "Hello.", "Hallo."), stale("Hi.", false));
@@ -32,15 +32,15 @@ fn what_becomes_of_a_translation() {
     assert_eq!(standing(&record, "Hi.", ""), Standing::Unknown);
     assert_eq!(record.standings("b.lipz", "en-us", "de-de", &["Hi."], &["Hallo."]), [Standing::Unknown]);
     assert_eq!(record.standings("a.lipz", "fr-fr", "de-de", &["Hi."], &["Hallo."]), [Standing::Unknown]);
-    let record = accepted(&[("Hi.", "Hallo."), ("Hello.", "Hallo.")]);
+    let record = approved(&[("Hi.", "Hallo."), ("Hello.", "Hallo.")]);
     assert_eq!(standing(&record, "Hello.", "Hallo."), Standing::Current(State::Translated));
-    assert_eq!(standing(&record, "Hi.", "Hallo."), stale("Hello.", false), "the last acceptance counts");
+    assert_eq!(standing(&record, "Hi.", "Hallo."), stale("Hello.", false), "the last approval counts");
 }
 
 #[test]
 fn segments_move_and_one_of_them_is_stale() {
     let mut record = TextRecord::default();
-    record.accept("a.lipz", "en-us", "de-de", &["One", "Two"], &["Eins", "Zwei"], &[DONE, Some(State::Final)]);
+    record.approve("a.lipz", "en-us", "de-de", &["One", "Two"], &["Eins", "Zwei"], &[DONE, Some(State::Final)]);
     let standings = |record: &TextRecord, sources: &[&str], texts: &[&str]| {
         record.standings("a.lipz", "en-us", "de-de", sources, texts)
     };
@@ -48,19 +48,19 @@ fn segments_move_and_one_of_them_is_stale() {
     assert_eq!(moved, [Standing::Unknown, Standing::Current(State::Translated), Standing::Current(State::Final)]);
     let (sources, texts) = (["One!", "Two"], ["Eins", "Zwei"]);
     assert_eq!(standings(&record, &sources, &texts), [stale("One", false), Standing::Current(State::Final)]);
-    // Accepting a different segment leaves that one unchanged.
-    record.accept("a.lipz", "en-us", "de-de", &sources, &texts, &[None, DONE]);
+    // Approving a different segment leaves that one unchanged.
+    record.approve("a.lipz", "en-us", "de-de", &sources, &texts, &[None, DONE]);
     assert_eq!(standings(&record, &sources, &texts), [stale("One", false), Standing::Current(State::Translated)]);
     let text = record.to_string();
     assert_eq!(TextRecord::parse(&text), Some((record.clone(), Vec::new())));
-    record.accept("a.lipz", "en-us", "de-de", &sources, &texts, &[DONE, DONE]);
+    record.approve("a.lipz", "en-us", "de-de", &sources, &texts, &[DONE, DONE]);
     assert_eq!(record.to_string().lines().count(), 3, "{record}");
 }
 
 #[test]
 fn an_empty_text_is_no_translation() {
     let mut record = TextRecord::default();
-    record.accept("a.lipz", "en-us", "de-de", &["Hi."], &[""], &[DONE]);
+    record.approve("a.lipz", "en-us", "de-de", &["Hi."], &[""], &[DONE]);
     assert!(record.is_empty(), "{record}");
 }
 
@@ -68,14 +68,14 @@ fn an_empty_text_is_no_translation() {
 fn every_text_comes_back() {
     let mut record = TextRecord::default();
     let odd = "tab\t, \\, \\t\r\nline";
-    record.accept(odd, "en-us", "de-de", &[odd, "", "z"], &["x", "", "y"], &[Some(State::Reviewed), None, DONE]);
+    record.approve(odd, "en-us", "de-de", &[odd, "", "z"], &["x", "", "y"], &[Some(State::Reviewed), None, DONE]);
     assert_eq!(TextRecord::parse(&record.to_string()), Some((record, Vec::new())));
 }
 
 #[test]
 fn damaged_files() {
     assert!(TextRecord::parse("my notes").is_none());
-    let record = accepted(&[("Hi.", "Hallo.")]);
+    let record = approved(&[("Hi.", "Hallo.")]);
     let text = record.to_string();
     let line = text.lines().last().unwrap();
     let conflict = format!("{HEAD}<<<<<<< ours\n{line}\n=======\n{line}\n>>>>>>> theirs\n");
@@ -97,9 +97,9 @@ fn renamed_files_keep_what_is_known() {
     let texts = |source: &str, text: &str| {
         ClipTexts::from([("en-us".to_owned(), vec![source.to_owned()]), ("de-de".to_owned(), vec![text.to_owned()])])
     };
-    let mut record = accepted(&[("Hi.", "Hallo.")]);
-    record.accept("b.lipz", "en-us", "de-de", &["Yes."], &["Ja."], &[DONE]);
-    record.accept("c.lipz", "en-us", "de-de", &["Aye."], &["Ja."], &[DONE]);
+    let mut record = approved(&[("Hi.", "Hallo.")]);
+    record.approve("b.lipz", "en-us", "de-de", &["Yes."], &["Ja."], &[DONE]);
+    record.approve("c.lipz", "en-us", "de-de", &["Aye."], &["Ja."], &[DONE]);
     let lost = ["a.lipz", "b.lipz", "c.lipz"].map(str::to_owned);
     let new =
         [("x.lipz", texts("Hello.", "Hallo.")), ("y.lipz", texts("Aye.", "Ja.")), ("z.lipz", texts("No.", "Nein."))];
@@ -109,8 +109,8 @@ fn renamed_files_keep_what_is_known() {
     let known = record.standings("x.lipz", "en-us", "de-de", &["Hello."], &["Hallo."]);
     assert_eq!(known, [stale("Hi.", false)], "its source changed with its name");
     // Two lost files with the same translation are ambiguous.
-    let mut record = accepted(&[("Hi.", "Ja.")]);
-    record.accept("b.lipz", "en-us", "de-de", &["Yes."], &["Ja."], &[DONE]);
+    let mut record = approved(&[("Hi.", "Ja.")]);
+    record.approve("b.lipz", "en-us", "de-de", &["Yes."], &["Ja."], &[DONE]);
     assert_eq!(record.follow(&lost, &[("x.lipz".to_owned(), texts("Sure.", "Ja."))]), []);
 }
 
@@ -126,7 +126,7 @@ fn records() -> impl Strategy<Value = TextRecord> {
                 |prefix: &str, numbers: &[u8]| numbers.iter().map(|n| format!("{prefix}{n}")).collect::<Vec<_>>();
             let states: Vec<Option<State>> = states.into_iter().map(|state| Some(State::ALL[state?])).collect();
             let locale = ["de-de", "fr-fr"][usize::from(locale)];
-            record.accept(&format!("{file}"), "en-us", locale, &name("s", &sources), &name("t", &texts), &states);
+            record.approve(&format!("{file}"), "en-us", locale, &name("s", &sources), &name("t", &texts), &states);
         }
         record
     })
@@ -138,7 +138,7 @@ fn current(record: &TextRecord) -> BTreeMap<String, State> {
     for (file, locale) in ["0", "1"].into_iter().flat_map(|file| ["de-de", "fr-fr"].map(|locale| (file, locale))) {
         for (source, text) in (0..3).flat_map(|source| (0..3).map(move |text| (source, text))) {
             let (sources, texts) = ([format!("s{source}")], [format!("t{text}")]);
-            // Only explicitly accepted pairs count, not those inferred from them.
+            // Only explicitly approved pairs count, not those inferred from them.
             let fact = record.files.get(file).into_iter().flatten().any(|version| {
                 let made = version.made.get(locale).into_iter().flatten().zip(&version.sources);
                 made.filter_map(|(made, source)| Some((made.as_ref()?.mark, source)))

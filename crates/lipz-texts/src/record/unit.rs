@@ -39,7 +39,7 @@ impl TextRecord {
         let ConfirmedTranslations { locale, sources, texts, states, is_looked_at } = confirmed;
         let before = self.standings(file, source_locale, locale, sources, texts);
         let mut count = 0;
-        let accepted: Vec<Option<State>> = (before.iter().zip(states).zip(is_looked_at))
+        let approved: Vec<Option<State>> = (before.iter().zip(states).zip(is_looked_at))
             .map(|((before, state), is_looked_at)| match (before, (*state)?) {
                 (Standing::Current(known), state) if *is_looked_at => Some(state.max(*known)),
                 (Standing::Current(_), _) => None,
@@ -50,8 +50,8 @@ impl TextRecord {
                 }
             })
             .collect();
-        if accepted.iter().any(Option::is_some) {
-            self.accept(file, source_locale, locale, sources, texts, &accepted);
+        if approved.iter().any(Option::is_some) {
+            self.approve(file, source_locale, locale, sources, texts, &approved);
         }
         count
     }

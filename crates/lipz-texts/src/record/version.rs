@@ -10,12 +10,12 @@ pub(super) struct Version {
     /// The texts of its segments.
     pub(super) sources: Vec<String>,
     /// By locale, the information about the translation of each segment.
-    pub(super) made: BTreeMap<String, Vec<Option<AcceptedMark>>>,
+    pub(super) made: BTreeMap<String, Vec<Option<ApprovedMark>>>,
 }
 
-/// An accepted translation of a segment.
+/// An approved translation of a segment.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct AcceptedMark {
+pub(super) struct ApprovedMark {
     /// The mark of its text.
     pub(super) mark: Mark,
     pub(super) state: State,

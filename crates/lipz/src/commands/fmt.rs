@@ -4,13 +4,15 @@ use crate::CommandResult;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
-use crate::shared::rewrite_mode::{RewriteMode, diff, files, is_standard_input, reads_standard_input};
+use crate::shared::rewrite_mode::{RewriteMode, files, is_standard_input, reads_standard_input};
+use crate::shared::run_flags::{JobsFlag, QuietFlag};
 use crate::shared::settings_file::{Project, SettingsFile};
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::Compiler;
-use lipz_diagnostics::{Report, escape};
+use lipz_diagnostics::Report;
 use lipz_file::format::{LineEnding, Style, format};
 use std::path::PathBuf;
 
@@ -31,21 +33,22 @@ pub(crate) struct Fmt {
     #[command(flatten)]
     file: SettingsFile,
 
+    #[command(flatten)]
+    stdin: StdinFile,
+
     /// List the files that would change, and write nothing; exit code 1 if any
-    #[arg(long)]
+    #[arg(long, conflicts_with = "diff")]
     check: bool,
 
     /// Show the changes as a unified diff, and write nothing; exit code 1 if any
     #[arg(long)]
     diff: bool,
 
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    jobs: Option<u16>,
+    #[command(flatten)]
+    jobs: JobsFlag,
 
-    /// Hide progress and summary, but not diagnostics, files and differences
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for Fmt {
@@ -54,14 +57,15 @@ impl Run for Fmt {
     }
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        self.stdin.apply(&self.sources, reporter)?;
         let Project { mut settings, .. } = self.file.project(&self.sources, reporter)?;
-        settings.options = std::mem::take(&mut settings.options).threads(self.jobs.map(usize::from));
+        settings.options = std::mem::take(&mut settings.options).threads(self.jobs.threads());
         let default_locale = settings.options.get_default_locale();
         if reads_standard_input(&settings.sources, reporter)? {
             return standard_input(self, default_locale, reporter);
         }
         let (inputs, mut reports) = settings.discover_with_reports();
-        let bar = console::progress_bar(inputs.len(), self.quiet);
+        let bar = console::progress_bar(inputs.len(), self.quiet.is_set());
         let compiler = Compiler::new(settings.options.clone()).progress(|count| bar.inc(count));
         let files_to_write = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
@@ -74,15 +78,11 @@ impl Run for Fmt {
         let unwritten = files_to_write.finish();
         bar.finish_and_clear();
         let (mut changed, mut unchanged, mut shown) = (0, 0, String::new());
-        for (input, result) in std::iter::zip(&inputs, results) {
+        for result in results {
             match result.and_then(|result| result) {
                 Ok(None) => unchanged += 1,
                 Ok(Some(difference)) => {
                     changed += 1;
-                    if self.check {
-                        shown.push_str(&escape::text(&input.name()));
-                        shown.push('\n');
-                    }
                     shown.push_str(&difference);
                 }
                 Err(report) => reports.push(report),
@@ -94,7 +94,7 @@ impl Run for Fmt {
         reporter.add(reports);
         let summary = |what| format!("{} {what}, {} unchanged\n", files(changed), console::grouped(unchanged));
         match self.rewriting() {
-            _ if self.quiet || inputs.is_empty() => {}
+            _ if self.quiet.is_set() || inputs.is_empty() => {}
             RewriteMode::InPlace => shown.push_str(&summary("formatted")),
             RewriteMode::Nothing | RewriteMode::Diff => reporter.remark(&summary("would change")),
         }
@@ -125,13 +125,12 @@ fn standard_input(arguments: &Fmt, default_locale: Option<&str>, reporter: &mut 
         .and_then(|before| formatted(&stdio::input_name(), &before, default_locale).map(|after| (before, after)));
     match formatted {
         Ok((before, after)) => {
-            match arguments.rewriting() {
-                RewriteMode::InPlace => reporter.print(&after)?,
-                RewriteMode::Diff => reporter.print(&diff(&stdio::input_name(), &before, &after))?,
-                RewriteMode::Nothing => {}
+            let rewriting = arguments.rewriting();
+            let is_changed = after.as_bytes() != before;
+            if rewriting == RewriteMode::InPlace || is_changed {
+                reporter.print(&rewriting.shown(&stdio::input_name(), &before, &after))?;
             }
-            let differs = arguments.rewriting() != RewriteMode::InPlace && after.as_bytes() != before;
-            Ok(if differs { Outcome::Errors } else { Outcome::Clean })
+            Ok(if rewriting != RewriteMode::InPlace && is_changed { Outcome::Errors } else { Outcome::Clean })
         }
         Err(report) => {
             let outcome = Outcome::from_reports(std::slice::from_ref(&report));

@@ -8,6 +8,7 @@ use crate::shared::dialogue_files::DialogueFiles;
 use crate::shared::output_file;
 use crate::shared::sources::Sources;
 use crate::shared::stack;
+use crate::shared::stdin_file::StdinFile;
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
 use lipz_compiler::ids::{Language, generate};
@@ -32,6 +33,9 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Ids {
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// Language to write
     #[arg(short, long, value_name = "LANGUAGE")]
@@ -91,6 +95,7 @@ impl Run for Ids {
         if let Some(output) = &self.output {
             output_file::refuse_source(output, reporter)?;
         }
+        self.stdin.apply(self.sources.paths(), reporter)?;
         match self.sources.paths() {
             [bank] if is_bank_file(bank) => {
                 self.sources.refuse_with_bank(bank, reporter)?;

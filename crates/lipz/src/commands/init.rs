@@ -2,8 +2,9 @@
 
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::formats::unreadable;
+use crate::shared::input_file::unreadable;
 use crate::shared::output_file;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::text_record::RECORD_NAME;
 use crate::{Abort, CommandResult, Outcome, console};
 use clap::Args;
@@ -53,9 +54,8 @@ pub(crate) struct Init {
     #[arg(long)]
     overwrite: bool,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for Init {
@@ -80,24 +80,30 @@ impl Run for Init {
         if is_new {
             set.extend([("", "sources", "[\"voices\"]"), ("", "default-locale", "\"en-us\"")]);
         }
+        let folders = self.audio.iter().flat_map(|audio| [self.folder.join(VOICES), self.folder.join(audio)]);
+        let folders: Vec<PathBuf> = folders.collect();
+        // Nothing is written if something is in the way.
+        folders.iter().try_for_each(|folder| output_file::refuse_file(folder, reporter))?;
+        // The bank can be rebuilt from the Lipz files.
+        let is_bank = |known: &str| known == BANK || known == "*.lipzbank";
+        let ignored = with_line(self.folder.join(IGNORED), &format!("/{BANK}"), is_bank, reporter)?;
+        // A merge keeps the lines of both branches, and with them the approvals of both.
+        let is_merged = |known: &str| known.split_whitespace().next() == Some(RECORD_NAME);
+        let line = format!("{RECORD_NAME} merge=union");
+        let attributes = with_line(self.folder.join(ATTRIBUTES), &line, is_merged, reporter)?;
+        for folder in &folders {
+            fs::create_dir_all(folder).map_err(|error| reporter.fail(output_file::unwritable(folder, &error)))?;
+        }
         if is_new && self.audio.is_none() {
             output_file::write(&self.folder.join(FIRST_PATH), FIRST_CLIP.as_bytes(), reporter)?;
         }
-        if let (Some(folder), Some(audio)) = (&self.audio, &audio) {
-            set.push(("audio", "folder", audio));
-            for folder in [&self.folder.join(VOICES), &self.folder.join(folder)] {
-                fs::create_dir_all(folder).map_err(|error| reporter.fail(unreadable(folder, &error)))?;
-            }
+        for (file, text) in ignored.into_iter().chain(attributes) {
+            output_file::write(&file, text.as_bytes(), reporter)?;
         }
-        // The bank can be rebuilt from the Lipz files.
-        let is_bank = |known: &str| known == BANK || known == "*.lipzbank";
-        add_line(&self.folder.join(IGNORED), &format!("/{BANK}"), is_bank, reporter)?;
-        // A merge keeps the lines of both branches, and with them the approvals of both.
-        let is_merged = |known: &str| known.split_whitespace().next() == Some(RECORD_NAME);
-        add_line(&self.folder.join(ATTRIBUTES), &format!("{RECORD_NAME} merge=union"), is_merged, reporter)?;
+        set.extend(audio.as_deref().map(|audio| ("audio", "folder", audio)));
         let text = if self.full { template(&set) } else { short_template(&set) };
         output_file::write(&file, text.as_bytes(), reporter)?;
-        if self.quiet {
+        if self.quiet.is_set() {
             return Ok(Outcome::Clean);
         }
         let takes = self.audio.iter().map(|folder| console::path(&self.folder.join(folder))).next().unwrap_or_default();
@@ -119,18 +125,24 @@ fn has_clips(folder: &Path) -> bool {
     folder.is_dir() && !settings.discover_with_reports().0.is_empty()
 }
 
-/// Adds a line to a git file, unless it already contains that line or one that matches `says_so`.
-fn add_line(file: &Path, line: &str, says_so: impl Fn(&str) -> bool, reporter: &mut Reporter) -> Result<(), Abort> {
-    let mut text = match fs::read_to_string(file) {
+/// Returns the path of a git file and its text with an additional line. Returns `None` if it already contains that line
+/// or one that matches `says_so`.
+fn with_line(
+    file: PathBuf,
+    line: &str,
+    says_so: impl Fn(&str) -> bool,
+    reporter: &mut Reporter,
+) -> Result<Option<(PathBuf, String)>, Abort> {
+    let mut text = match fs::read_to_string(&file) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
-        Err(error) => return Err(reporter.fail(unreadable(file, &error))),
+        Err(error) => return Err(reporter.fail(unreadable(&file, &error))),
     };
     if text.lines().any(|known| known == line || says_so(known)) {
-        return Ok(());
+        return Ok(None);
     }
     if !text.is_empty() && !text.ends_with('\n') {
         text.push('\n');
     }
-    output_file::write(file, (text + line + "\n").as_bytes(), reporter)
+    Ok(Some((file, text + line + "\n")))
 }

@@ -4,13 +4,13 @@ use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::set_file::SetFile;
 use crate::shared::{output_file, patterns, stack, stdio};
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_bank::{Bank, Dialogue};
 use lipz_compiler::Stack;
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 /// Make one bank from a base, its patches and text banks, or from a set.
@@ -31,9 +31,8 @@ pub(crate) struct Merge {
     #[arg(short, long, value_name = "BANK")]
     output: PathBuf,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for Merge {
@@ -48,11 +47,8 @@ impl Run for Merge {
             return Err(reporter.usage("only one bank is named", "name the base, then its patches and text banks"));
         }
         let is_printed = stdio::is_meant(&self.output);
-        if is_printed && io::stdout().is_terminal() {
-            return Err(reporter.usage(
-                "a bank cannot be printed on a terminal",
-                "name a file, or redirect standard output to a file",
-            ));
+        if is_printed {
+            stdio::refuse_terminal(reporter)?;
         }
         output_file::refuse_source(&self.output, reporter)?;
         let named = DialogueFiles::open_all(&banks, reporter)?;
@@ -67,7 +63,7 @@ impl Run for Merge {
             return Ok(Outcome::Clean);
         }
         output_file::write(&self.output, &whole, reporter)?;
-        if self.quiet {
+        if self.quiet.is_set() {
             return Ok(Outcome::Clean);
         }
         let clips = console::counted(Bank::open(&whole).map_or(0, |bank| bank.clip_count()), "clip");

@@ -1,5 +1,33 @@
 //! The commands, each in its own file or folder, and their list. Code that several commands use is in `shared`.
 
+/// Defines the commands below a command: the list of their names and arguments, and how the command runs one of them.
+macro_rules! subcommands {
+    ($command:ident.$field:ident: $list:ident { $($name:ident($arguments:path),)+ }) => {
+        #[derive(clap::Subcommand, Debug)]
+        enum $list {
+            $($name(Box<$arguments>),)+
+        }
+
+        impl $command {
+            fn task(&self) -> &dyn $crate::commands::Run {
+                match &self.$field {
+                    $($list::$name(arguments) => arguments.as_ref(),)+
+                }
+            }
+        }
+
+        impl $crate::commands::Run for $command {
+            fn prints_result(&self) -> bool {
+                self.task().prints_result()
+            }
+
+            fn run(&self, reporter: &mut $crate::reporter::Reporter) -> $crate::reporter::CommandResult {
+                self.task().run(reporter)
+            }
+        }
+    };
+}
+
 pub(crate) mod approve;
 pub(crate) mod check;
 pub(crate) mod convert;

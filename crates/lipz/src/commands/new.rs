@@ -5,8 +5,10 @@ use crate::Outcome;
 use crate::commands::Run;
 use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::formats::{in_the_way, path};
+use crate::shared::formats::path;
 use crate::shared::output_file;
+use crate::shared::output_file::{OVERWRITE, in_the_way};
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::sources::PROJECT;
 use crate::shared::values::parse_locale;
@@ -46,9 +48,8 @@ pub(crate) struct NewClip {
     #[arg(short, long, value_name = "FOLDER", help_heading = PROJECT)]
     output: Option<PathBuf>,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for NewClip {
@@ -86,7 +87,7 @@ impl Run for NewClip {
         if self.text.is_some() {
             reporter.add(found);
         }
-        if !self.quiet {
+        if !self.quiet.is_set() {
             reporter.summary(&format!("{} written\n", console::path(&file)))?;
         }
         Ok(Outcome::Clean)
@@ -106,7 +107,7 @@ fn refusal(key: &str, folder: &Path, settings: &Settings, file: &Path) -> Option
         let help = format!("use the key {}", escape::quoted(&inside.to_string_lossy()));
         return about(Code::RefusedKey, format!("{named} is a path, not a key"), &help);
     }
-    if let Some(report) = in_the_way(file) {
+    if let Some(report) = in_the_way(file, OVERWRITE) {
         return Some(report);
     }
     let (inputs, _) = settings.discover_with_reports();

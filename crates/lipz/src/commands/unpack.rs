@@ -5,6 +5,7 @@ use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
+use crate::shared::run_flags::QuietFlag;
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::unpack;
@@ -34,9 +35,8 @@ pub(crate) struct Unpack {
     #[arg(long)]
     pub(crate) overwrite: bool,
 
-    /// Hide progress and summary
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) quiet: QuietFlag,
 }
 
 impl Run for Unpack {
@@ -48,7 +48,7 @@ impl Run for Unpack {
         let named = DialogueFiles::open(&self.bank, reporter)?;
         let opened = named.verified(reporter)?;
         let dialogue = named.dialogue(&opened, reporter)?;
-        let bar = console::progress_bar(dialogue.clip_count(), self.quiet);
+        let bar = console::progress_bar(dialogue.clip_count(), self.quiet.is_set());
         let files = Files::new();
         let unpacked = interrupt::whole_files(|point| {
             let progress = |count| {
@@ -61,7 +61,7 @@ impl Run for Unpack {
         match unpacked {
             Ok(unpacked) => {
                 reporter.add(unpacked.lost);
-                if self.quiet {
+                if self.quiet.is_set() {
                     return Ok(Outcome::Clean);
                 }
                 let form = match unpacked.is_exact {

@@ -7,6 +7,7 @@ use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::dialogue_files::{DialogueFiles, tags_of, texts};
 use crate::shared::patterns;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::set_file::SetFile;
 use crate::{Outcome, console};
 use clap::Args;
@@ -30,9 +31,8 @@ pub(crate) struct Verify {
     #[arg(value_name = "BANK", required = true)]
     pub(crate) banks: Vec<PathBuf>,
 
-    /// Report only damaged banks
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) quiet: QuietFlag,
 }
 
 impl Run for Verify {
@@ -111,7 +111,7 @@ fn print_verified(
     arguments: &Verify,
     reporter: &mut Reporter,
 ) -> Result<(), Abort> {
-    if arguments.quiet {
+    if arguments.quiet.is_set() {
         return Ok(());
     }
     reporter.summary(&format!("{name}: no fault ({what}, {} bytes)\n", console::grouped(length_bytes)))

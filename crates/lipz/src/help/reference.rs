@@ -52,6 +52,12 @@ fn leaves(lipz: &Command) -> Vec<(String, &Command)> {
     leaves
 }
 
+/// Returns all commands, also those with commands below them, except `lipz` itself and `help`.
+fn all(command: &Command) -> Vec<&Command> {
+    let below = command.get_subcommands().filter(|command| command.get_name() != "help");
+    below.flat_map(|command| std::iter::once(command).chain(all(command))).collect()
+}
+
 /// Returns the options that are not hidden.
 fn options(command: &Command) -> impl Iterator<Item = &Arg> {
     command.get_arguments().filter(|argument| argument.get_long().is_some() && !argument.is_hide_set())
@@ -69,10 +75,15 @@ fn spelling(option: &Arg) -> String {
 /// Returns text escaped for Markdown, except for code.
 fn escaped(text: &str) -> String {
     let parts = text.split('`').enumerate().map(|(number, part)| match number % 2 {
-        0 => part.replace('*', "\\*").replace('<', "\\<").replace('|', "\\|"),
-        _ => format!("`{}`", part.replace('|', "\\|")),
+        0 => part.replace('*', "\\*").replace('<', "\\<"),
+        _ => format!("`{part}`"),
     });
     parts.collect()
+}
+
+/// Returns text escaped for a cell of a table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
 }
 
 /// Returns the complete help of an argument in one line, with its default and values.
@@ -82,11 +93,12 @@ fn help(argument: &Arg) -> String {
     let mut text = escaped(&paragraphs.collect::<Vec<_>>().join(". "));
     let values: Vec<String> =
         argument.get_possible_values().iter().map(|value| format!("`{}`", value.get_name())).collect();
-    if !values.is_empty() && argument.get_action().takes_values() && values.len() < 14 && !text.contains(": human") {
+    let takes_values = argument.get_action().takes_values();
+    if !values.is_empty() && takes_values && !argument.is_hide_possible_values_set() {
         let _ = write!(text, "{} One of {}", if text.ends_with('.') { "" } else { "." }, values.join(", "));
     }
     let default: Vec<_> = argument.get_default_values().iter().map(|value| value.to_string_lossy()).collect();
-    if !default.is_empty() && argument.get_action().takes_values() {
+    if !default.is_empty() && takes_values && !argument.is_hide_default_value_set() {
         let _ = write!(text, " [default: `{}`]", default.join(","));
     }
     text
@@ -104,7 +116,7 @@ fn wrapped_text(text: &str) -> String {
 fn paragraphs(text: &str) -> String {
     let wrapped = text.split("\n\n").map(|paragraph| {
         let paragraph = escaped(&paragraph.split_whitespace().collect::<Vec<_>>().join(" "));
-        wrapped_text(&paragraph.replace("\\|", "|")) + "\n\n"
+        wrapped_text(&paragraph) + "\n\n"
     });
     wrapped.collect()
 }
@@ -130,7 +142,7 @@ fn section(name: &str, command: &Command) -> String {
     if !rows.is_empty() {
         text.push_str("| argument | meaning |\n| --- | --- |\n");
         for (spelling, help) in rows {
-            let _ = writeln!(text, "| `{}` | {help} |", spelling.replace('|', "\\|"));
+            let _ = writeln!(text, "| `{}` | {} |", cell(&spelling), cell(&help));
         }
         text.push('\n');
     }
@@ -157,10 +169,10 @@ fn page() -> String {
     let leaves = leaves(&lipz);
     let mut text = HEAD.to_owned();
     for (title, names) in GROUPS.iter().filter(|(title, _)| *title != "Help") {
-        let _ = writeln!(text, "\n**{title}**\n\n| command | what it does |\n| --- | --- |");
+        let _ = writeln!(text, "\n**{title}**\n\n| command | description |\n| --- | --- |");
         let is_of_group = |name: &str| names.iter().any(|of| name.split(' ').next() == Some(&of.to_ascii_lowercase()));
         for (name, command) in leaves.iter().filter(|(name, _)| is_of_group(name)) {
-            let about = escaped(&command.get_about().map(ToString::to_string).unwrap_or_default());
+            let about = cell(&escaped(&command.get_about().map(ToString::to_string).unwrap_or_default()));
             let _ = writeln!(text, "| [`lipz {name}`](#lipz-{}) | {about} |", name.replace(' ', "-"));
         }
     }
@@ -171,7 +183,7 @@ fn page() -> String {
         .filter_map(|option| Some((option.get_long()?, option)))
         .collect();
     for option in COMMON.iter().filter_map(|name| all.get(name)) {
-        let _ = writeln!(text, "| `{}` | {} |", spelling(option).replace('|', "\\|"), help(option));
+        let _ = writeln!(text, "| `{}` | {} |", cell(&spelling(option)), cell(&help(option)));
     }
     text.push_str("\n## Reference\n\n");
     text.extend(leaves.iter().map(|(name, command)| section(name, command)));
@@ -211,7 +223,7 @@ fn options_and_commands_are_few() {
 }
 
 #[test]
-fn what_commands_share_is_the_same_everywhere() {
+fn common_options_have_the_same_help() {
     let lipz = lipz();
     let mut helps: BTreeMap<&str, String> = BTreeMap::new();
     for (name, command) in leaves(&lipz) {
@@ -219,7 +231,7 @@ fn what_commands_share_is_the_same_everywhere() {
         assert_eq!(has("config"), has("no-config"), "lipz {name}");
         for option in options(command) {
             let long = option.get_long().unwrap();
-            if COMMON.contains(&long) && long != "quiet" {
+            if COMMON.contains(&long) {
                 let help = help(option);
                 assert_eq!(*helps.entry(long).or_insert_with(|| help.clone()), help, "lipz {name} --{long}");
             }
@@ -228,16 +240,18 @@ fn what_commands_share_is_the_same_everywhere() {
 }
 
 #[test]
-fn help_is_one_line_that_starts_with_an_imperative_or_a_noun() {
+fn help_is_short_and_does_not_end_with_a_full_stop() {
     let lipz = lipz();
-    for (name, command) in leaves(&lipz) {
+    for command in all(&lipz) {
+        let name = command.get_bin_name().unwrap_or_default();
         for argument in command.get_arguments() {
             let text = argument.get_help().map(ToString::to_string).unwrap_or_default();
             let id = argument.get_id();
-            assert!(!text.is_empty() && !text.ends_with('.'), "lipz {name} {id}: {text}");
-            assert!(text.chars().count() <= 130, "lipz {name} {id}: {text}");
+            assert!(!text.is_empty() && !text.ends_with('.'), "{name} {id}: {text}");
+            assert!(text.chars().count() <= 130, "{name} {id}: {text}");
         }
         let about = command.get_about().map(ToString::to_string).unwrap_or_default();
-        assert!(about.chars().count() <= 80, "lipz {name}: {about}");
+        assert!(!about.is_empty() && !about.ends_with('.'), "{name}: {about}");
+        assert!(about.chars().count() <= 80, "{name}: {about}");
     }
 }

@@ -8,13 +8,13 @@ use std::path::PathBuf;
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct AudioFlag {
     /// Folder of the recordings [default: `folder` of [audio]]
-    #[arg(long = "audio", value_name = "FOLDER")]
-    folder: Option<PathBuf>,
+    #[arg(long, value_name = "FOLDER")]
+    audio: Option<PathBuf>,
 }
 
 impl AudioFlag {
     /// Replaces the folder of the settings, if the flag is used.
     pub(crate) fn apply(&self, audio: &mut Audio) {
-        audio.folder = self.folder.clone().or(audio.folder.take());
+        audio.folder = self.audio.clone().or(audio.folder.take());
     }
 }

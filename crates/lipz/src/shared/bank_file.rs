@@ -3,6 +3,7 @@
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
+use crate::shared::input_file::{self, CHECK_SPELLING};
 use crate::shared::stdio;
 use lipz_bank::{Bank, Error, ErrorKind};
 use lipz_diagnostics::{Code, Diagnostic, Report};
@@ -73,7 +74,8 @@ impl BankFile {
         match bytes {
             Ok(bytes) => Ok(BankFile { name, path: path.to_owned(), bytes }),
             Err(error) => {
-                let diagnostic = unreadable(&name, &error, help);
+                let helps = [help, "name the bank in it"];
+                let diagnostic = input_file::refused(Code::BankRefused, &name, &error, helps);
                 Err(reporter.fail(Report::about(name, diagnostic)))
             }
         }
@@ -99,19 +101,6 @@ fn verified(bank: Bank<'_>) -> Result<Bank<'_>, Error> {
     let bank = bank.verify()?;
     bank.verified_layer()?;
     Ok(bank)
-}
-
-/// The help for a missing file that the user named.
-const CHECK_SPELLING: &str = "check the spelling of the path";
-
-/// Returns the diagnostic for an unreadable file; `help` applies to a missing one.
-fn unreadable(shown: &str, error: &io::Error, help: &str) -> Diagnostic {
-    let diagnostic = |what: &str| Diagnostic::new(Code::BankRefused, format!("`{shown}` {what}"));
-    match error.kind() {
-        io::ErrorKind::NotFound => diagnostic("does not exist").help(help),
-        io::ErrorKind::IsADirectory => diagnostic("is a folder").help("name the bank in it"),
-        _ => diagnostic(&format!("cannot be read: {error}")),
-    }
 }
 
 /// Returns the diagnostic for a file that fails to open or verify as a bank.

@@ -4,7 +4,7 @@ use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::bank_file::BankFile;
 use crate::shared::dialogue_files::DialogueFiles;
-use crate::shared::inputs::{find, with_inputs};
+use crate::shared::inputs::with_inputs;
 use crate::shared::settings_file::Project;
 use crate::shared::sources::ProjectArguments;
 use crate::shared::stack;
@@ -13,8 +13,6 @@ use clap::Args;
 use lipz_compiler::key::EXTENSION;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Input, is_pattern};
-use lipz_diagnostics::reports::have_errors;
-use lipz_sync::RecordingCounts;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -32,39 +30,13 @@ pub(crate) struct DialogueArguments {
 }
 
 impl DialogueArguments {
-    /// Returns the files of the bank or set with its text banks, or the Lipz files packed in memory. Reports their
-    /// problems.
-    pub(crate) fn files(&self, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
-        self.bank_without_options(reporter)?;
-        bank_or_sources(self.bank.as_deref(), &self.arguments, reporter)
-    }
-
-    /// Also returns how many of the Lipz files are recorded, if their project has recordings.
-    pub(crate) fn files_and_recorded(
-        &self,
-        reporter: &mut Reporter,
-    ) -> Result<(DialogueFiles, Option<RecordingCounts>), Abort> {
-        if self.is_bank() {
-            return Ok((self.files(reporter)?, None));
-        }
-        let project = self.project(reporter)?;
-        let files = self.files_of(&project, reporter)?;
-        let (inputs, _) = find(&project.settings);
-        let (recorded, reports) = RecordingCounts::count_with_reports(&project.settings, &inputs);
-        if have_errors(&reports) {
-            let outcome = Outcome::from_reports(&reports);
-            return Err(reporter.abort(reports, outcome));
-        }
-        reporter.add(reports);
-        Ok((files, recorded))
-    }
-
     /// Returns the project of the bank or the Lipz files.
     pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         self.arguments.project(self.bank.as_slice(), reporter)
     }
 
-    /// Like [`files`](Self::files), with settings that have been read before.
+    /// Returns the files of the bank or set with its text banks, or the Lipz files of the project packed in memory. Reports
+    /// their problems.
     pub(crate) fn files_of(&self, project: &Project, reporter: &mut Reporter) -> Result<DialogueFiles, Abort> {
         self.files_with_clip(project, None, reporter)
     }
@@ -81,7 +53,7 @@ impl DialogueArguments {
                 self.arguments.refuse_with_bank(bank, reporter)?;
                 DialogueFiles::open(bank, reporter)
             }
-            _ => packed_for(&project.settings, self.arguments.quiet, key, reporter).map(DialogueFiles::one),
+            _ => packed_for(&project.settings, self.arguments.quiet.is_set(), key, reporter).map(DialogueFiles::one),
         }
     }
 
@@ -90,7 +62,7 @@ impl DialogueArguments {
         self.bank.as_deref().filter(|_| self.is_bank())
     }
 
-    /// The same. Refuses options that would not change it.
+    /// Returns the path of the bank, if it is one. Refuses options that do not apply to banks.
     pub(crate) fn bank_without_options(&self, reporter: &mut Reporter) -> Result<Option<&Path>, Abort> {
         let bank = self.bank_path();
         bank.map_or(Ok(()), |bank| self.arguments.refuse_with_bank(bank, reporter))?;
@@ -109,25 +81,21 @@ impl DialogueArguments {
 
     /// Whether to hide the progress.
     pub(crate) fn is_quiet(&self) -> bool {
-        self.arguments.quiet
+        self.arguments.quiet.is_set()
     }
 }
 
-/// Returns the bank or set at `path`, or its Lipz files packed in memory; without a path, those of `lipz.toml`. Reports
-/// their problems.
+/// Returns the bank or set at `path`, or its Lipz files packed in memory. Reports their problems.
 pub(crate) fn bank_or_sources(
-    path: Option<&Path>,
+    path: &Path,
     arguments: &ProjectArguments,
     reporter: &mut Reporter,
 ) -> Result<DialogueFiles, Abort> {
-    match path {
-        Some(path) if !names_lipz_files(path) => DialogueFiles::open(path, reporter),
-        path => {
-            let sources: Vec<_> = path.into_iter().map(Path::to_owned).collect();
-            let project = arguments.project(&sources, reporter)?;
-            packed(&project.settings, arguments.quiet, reporter).map(DialogueFiles::one)
-        }
+    if !names_lipz_files(path) {
+        return DialogueFiles::open(path, reporter);
     }
+    let project = arguments.project(&[path.to_owned()], reporter)?;
+    packed(&project.settings, arguments.quiet.is_set(), reporter).map(DialogueFiles::one)
 }
 
 /// Returns the bank of a project's Lipz files, packed in memory. Reports their problems.

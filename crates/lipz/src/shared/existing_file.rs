@@ -2,7 +2,7 @@
 
 use crate::console;
 use crate::interrupt::Files;
-use crate::shared::formats;
+use crate::shared::input_file;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::format::{LineEnding, Style, rewrite};
 use lipz_file::rate::Rate;
@@ -23,7 +23,7 @@ impl ExistingFile {
         match fs::read(path) {
             Ok(bytes) => Ok(Some(ExistingFile { path: path.to_owned(), bytes })),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(formats::unreadable(path, &error)),
+            Err(error) => Err(input_file::unreadable(path, &error)),
         }
     }
 

@@ -4,14 +4,15 @@ use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::{Direction, example};
+use crate::shared::input_file::unreadable;
 use crate::shared::stdio;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lipz_bank::Fps;
-use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape, suggest};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape, suggest};
 use lipz_file::rate::Rate;
 use lipz_interop::{Encoding, Format, Map, find_map, formats, maps, to_utf8};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// Returns a parser for format names on the command line.
 pub(crate) fn parser(is_meant: fn(&Format) -> bool) -> impl TypedValueParser<Value = &'static Format> {
@@ -141,18 +142,6 @@ impl ToolFile {
     }
 }
 
-/// Returns the report about an unreadable file.
-pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
-    let name = console::path(path);
-    let diagnostic = |what: &str| Diagnostic::new(Code::UnreadableFile, format!("`{name}` {what}"));
-    let diagnostic = match error.kind() {
-        io::ErrorKind::NotFound => diagnostic("does not exist").help("check the spelling of the path"),
-        io::ErrorKind::IsADirectory => diagnostic("is a folder").help("name the files in it"),
-        _ => diagnostic(&format!("cannot be read: {error}")),
-    };
-    Report::about(name, diagnostic)
-}
-
 /// Returns the key of a file: its name without extension, or its path below the root.
 pub(crate) fn key_below(root: Option<&Path>, path: &Path, extension: &str) -> Result<String, Report> {
     let Some(root) = root else { return Ok(stem(path, extension)) };
@@ -190,25 +179,6 @@ pub(crate) fn file_name(name: &str) -> String {
 /// Returns the path for the clip with this key.
 pub(crate) fn path(folder: &Path, key: &str, extension: &str) -> PathBuf {
     folder.join(format!("{key}.{extension}"))
-}
-
-/// Returns the diagnostic for an existing output file.
-pub(crate) fn in_the_way(path: &Path) -> Option<Report> {
-    path.symlink_metadata().ok()?;
-    let shown = console::path(path);
-    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` already exists"));
-    let diagnostic =
-        diagnostic.note("nothing was written").help("write into another folder, or replace files with --overwrite");
-    Some(Report::about(shown, diagnostic))
-}
-
-/// Whether there are no errors. Otherwise, no file is written.
-pub(crate) fn may_write(reports: &[Report]) -> bool {
-    let mut found = reports.iter().flat_map(|report| &report.diagnostics);
-    found.all(|found| {
-        !matches!(found.code, Code::WouldOverwrite | Code::RefusedKey | Code::DuplicateKey | Code::KeyClash)
-            || found.severity == Severity::Warning
-    })
 }
 
 #[cfg(test)]

@@ -1,11 +1,15 @@
 //! Output files: written completely or not at all, and never over sources.
 
 use crate::Abort;
+use crate::interrupt::Files;
 use crate::reporter::Reporter;
+use crate::shared::text_record::from_root;
 use crate::{console, interrupt};
 use lipz_compiler::settings::FILE_NAME;
 use lipz_compiler::{key, replace_file};
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::path::{Path, PathBuf};
+use std::{env, io};
 
 /// Refuses an output with the name of a Lipz file or of settings, so that a typing error does not replace a clip by a
 /// bank.
@@ -44,7 +48,59 @@ fn place(path: &Path) -> PathBuf {
     path.canonicalize().ok().or_else(folder).unwrap_or_else(|| path.to_owned())
 }
 
+/// Returns the report about a folder that cannot be created.
+pub(crate) fn unwritable(folder: &Path, error: &io::Error) -> Report {
+    let shown = console::path(folder);
+    let message = format!("`{shown}` cannot be created: {error}");
+    Report::failure(shown, Code::OutputFailed, message, "check that you may write there")
+}
+
+/// Refuses a folder that cannot be created because it, or a folder above it, is a file.
+pub(crate) fn refuse_file(folder: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
+    let whole = from_root(&env::current_dir().unwrap_or_default(), folder);
+    if whole.ancestors().find(|path| path.exists()).is_none_or(Path::is_dir) {
+        return Ok(());
+    }
+    Err(reporter.fail(unwritable(folder, &io::ErrorKind::NotADirectory.into())))
+}
+
 /// Replaces the file at `path` completely, even if the run is interrupted. Reports errors.
 pub(crate) fn write(path: &Path, bytes: &[u8], reporter: &mut Reporter) -> Result<(), Abort> {
     interrupt::whole(|| replace_file(path, bytes)).map_err(|report| reporter.fail(report))
+}
+
+/// The help for an existing file that `--overwrite` replaces.
+pub(crate) const OVERWRITE: &str = "write into another folder, or replace files with --overwrite";
+
+/// Returns the diagnostic for an existing output file.
+pub(crate) fn in_the_way(path: &Path, help: &str) -> Option<Report> {
+    path.symlink_metadata().ok()?;
+    let shown = console::path(path);
+    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` already exists"));
+    Some(Report::about(shown, diagnostic.note("nothing was written").help(help)))
+}
+
+/// Whether no error about the output files was found. Otherwise, no file is written.
+pub(crate) fn may_write(reports: &[Report]) -> bool {
+    let mut found = reports.iter().flat_map(|report| &report.diagnostics);
+    found.all(|found| {
+        !matches!(found.code, Code::WouldOverwrite | Code::RefusedKey | Code::DuplicateKey | Code::KeyClash)
+            || !found.is_error()
+    })
+}
+
+/// Writes the files. Returns the number of those written, and adds the problems of the others to `reports`.
+pub(crate) fn write_all<'f>(files: impl IntoIterator<Item = (PathBuf, &'f [u8])>, reports: &mut Vec<Report>) -> usize {
+    let waiting = Files::new();
+    let mut count = 0;
+    for (path, bytes) in files {
+        match waiting.replace(&path, bytes) {
+            Ok(()) => count += 1,
+            Err(report) => reports.push(report),
+        }
+    }
+    let unwritten = waiting.finish();
+    count -= unwritten.len();
+    reports.extend(unwritten);
+    count
 }

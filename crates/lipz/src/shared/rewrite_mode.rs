@@ -17,21 +17,31 @@ use std::path::PathBuf;
 pub(crate) enum RewriteMode {
     /// Replaced.
     InPlace,
-    /// Only counted.
+    /// Counted, and listed by name.
     Nothing,
     /// Counted, and shown as a difference.
     Diff,
 }
 
 impl RewriteMode {
-    /// Changes a file that was read as `before` to `after`. Returns the difference if it was requested.
+    /// Changes a file that was read as `before` to `after`. Returns the output about it: nothing if the file is
+    /// replaced.
     pub(crate) fn rewrite(self, files: &Files, input: &Input, before: &[u8], after: &str) -> Result<String, Report> {
         match (self, &input.content) {
             (RewriteMode::InPlace, Content::File(path)) => {
                 files.rewrite(path, before, after.as_bytes()).map(|()| String::new())
             }
-            (RewriteMode::Diff, _) => Ok(diff(&input.name(), before, after)),
-            _ => Ok(String::new()),
+            _ => Ok(self.shown(&input.name(), before, after)),
+        }
+    }
+
+    /// Returns the output about standard input, or about a file that is not replaced: the new text, the name, or the
+    /// difference.
+    pub(crate) fn shown(self, name: &str, before: &[u8], after: &str) -> String {
+        match self {
+            RewriteMode::InPlace => after.to_owned(),
+            RewriteMode::Nothing => format!("{}\n", escape::text(name)),
+            RewriteMode::Diff => diff(name, before, after),
         }
     }
 }

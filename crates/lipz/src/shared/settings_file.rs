@@ -11,23 +11,19 @@ use lipz_diagnostics::Code;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// Which settings file applies.
+/// The settings file of a run, and the settings that override it.
 #[derive(Args, Debug)]
 pub(crate) struct SettingsFile {
     /// Settings file, or one setting: text.lines=2
     ///
-    /// The file is otherwise the lipz.toml next to or above the first source, or that of the current folder. Give the
-    /// option again for each setting; it replaces that of the file. `lipz print settings` lists all settings.
+    /// By default, the file is the lipz.toml next to or above the first source, or else that of the current folder. Repeat
+    /// the option to override several settings of the file. `lipz print settings` lists all settings.
     #[arg(long, value_name = "FILE|KEY=VALUE", action = ArgAction::Append, help_heading = PROJECT)]
     config: Vec<OsString>,
 
     /// Ignore lipz.toml
     #[arg(long, help_heading = PROJECT)]
     no_config: bool,
-
-    /// File name of standard input, for diagnostics and to find lipz.toml
-    #[arg(long, value_name = "FILE", help_heading = PROJECT)]
-    stdin_filename: Option<PathBuf>,
 }
 
 /// The name of the command line's settings in messages.
@@ -73,26 +69,8 @@ impl Project {
 }
 
 impl SettingsFile {
-    /// Returns the project of these sources, or of its settings file if there are none. Prints its problems and returns
-    /// how the run ends.
+    /// Returns the project of these sources, or of its settings file if there are none. Reports its problems.
     pub(crate) fn project(&self, sources: &[PathBuf], reporter: &mut Reporter) -> Result<Project, Abort> {
-        self.project_reading(sources, sources, reporter)
-    }
-
-    /// Returns the project for a command that does not read the sources but other files.
-    pub(crate) fn project_reading(
-        &self,
-        files: &[PathBuf],
-        sources: &[PathBuf],
-        reporter: &mut Reporter,
-    ) -> Result<Project, Abort> {
-        if let Some(file) = &self.stdin_filename {
-            if !files.iter().any(|file| stdio::is_meant(file)) {
-                let tip = "name `-` among the files, or leave out `--stdin-filename`";
-                return Err(reporter.usage("`--stdin-filename` needs standard input, which is not read", tip));
-            }
-            stdio::is_text_of(file.clone());
-        }
         let (files, assignments) = self.config();
         if files.len() + usize::from(self.no_config) > 1 {
             let tip = "name one settings file; settings have the form KEY=VALUE: --config text.lines=2";
@@ -107,7 +85,7 @@ impl SettingsFile {
         };
         let warnings = settings.assign(assignments, CONFIG).map_err(|report| reporter.fail(report))?;
         reporter.add(warnings);
-        if let Some(file) = &self.stdin_filename {
+        if let Some(file) = stdio::name() {
             // The file has the same key as in the project.
             let source = settings.sources.iter().find(|source| file.starts_with(source));
             settings.root = settings.root.take().or_else(|| source.cloned());
@@ -139,8 +117,8 @@ impl SettingsFile {
             return None;
         }
         // Standard input counts as being in the folder of its file.
-        let place = |source: &PathBuf| match &self.stdin_filename {
-            Some(file) if stdio::is_meant(source) => file.clone(),
+        let place = |source: &PathBuf| match stdio::name() {
+            Some(file) if stdio::is_meant(source) => file,
             _ => source.clone(),
         };
         let places: Vec<PathBuf> = sources.iter().map(place).collect();

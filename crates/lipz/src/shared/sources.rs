@@ -4,6 +4,7 @@ use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::lint_flags::LintFlags;
+use crate::shared::run_flags::{JobsFlag, QuietFlag};
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::stdio;
 use clap::Args;
@@ -32,17 +33,15 @@ pub(crate) struct ProjectArguments {
     #[command(flatten)]
     lints: LintFlags,
 
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    jobs: Option<u16>,
+    #[command(flatten)]
+    jobs: JobsFlag,
 
-    /// Hide progress and summary, but not diagnostics
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) quiet: QuietFlag,
 }
 
 impl Sources {
-    /// Returns the project that the arguments name. Prints its problems and returns how the run ends.
+    /// Returns the project that the arguments name. Reports its problems.
     pub(crate) fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         self.arguments.project(&self.sources, reporter)
     }
@@ -70,7 +69,7 @@ impl Sources {
 
     /// Whether to show only diagnostics.
     pub(crate) fn is_quiet(&self) -> bool {
-        self.arguments.quiet
+        self.arguments.quiet.is_set()
     }
 }
 
@@ -80,7 +79,7 @@ impl ProjectArguments {
         let mut project = self.file.project(sources, reporter)?;
         let options = &mut project.settings.options;
         self.lints.apply(options);
-        *options = std::mem::take(options).threads(self.jobs.map(usize::from));
+        *options = std::mem::take(options).threads(self.jobs.threads());
         Ok(project)
     }
 
@@ -96,7 +95,7 @@ impl ProjectArguments {
     }
 }
 
-/// Removes the reports about recordings of other clips than those of single files.
+/// Removes the reports about recordings without a clip, because single files are not the whole project.
 pub(crate) fn retain_own(reports: &mut Vec<Report>) {
     reports.iter_mut().for_each(|report| report.diagnostics.retain(|found| found.code != Code::RecordingWithoutClip));
     reports.retain(|report| !report.diagnostics.is_empty());

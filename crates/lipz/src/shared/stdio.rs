@@ -1,9 +1,11 @@
 //! Standard input and output, where a path is `-`.
 
+use crate::Abort;
 use crate::console;
+use crate::reporter::Reporter;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report};
-use std::io::{self, Read};
+use std::io::{self, IsTerminal, Read};
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -40,6 +42,15 @@ pub(crate) fn input_key(root: Option<&Path>) -> String {
 /// Whether a path stands for standard input or output. Use `./-` for a file of that name.
 pub(crate) fn is_meant(path: &Path) -> bool {
     path.as_os_str() == "-"
+}
+
+/// Refuses to print a bank on a terminal.
+pub(crate) fn refuse_terminal(reporter: &mut Reporter) -> Result<(), Abort> {
+    if io::stdout().is_terminal() {
+        let tip = "name a file, or redirect standard output to a file";
+        return Err(reporter.usage("a bank cannot be printed on a terminal", tip));
+    }
+    Ok(())
 }
 
 /// Reads standard input as a Lipz file, with a key relative to the root.

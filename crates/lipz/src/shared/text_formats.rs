@@ -8,11 +8,11 @@ use lipz_texts::Shape;
 pub(crate) enum TextFormatArgument {
     /// gettext, for Poedit, Weblate and others: a file for each locale
     Po,
-    /// A gettext template: the same without translations, for tools that make a PO file of it for each locale
+    /// A gettext template without translations, from which tools create a PO file for each locale
     Pot,
     /// XLIFF 2.1: a unit for each clip with its segments, placeholders and states; a file for each locale
     Xliff,
-    /// XLIFF 1.2, for tools that know no other
+    /// XLIFF 1.2, for tools that do not support XLIFF 2
     #[value(name = "xliff-1.2")]
     Xliff12,
     /// A table for spreadsheets, with a column for each locale
@@ -27,7 +27,7 @@ pub(crate) enum TextFormatArgument {
     Yarn,
     /// A spreadsheet, with the columns of csv
     Xlsx,
-    /// All that is known, for programs
+    /// All data about the texts, for programs
     Json,
 }
 

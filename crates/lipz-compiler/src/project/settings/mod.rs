@@ -32,7 +32,7 @@ pub use audio::{Audio, KEY, SOUND_EXTENSIONS, refused_pattern, sound_rank, witho
 pub use find::FILE_NAME;
 pub use sync::Sync;
 #[cfg(feature = "settings")]
-pub use table::{Content, Map, Setting, TABLES, Table};
+pub use table::{Content, Map, Setting, TABLES, Table, find_flat};
 #[cfg(feature = "settings")]
 pub use template::{short_template, template};
 #[cfg(feature = "settings")]

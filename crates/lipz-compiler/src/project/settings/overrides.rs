@@ -60,7 +60,7 @@ fn document<'a>(assignments: impl IntoIterator<Item = &'a str>) -> String {
 /// Returns one assignment. A value that is not TOML is a string, because shells remove the quotes.
 fn line(key: &str, value: &str) -> String {
     let is_toml = |line: &str| DeTable::parse(line).is_ok();
-    let (plain, quoted) = (format!("{key}={value}"), format!("{key}={value:?}"));
+    let (plain, quoted) = (format!("{key}={value}"), format!("{key}={}", lipz_file::literal(value)));
     let has_lines = value.contains(['\n', '\r']);
     if has_lines || (!is_toml(&plain) && is_toml(&quoted)) { quoted } else { plain }
 }
@@ -85,6 +85,15 @@ mod tests {
         assert_eq!((coverage.all, coverage.locales["de-de"]), (Some(50.0), 100.0));
         assert!(!assigned.options.strip && assigned.root == Some("voices/a".into()));
         assert_eq!(assigned.sources, settings(file, &[]).sources);
+    }
+
+    #[test]
+    fn texts_need_no_quotes() {
+        // Decomposed, as macOS returns the names of files, with the characters that TOML escapes.
+        for path in ["e\u{301}.lipzbank", "C:\\a b\\\u{200b}.lipzbank", "it's \"b\".lipzbank"] {
+            let assigned = settings("", &[&format!("output={path}")]);
+            assert_eq!(assigned.output, Some(path.into()), "{path}");
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::Settings;
 use super::reading::{SettingsReader, dotted};
 use super::syntax::Faults;
-use super::table::{Content, TABLES, Table};
+use super::table::{Content, TABLES, Table, find_flat};
 use super::value::{NamedValue, span};
 use crate::files::path::plain;
 use lipz_diagnostics::{Code, Diagnostic, Levels, escape, suggest::nearest};
@@ -148,17 +148,11 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
     }
 }
 
-/// Returns the qualified name of the setting with this name, for users who expect settings without tables.
+/// Returns the help for a setting that users expect outside its table.
 fn of_flat_name(name: &str) -> Option<String> {
-    let is_meant = |names: &str| names.split(", ").any(|flat| flat == name);
-    TABLES.iter().find_map(|table| match &table.content {
-        Content::Settings(settings) => settings
-            .iter()
-            .find(|setting| is_meant(setting.flat_name))
-            .map(|setting| format!("write `{name}` as `{}` in [{}]", setting.name, table.name)),
-        Content::Map(map) => {
-            let entry = || Some(format!("write `{name}` as an entry of [{}]: {}", table.name, map.examples.first()?));
-            is_meant(map.flat_name).then(entry).flatten()
-        }
+    let (table, setting) = find_flat(name)?;
+    Some(match &table.content {
+        Content::Settings(_) => format!("write `{name}` as `{setting}` in [{}]", table.name),
+        Content::Map(map) => format!("write `{name}` as an entry of [{}]: {}", table.name, map.examples.first()?),
     })
 }

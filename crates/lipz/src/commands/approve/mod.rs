@@ -6,6 +6,7 @@ use crate::commands::Run;
 use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::parse_locale;
@@ -34,6 +35,9 @@ pub(crate) struct Approve {
     #[command(flatten)]
     sources: Sources,
 
+    #[command(flatten)]
+    stdin: StdinFile,
+
     /// Approve only translations into this locale, and its dubs; may be given several times
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     locale: Vec<String>,
@@ -43,10 +47,10 @@ pub(crate) struct Approve {
     from: Option<String>,
 
     /// Approve the whole project, and remove the records of deleted Lipz files
-    #[arg(long)]
+    #[arg(long, conflicts_with = "sources")]
     all: bool,
 
-    /// List what would be approved, and write nothing; exit code 1 if any
+    /// List the missing approvals, and write nothing; exit code 1 if any
     #[arg(long)]
     check: bool,
 }
@@ -83,10 +87,7 @@ impl Run for Approve {
             let tip = "name Lipz files, folders or patterns, or the whole project with `--all`";
             return Err(reporter.usage("no clips are named", tip));
         }
-        if self.all && !self.sources.paths().is_empty() {
-            let tip = "leave out `--all`, or the files and folders";
-            return Err(reporter.usage("`--all` cannot be combined with files or folders", tip));
-        }
+        self.stdin.apply(self.sources.paths(), reporter)?;
         let mut project = self.sources.project(reporter)?;
         project.keep_keys();
         let options = &project.settings.options;
@@ -105,10 +106,10 @@ impl Run for Approve {
             let _ = writeln!(said, "renamed: {} -> {}", escape::text(old), escape::text(new));
         }
         for clip in &clips {
-            clip.accept(&source_locale, &mut file.record, &mut counts, &mut said);
+            clip.approve(&source_locale, &mut file.record, &mut counts, &mut said);
         }
-        recordings.accept(&mut said);
-        let forgotten = if self.all && self.sources.paths().is_empty() { file.lost.clone() } else { Vec::new() };
+        recordings.approve(&mut said);
+        let forgotten = if self.all { file.lost.clone() } else { Vec::new() };
         for lost in &forgotten {
             file.record.forget(lost);
             let _ = writeln!(said, "deleted: {}", escape::text(lost));
@@ -133,8 +134,8 @@ impl Run for Approve {
 }
 
 impl Approve {
-    /// Refuses keys and locales that the project does not have. After a typing error, the command would otherwise
-    /// approve nothing and still report success.
+    /// Refuses locales that no clip has a text in. After a typing error, the command would otherwise approve nothing and
+    /// still report success.
     fn refuse_unknown(
         &self,
         inputs: &[Input],
@@ -215,11 +216,11 @@ impl Translation {
 }
 
 impl ClipApproval {
-    fn accept(&self, source_locale: &str, record: &mut TextRecord, counts: &mut SegmentCounts, said: &mut String) {
+    fn approve(&self, source_locale: &str, record: &mut TextRecord, counts: &mut SegmentCounts, said: &mut String) {
         for translation in &self.translations {
-            let mut accepted = vec![None; self.sources.len()];
+            let mut approved = vec![None; self.sources.len()];
             for (at, standing) in translation.open(&self.sources) {
-                if let Some(slot) = accepted.get_mut(at) {
+                if let Some(slot) = approved.get_mut(at) {
                     *slot = Some(State::Translated);
                 }
                 let Standing::Stale { made_from, .. } = standing else {
@@ -238,7 +239,14 @@ impl ClipApproval {
                     text(&self.sources)
                 );
             }
-            record.accept(&self.file, source_locale, &translation.locale, &self.sources, &translation.texts, &accepted);
+            record.approve(
+                &self.file,
+                source_locale,
+                &translation.locale,
+                &self.sources,
+                &translation.texts,
+                &approved,
+            );
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::Abort;
 use crate::console::{self, counted};
 use crate::reporter::Reporter;
-use crate::shared::formats::unreadable;
+use crate::shared::input_file::unreadable;
 use crate::shared::inputs::RunResult;
 use crate::shared::output_file;
 use crate::shared::text_record::from_root;
@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
-/// Which diagnostics are passed over.
+/// The options of the baseline.
 #[derive(Args, Debug)]
 pub(super) struct BaselineFlags {
     /// Hide the diagnostics recorded in FILE, and report only new ones

@@ -2,7 +2,7 @@
 
 use crate::CommandResult;
 use crate::reporter::Reporter;
-use crate::shared::formats;
+use crate::shared::input_file;
 use crate::{Outcome, console};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source};
 use lipz_interop::fallout::heads::{Content, Disposition, Head, HeadFile, check_file, compare, read_list};
@@ -103,7 +103,7 @@ impl CheckedHeads {
 
     /// Returns the result of `read`, or `None` after reporting its error.
     fn read<T>(&mut self, path: &Path, read: impl FnOnce(&Path) -> io::Result<T>) -> Option<T> {
-        read(path).map_err(|error| self.reports.push(formats::unreadable(path, &error))).ok()
+        read(path).map_err(|error| self.reports.push(input_file::unreadable(path, &error))).ok()
     }
 }
 

@@ -17,6 +17,7 @@ use crate::shared::output_file;
 use crate::shared::rewrite_mode::{RewriteMode, files};
 use crate::shared::settings_file::Project;
 use crate::shared::sources::{Sources, retain_own};
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use baseline::BaselineFlags;
 use clap::{Args, ValueEnum};
@@ -54,6 +55,9 @@ pub(crate) struct Check {
     sources: Sources,
 
     #[command(flatten)]
+    stdin: StdinFile,
+
+    #[command(flatten)]
     audio: AudioFlag,
 
     #[command(flatten)]
@@ -78,9 +82,28 @@ pub(crate) struct Check {
     show: Option<CheckView>,
 
     /// Check images of Fallout 2's talking heads instead: FRM files, lists and folders
-    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ["sources", "fix", "diff", "cache", "show"])]
+    #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with_all = ABOUT_LIPZ_FILES)]
     fallout_heads: Vec<PathBuf>,
 }
+
+/// The arguments that do not apply to images.
+const ABOUT_LIPZ_FILES: [&str; 15] = [
+    "sources",
+    "config",
+    "no_config",
+    "stdin_filename",
+    "allow",
+    "warn",
+    "deny",
+    "jobs",
+    "audio",
+    "baseline",
+    "write_baseline",
+    "fix",
+    "diff",
+    "cache",
+    "show",
+];
 
 /// The hint for a project that does not record its source texts.
 const UNRECORDED: &str = "hint: lipz cannot detect stale translations yet. Run `lipz approve --all` to start recording source \
@@ -101,6 +124,7 @@ impl Run for Check {
         if !self.fallout_heads.is_empty() {
             return fallout_heads::run(&self.fallout_heads, self.sources.is_quiet(), reporter);
         }
+        self.stdin.apply(self.sources.paths(), reporter)?;
         let mut project = self.sources.project(reporter)?;
         self.audio.apply(&mut project.settings.audio);
         // The contents of recordings matter only for a bank.

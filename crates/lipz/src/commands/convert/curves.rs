@@ -33,8 +33,8 @@ struct CurveConversion<'a> {
 /// Writes the curves with these names into the files, or all.
 pub(super) fn run(arguments: &Convert, names: &[String], project: Project, reporter: &mut Reporter) -> CommandResult {
     let is_standard = reads_standard_input(&project.settings.sources, reporter)?;
-    let rewriting = match is_standard && !arguments.check && !arguments.diff {
-        true => RewriteMode::InPlace,
+    let rewriting = match is_standard {
+        true => arguments.rewriting_standard_input(reporter)?,
         false => arguments.rewriting(reporter)?,
     };
     let curves = CurveConversion { names, rewriting, is_quiet: arguments.sources.is_quiet() };
@@ -64,10 +64,7 @@ impl CurveConversion<'_> {
         let results = compiler.each_file(&worked.inputs, |input, bytes| {
             let style = settings.options.get_default_locale();
             let Some(made) = self.with_curves(input, bytes, &bank, style) else { return Ok(None) };
-            let shown = match (&input.content, self.rewriting) {
-                (Content::Bytes { .. }, RewriteMode::InPlace) => Ok(made.after.clone()),
-                (_, rewriting) => rewriting.rewrite(&files_to_write, input, bytes, &made.after),
-            };
+            let shown = self.rewriting.rewrite(&files_to_write, input, bytes, &made.after);
             shown.map(|shown| Some((shown, made.names)))
         });
         let unwritten = files_to_write.finish();
@@ -82,10 +79,6 @@ impl CurveConversion<'_> {
                 }
                 Ok(Some((difference, names))) => {
                     counts.add(names);
-                    if self.rewriting == RewriteMode::Nothing {
-                        shown.push_str(&escape::text(&input.name()));
-                        shown.push('\n');
-                    }
                     shown.push_str(&difference);
                 }
                 Err(report) => reports.push(report),

@@ -8,8 +8,11 @@ use crate::CommandResult;
 use crate::commands::Run;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
+use crate::shared::formats::path;
+use crate::shared::output_file::in_the_way;
 use crate::shared::rewrite_mode::{RewriteMode, files, is_standard_input, reads_standard_input};
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use crate::shared::values::parse_viseme_type;
 use crate::{Outcome, console};
@@ -17,10 +20,10 @@ use clap::Args;
 use lipz_bank::VisemeType;
 use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::reports::count;
-use lipz_diagnostics::{Code, Diagnostic, Report, Severity, escape};
+use lipz_diagnostics::{Report, Severity};
 use std::path::{Path, PathBuf};
 
-/// Convert Lipz files to another viseme type, or write their curves.
+/// Convert Lipz files to a different viseme type, or write their curves.
 ///
 /// --viseme-type changes the visemes and `viseme_type`. Toon Boom's chart does not contain Blair's L and U, so lipz
 /// reports files that lose them. rms cannot be converted.
@@ -42,6 +45,9 @@ pub(crate) struct Convert {
     #[command(flatten)]
     sources: Sources,
 
+    #[command(flatten)]
+    stdin: StdinFile,
+
     /// Viseme type to convert to: blair, toonboom [default: `viseme-type` of lipz.toml]
     #[arg(long, value_name = "TYPE", value_parser = parse_viseme_type, conflicts_with = "write_curves")]
     viseme_type: Option<VisemeType>,
@@ -55,7 +61,7 @@ pub(crate) struct Convert {
     in_place: bool,
 
     /// List the files that would change, and write nothing; exit code 1 if any
-    #[arg(long, conflicts_with_all = ["in_place", "output"])]
+    #[arg(long, conflicts_with_all = ["in_place", "output", "diff"])]
     check: bool,
 
     /// Show the changes as a unified diff, and write nothing; exit code 1 if any
@@ -81,6 +87,7 @@ impl Run for Convert {
     }
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        self.stdin.apply(self.sources.paths(), reporter)?;
         let project = self.sources.project(reporter)?;
         if let Some(names) = &self.write_curves {
             return curves::run(self, names, project, reporter);
@@ -112,7 +119,7 @@ impl Run for Convert {
             let found = !converted.diagnostics.is_empty();
             let report = found.then(|| Report::from_bytes(input.name(), bytes, converted.diagnostics));
             let (shown, unwritten) = match written {
-                Ok(difference) => (if self.check { name_line(input) } else { difference }, None),
+                Ok(shown) => (shown, None),
                 Err(report) => (String::new(), Some(report)),
             };
             (is_changed, shown, report.into_iter().chain(unwritten).collect::<Vec<_>>())
@@ -178,11 +185,7 @@ impl Convert {
 
     /// Converts standard input.
     fn standard_input(&self, viseme_type: VisemeType, options: &Options, reporter: &mut Reporter) -> CommandResult {
-        if self.in_place || self.check || self.diff || self.output.is_some() {
-            let tip = "leave out `--in-place`, `--check`, `--diff` and `--output`";
-            let message = "a file from standard input is converted to standard output";
-            return Err(reporter.usage(message, tip));
-        }
+        let rewriting = self.rewriting_standard_input(reporter)?;
         let bytes = stdio::lipz_bytes().map_err(|report| reporter.fail(report))?;
         let converted = Compiler::new(options.clone()).convert(&bytes, viseme_type);
         let report = Report::from_bytes(stdio::input_name(), &bytes, converted.diagnostics);
@@ -191,8 +194,24 @@ impl Convert {
             return Err(reporter.refuse(vec![report]));
         }
         reporter.add(vec![report]);
-        reporter.print_bytes(converted.text.as_ref().map_or(&bytes, |text| text.as_bytes()))?;
-        Ok(Outcome::Clean)
+        match (&converted.text, rewriting) {
+            (Some(after), _) => {
+                reporter.print_bytes(rewriting.shown(&stdio::input_name(), &bytes, after).as_bytes())?;
+            }
+            (None, RewriteMode::InPlace) => reporter.print_bytes(&bytes)?,
+            (None, _) => {}
+        }
+        let would_change = rewriting != RewriteMode::InPlace && converted.text.is_some();
+        Ok(if would_change { Outcome::Errors } else { Outcome::Clean })
+    }
+
+    /// Returns whether to convert, check or diff standard input.
+    fn rewriting_standard_input(&self, reporter: &mut Reporter) -> Result<RewriteMode, Abort> {
+        if self.in_place || self.output.is_some() {
+            let tip = "leave out `--in-place` and `--output`";
+            return Err(reporter.usage("a file from standard input is converted to standard output", tip));
+        }
+        if self.check || self.diff { self.rewriting(reporter) } else { Ok(RewriteMode::InPlace) }
     }
 }
 
@@ -201,7 +220,8 @@ impl ConversionTarget<'_> {
     fn refusal(self, inputs: &[Input], reports: &mut Vec<Report>) -> Option<Outcome> {
         let ConversionTarget::Folder(folder) = self else { return None };
         key::check(inputs, reports);
-        reports.extend(inputs.iter().filter_map(|input| in_the_way(folder, input)));
+        let help = "write into another folder, or replace the sources with --in-place";
+        reports.extend(inputs.iter().filter_map(|input| in_the_way(&path(folder, &input.key, key::EXTENSION), help)));
         (!reports.is_empty()).then(|| Outcome::from_reports(reports).max(Outcome::Errors))
     }
 
@@ -210,34 +230,10 @@ impl ConversionTarget<'_> {
         match (self, after) {
             (ConversionTarget::Folder(folder), after) => {
                 let after = after.map_or(before, str::as_bytes);
-                files.replace(&output(folder, input), after).map(|()| String::new())
+                files.replace(&path(folder, &input.key, key::EXTENSION), after).map(|()| String::new())
             }
             (ConversionTarget::Sources(rewriting), Some(after)) => rewriting.rewrite(files, input, before, after),
             (ConversionTarget::Sources(_), None) => Ok(String::new()),
         }
     }
-}
-
-/// Returns a line with the name of a file.
-fn name_line(input: &Input) -> String {
-    format!("{}\n", escape::text(&input.name()))
-}
-
-/// Returns the path of the converted file.
-fn output(folder: &Path, input: &Input) -> PathBuf {
-    folder.join(format!("{}.{}", input.key, key::EXTENSION))
-}
-
-/// Returns the diagnostic for an existing output file.
-fn in_the_way(folder: &Path, input: &Input) -> Option<Report> {
-    let path = output(folder, input);
-    path.symlink_metadata().ok()?;
-    let shown = console::path(&path);
-    let diagnostic = Diagnostic::new(Code::WouldOverwrite, format!("`{shown}` already exists"));
-    Some(Report::about(
-        shown,
-        diagnostic
-            .note("nothing was written")
-            .help("write into another folder, or replace the sources with --in-place"),
-    ))
 }

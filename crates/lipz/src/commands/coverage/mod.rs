@@ -22,7 +22,7 @@ use lipz_texts::{LocaleWork, Progress, Work, page};
 use std::collections::BTreeSet;
 use voices::Look;
 
-/// Show the progress of translation and dubbing, and the work that is left.
+/// Show the progress of translation and dubbing, and the remaining work.
 ///
 /// Counts clips with text in at least one locale. A clip without its own text shows that of a different locale, or no
 /// text. If you name Lipz files, lipz also counts the segments and words to translate from the default locale
@@ -37,8 +37,7 @@ use voices::Look;
   lipz coverage voices --show missing,stale --locale de-de --as csv > to-do.csv
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
 
-Exit codes: 0 enough is translated, 1 less than the project requires, 2 the tool could not run, 130
-interrupted.")]
+Exit codes: 0 sufficient coverage, 1 coverage below the minimum, 2 the tool could not run, 130 interrupted.")]
 pub(crate) struct CoverageArguments {
     #[command(flatten)]
     dialogue: DialogueArguments,
@@ -51,11 +50,11 @@ pub(crate) struct CoverageArguments {
     #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',', hide_possible_values = true)]
     show: Vec<CoverageView>,
 
-    /// Locale of the listed clips, also one without any text
+    /// Locale of the listed clips; may be a locale without texts
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale, requires = "show")]
     locale: Option<String>,
 
-    /// Price of a translated word, to show the cost of the work that is left
+    /// Price per translated word, to show the cost of the remaining work
     #[arg(long, value_name = "PRICE", value_parser = parse_cost)]
     cost_per_word: Option<f64>,
 

@@ -60,14 +60,14 @@ fn compare(arguments: &Diff, reporter: &mut Reporter) -> CommandResult {
     if !names_lipz_files(&arguments.old) && !names_lipz_files(&arguments.new) {
         arguments.project.refuse_with_bank(&arguments.old, reporter)?;
     }
-    let old = bank_or_sources(Some(&arguments.old), &arguments.project, reporter)?;
-    let new = bank_or_sources(Some(&arguments.new), &arguments.project, reporter)?;
+    let old = bank_or_sources(&arguments.old, &arguments.project, reporter)?;
+    let new = bank_or_sources(&arguments.new, &arguments.project, reporter)?;
     let (old_files, new_files) = (old.verified(reporter)?, new.verified(reporter)?);
     let (old_dialogue, new_dialogue) = (old.dialogue(&old_files, reporter)?, new.dialogue(&new_files, reporter)?);
     let difference = diff::diff(&old_dialogue, &new_dialogue);
     if reporter.wants_json() {
         reporter.print_json(&difference)?;
-    } else if !(arguments.project.quiet && difference.is_empty()) {
+    } else if !(arguments.project.quiet.is_set() && difference.is_empty()) {
         reporter.print(&text::text(&difference, (&old.name, &new.name), arguments.all))?;
     }
     Ok(if difference.is_empty() { Outcome::Clean } else { Outcome::Errors })

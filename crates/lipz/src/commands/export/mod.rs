@@ -4,9 +4,7 @@ mod subtitles;
 mod texts;
 mod visemes;
 
-use crate::commands::Run;
-use crate::reporter::{CommandResult, Reporter};
-use clap::{Args, Subcommand};
+use clap::Args;
 
 /// Export visemes, texts for translators, or subtitles.
 #[derive(Args, Debug)]
@@ -19,29 +17,10 @@ pub(crate) struct Export {
     kind: ExportKind,
 }
 
-#[derive(Subcommand, Debug)]
-enum ExportKind {
-    Visemes(Box<visemes::ExportVisemes>),
-    Texts(Box<texts::ExportTexts>),
-    Subtitles(Box<subtitles::ExportSubtitles>),
-}
-
-impl Export {
-    fn task(&self) -> &dyn Run {
-        match &self.kind {
-            ExportKind::Visemes(visemes) => visemes.as_ref(),
-            ExportKind::Texts(texts) => texts.as_ref(),
-            ExportKind::Subtitles(subtitles) => subtitles.as_ref(),
-        }
-    }
-}
-
-impl Run for Export {
-    fn prints_result(&self) -> bool {
-        self.task().prints_result()
-    }
-
-    fn run(&self, reporter: &mut Reporter) -> CommandResult {
-        self.task().run(reporter)
+subcommands! {
+    Export.kind: ExportKind {
+        Visemes(visemes::ExportVisemes),
+        Texts(texts::ExportTexts),
+        Subtitles(subtitles::ExportSubtitles),
     }
 }

@@ -3,16 +3,17 @@
 use crate::CommandResult;
 use crate::commands::Run;
 use crate::console;
-use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::formats;
 use crate::shared::inputs::find;
+use crate::shared::output_file::{OVERWRITE, in_the_way, may_write, write_all};
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::subtitle_formats::SubtitleFormatArgument;
 use crate::shared::values::parse_locale;
 use clap::Args;
 use lipz_compiler::{Compiler, Input, Options, key};
-use lipz_diagnostics::{Report, Severity};
+use lipz_diagnostics::{Diagnostic, Report};
 use lipz_file::locale::{TextName, text_name};
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues};
 use std::path::PathBuf;
@@ -32,6 +33,9 @@ pub(crate) struct ExportSubtitles {
 
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// Folder to write into
     #[arg(short, long, value_name = "FOLDER")]
@@ -68,6 +72,7 @@ impl Run for ExportSubtitles {
 }
 
 fn run(arguments: &ExportSubtitles, reporter: &mut Reporter) -> CommandResult {
+    arguments.stdin.apply(arguments.sources.paths(), reporter)?;
     let project = arguments.sources.project(reporter)?;
     let (inputs, mut reports) = find(&project.settings);
     key::check(&inputs, &mut reports);
@@ -85,21 +90,11 @@ fn run(arguments: &ExportSubtitles, reporter: &mut Reporter) -> CommandResult {
         }
     }
     if !arguments.overwrite {
-        reports.extend(files.iter().filter_map(|(path, _)| formats::in_the_way(path)));
+        reports.extend(files.iter().filter_map(|(path, _)| in_the_way(path, OVERWRITE)));
     }
-    let mut written = 0;
-    if formats::may_write(&reports) {
-        let files_to_write = Files::new();
-        for (path, file) in &files {
-            match files_to_write.replace(path, file.as_bytes()) {
-                Ok(()) => written += 1,
-                Err(report) => reports.push(report),
-            }
-        }
-        let unwritten = files_to_write.finish();
-        written -= unwritten.len();
-        reports.extend(unwritten);
-    }
+    let is_free = may_write(&reports);
+    let files = files.iter().filter(|_| is_free).map(|(path, file)| (path.clone(), file.as_bytes()));
+    let written = write_all(files, &mut reports);
     let summary = format!("{} written into {}\n", console::counted(written, "file"), console::path(&arguments.output));
     reporter.end(reports, (!arguments.sources.is_quiet() && written > 0).then_some(summary))
 }
@@ -133,7 +128,7 @@ fn one(arguments: &ExportSubtitles, input: &Input, bytes: &[u8], options: &Optio
         }
     }
     options.get_levels().apply(&mut diagnostics);
-    if diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error) {
+    if diagnostics.iter().any(Diagnostic::is_error) {
         files.clear();
     }
     let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));

@@ -7,12 +7,14 @@ use crate::reporter::Reporter;
 use crate::shared::format_examples::Direction;
 use crate::shared::formats;
 use crate::shared::inputs::find;
+use crate::shared::output_file::{OVERWRITE, in_the_way, may_write};
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::{Compiler, Input, Options, key};
-use lipz_diagnostics::{Diagnostic, Report, Severity};
+use lipz_diagnostics::{Diagnostic, Report};
 use lipz_interop::{ExportOptions, ExportResult, Format, Map, export};
 use lipz_sync::GridExport;
 use std::collections::BTreeSet;
@@ -32,6 +34,9 @@ pub(crate) struct ExportVisemes {
 
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// Folder to write into; a file from standard input is written to standard output
     #[arg(short, long, value_name = "FOLDER")]
@@ -66,6 +71,7 @@ impl Run for ExportVisemes {
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let format = self.tool_format;
+        self.stdin.apply(self.sources.paths(), reporter)?;
         let project = self.sources.project(reporter)?;
         let options = &project.settings.options;
         let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;
@@ -78,9 +84,9 @@ impl Run for ExportVisemes {
         key::check(&inputs, &mut reports);
         if let Some(folder) = self.output.as_deref().filter(|_| !self.overwrite) {
             let path = |input: &Input| formats::path(folder, &input.key, format.extension);
-            reports.extend(inputs.iter().filter_map(|input| formats::in_the_way(&path(input))));
+            reports.extend(inputs.iter().filter_map(|input| in_the_way(&path(input), OVERWRITE)));
         }
-        if !formats::may_write(&reports) {
+        if !may_write(&reports) {
             return Err(reporter.refuse(reports));
         }
         let map = map.as_ref().map(formats::MapChoice::map);
@@ -110,7 +116,7 @@ impl Run for ExportVisemes {
                     reporter.print_bytes(&bytes)?;
                     return Ok(Outcome::Clean);
                 }
-                Some(folder) => match write(&files, folder, input, format, &bytes) {
+                Some(folder) => match files.replace(&formats::path(folder, &input.key, format.extension), &bytes) {
                     Ok(()) => written += 1,
                     Err(report) => reports.push(report),
                 },
@@ -157,20 +163,12 @@ impl Work<'_> {
             parsed.document.map(|document| export(self.format, &document, &export_options)).unwrap_or_default();
         diagnostics.append(&mut exported.diagnostics);
         self.options.get_levels().apply(&mut diagnostics);
-        if has_errors(&diagnostics) {
+        if diagnostics.iter().any(Diagnostic::is_error) {
             exported.bytes = None;
         }
         let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
         ExportedVisemes { exported, report, has_words, has_phones }
     }
-}
-
-fn has_errors(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
-}
-
-fn write(files: &Files, folder: &Path, input: &Input, format: &Format, bytes: &[u8]) -> Result<(), Report> {
-    files.replace(&formats::path(folder, &input.key, format.extension), bytes)
 }
 
 fn summary(

@@ -5,9 +5,7 @@ mod subtitles;
 mod texts;
 mod visemes;
 
-use crate::commands::Run;
-use crate::reporter::{CommandResult, Reporter};
-use clap::{Args, Subcommand};
+use clap::Args;
 
 /// Import visemes, translations or subtitles from files of other tools.
 ///
@@ -22,31 +20,11 @@ pub(crate) struct Import {
     kind: ImportKind,
 }
 
-#[derive(Subcommand, Debug)]
-enum ImportKind {
-    Visemes(Box<visemes::ImportVisemes>),
-    Texts(Box<texts::ImportTexts>),
-    Subtitles(Box<subtitles::ImportSubtitles>),
-    Recogniser(recogniser::RecogniserArguments),
-}
-
-impl Import {
-    fn task(&self) -> &dyn Run {
-        match &self.kind {
-            ImportKind::Visemes(visemes) => visemes.as_ref(),
-            ImportKind::Texts(texts) => texts.as_ref(),
-            ImportKind::Subtitles(subtitles) => subtitles.as_ref(),
-            ImportKind::Recogniser(recogniser) => recogniser,
-        }
-    }
-}
-
-impl Run for Import {
-    fn prints_result(&self) -> bool {
-        self.task().prints_result()
-    }
-
-    fn run(&self, reporter: &mut Reporter) -> CommandResult {
-        self.task().run(reporter)
+subcommands! {
+    Import.kind: ImportKind {
+        Visemes(visemes::ImportVisemes),
+        Texts(texts::ImportTexts),
+        Subtitles(subtitles::ImportSubtitles),
+        Recogniser(recogniser::RecogniserArguments),
     }
 }

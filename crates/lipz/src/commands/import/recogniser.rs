@@ -2,8 +2,9 @@
 
 use crate::commands::Run;
 use crate::reporter::{Abort, CommandResult, Reporter};
-use crate::shared::formats::unreadable;
+use crate::shared::input_file::unreadable;
 use crate::shared::output_file;
+use crate::shared::run_flags::QuietFlag;
 use crate::{Outcome, console};
 use clap::Args;
 use lipz_diagnostics::{Code, Report, escape};
@@ -38,9 +39,8 @@ pub(crate) struct RecogniserArguments {
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for RecogniserArguments {
@@ -68,7 +68,7 @@ impl Run for RecogniserArguments {
             reporter.fail(unusable(&network, format!("the network cannot be used: {why}")))
         })?;
         output_file::write(&self.output, &bytes, reporter)?;
-        if !self.quiet {
+        if !self.quiet.is_set() {
             let place = console::path(&self.output);
             reporter.summary(&format!("recogniser of {} tokens written to {place}\n", tokens.len()))?;
         }

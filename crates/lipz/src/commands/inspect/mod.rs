@@ -123,8 +123,9 @@ impl Inspect {
 
     /// Returns the files, and the project if they come from one. Incomplete translations are allowed here.
     fn files(&self, reporter: &mut Reporter) -> Result<(DialogueFiles, Option<Project>), Abort> {
-        if self.dialogue.is_bank() {
-            return Ok((self.dialogue.files(reporter)?, None));
+        // A bank does not need the settings next to it, which may be invalid.
+        if let Some(bank) = self.dialogue.bank_without_options(reporter)? {
+            return Ok((DialogueFiles::open(bank, reporter)?, None));
         }
         let mut project = self.dialogue.project(reporter)?;
         project.settings.options = std::mem::take(&mut project.settings.options).min_coverage(MinCoverage::new());
@@ -220,7 +221,7 @@ fn list(dialogue: &Dialogue<'_>, prefix: &str, json: bool, reporter: &mut Report
     reporter.print(&text)
 }
 
-/// Returns what a layer states about the banks below it.
+/// Returns a description of the banks below a layer and of its removals.
 fn about_layer(layer: &LayerSummary<'_>) -> String {
     let mut text = format!("  patch over {}\n", layer.over.join(", "));
     if !layer.removed_clips.is_empty() {

@@ -2,37 +2,12 @@
 
 use crate::Abort;
 use crate::reporter::Reporter;
+use crate::shared::split::Split;
 use crate::shared::stdio;
 use crate::{console, interrupt};
 use lipz_compiler::{Compiled, Compiler, DeliveredFiles, Input, Memory, OutputFile, Outputs, Replace, StackBelow};
 use lipz_diagnostics::Report;
-use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
-
-/// The parts of a bank that are written to separate files.
-#[derive(Clone, Copy)]
-pub(crate) struct Split {
-    /// The texts of each locale.
-    pub(crate) locales: bool,
-    /// The dubs of each voice.
-    pub(crate) voices: bool,
-}
-
-impl Split {
-    /// Refuses to split both texts and dubs.
-    pub(crate) fn refuse_both(self, reporter: &mut Reporter) -> Result<(), Abort> {
-        if self.locales && self.voices {
-            let tip = "set one of `split-locales` and `split-voices` to false";
-            return Err(reporter.usage("a bank cannot be split both by locale and by voice", tip));
-        }
-        Ok(())
-    }
-
-    /// Returns the output files of a bank.
-    pub(crate) fn outputs(self, bank: &Path) -> Outputs {
-        Outputs::new(bank).split_locales(self.locales).split_voices(self.voices)
-    }
-}
 
 /// The destination of a bank.
 pub(super) enum Destination {
@@ -50,7 +25,7 @@ pub(super) enum PackedBank {
 }
 
 impl Destination {
-    /// Creates the destination from the arguments. If they contradict each other, returns how the run ends.
+    /// Creates the destination from the arguments. Reports contradictions between them.
     pub(super) fn new(
         output: &Path,
         split: Split,
@@ -67,12 +42,7 @@ impl Destination {
             let message = "split banks and depfiles need an output file";
             return Err(reporter.usage(message, tip));
         }
-        if io::stdout().is_terminal() {
-            return Err(reporter.usage(
-                "a bank cannot be printed on a terminal",
-                "name a file, or redirect standard output to a file",
-            ));
-        }
+        stdio::refuse_terminal(reporter)?;
         Ok(Destination::StandardOutput)
     }
 

@@ -1,20 +1,20 @@
 //! `lipz pack --over`: a layer on top of other banks.
 
-use super::Pack;
-use super::destination::{Destination, Split};
+use super::PackArguments;
+use super::destination::Destination;
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::dialogue_files::DialogueFiles;
+use crate::shared::split::Split;
 use crate::shared::stdio;
 use lipz_bank::Bank;
 use lipz_compiler::{Stack, StackBelow};
-use std::io::{self, IsTerminal};
 use std::path::Path;
 
 /// Returns the destination of the requested layer and the banks below it. Reports their problems.
 pub(super) fn destination(
-    arguments: &Pack,
+    arguments: &PackArguments,
     output: &Path,
     split: Split,
     reporter: &mut Reporter,
@@ -32,9 +32,8 @@ pub(super) fn destination(
     if is_printed && arguments.depfile.is_some() {
         return Err(reporter.usage("a depfile needs an output file", "name a file with `--output`"));
     }
-    if is_printed && io::stdout().is_terminal() {
-        return Err(reporter
-            .usage("a bank cannot be printed on a terminal", "name a file, or redirect standard output to a file"));
+    if is_printed {
+        stdio::refuse_terminal(reporter)?;
     }
     let named = DialogueFiles::open_banks(&arguments.over, reporter)?;
     if !is_printed {

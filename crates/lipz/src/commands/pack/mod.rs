@@ -4,7 +4,6 @@ mod destination;
 mod layer;
 mod plan;
 
-pub(crate) use destination::Split;
 pub(crate) use plan::{PackMemory, PackResult, Plan};
 
 use crate::Abort;
@@ -14,6 +13,7 @@ use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::audio_flag::AudioFlag;
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use clap::{ArgAction, Args};
 use lipz_compiler::settings::Settings;
@@ -33,6 +33,16 @@ use std::time::Duration;
   lipz pack voices --over shipped.lipzbank -o patch.lipzbank
   lipz pack mod --over shipped.lipzbank --keep-others -o mod.lipzbank")]
 pub(crate) struct Pack {
+    #[command(flatten)]
+    arguments: PackArguments,
+
+    #[command(flatten)]
+    stdin: StdinFile,
+}
+
+/// The arguments of a packing run, which `lipz watch` has as well.
+#[derive(Args, Debug)]
+pub(crate) struct PackArguments {
     #[command(flatten)]
     pub(crate) sources: Sources,
 
@@ -68,13 +78,13 @@ pub(crate) struct Pack {
     timings: bool,
 }
 
-impl Pack {
+impl PackArguments {
     /// Returns the cache to use.
     fn cache<'a>(&'a self, settings: &'a Settings) -> Option<&'a Path> {
         self.cache.as_deref().or(settings.cache.as_deref())
     }
 
-    /// Returns the input of a run at this time. Prints its problems and returns how the run ends.
+    /// Returns the input of a run at this time. Reports its problems.
     pub(crate) fn plan(&self, reporter: &mut Reporter) -> Result<Plan, Abort> {
         Plan::new(self, reporter)
     }
@@ -109,12 +119,13 @@ impl Pack {
 
 impl Run for Pack {
     fn prints_result(&self) -> bool {
-        self.output.as_ref().is_some_and(|output| stdio::is_meant(output))
+        self.arguments.output.as_ref().is_some_and(|output| stdio::is_meant(output))
     }
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
-        let quiet = self.sources.is_quiet();
-        let plan = self.plan(reporter)?;
+        self.stdin.apply(self.arguments.sources.paths(), reporter)?;
+        let quiet = self.arguments.sources.is_quiet();
+        let plan = self.arguments.plan(reporter)?;
         let packed = plan.run(quiet, reporter)?;
         let mut text = String::new();
         if !quiet {
@@ -123,7 +134,7 @@ impl Run for Pack {
                 text.push_str(&format!("with the settings of {}\n", console::path(file)));
             }
         }
-        text.push_str(&self.timings(&packed));
+        text.push_str(&self.arguments.timings(&packed));
         reporter.summary(&text)?;
         Ok(packed.outcome)
     }

@@ -1,12 +1,13 @@
 //! One packing run: its input and its result.
 
-use super::Pack;
-use super::destination::{self, Destination, PackedBank, Split};
+use super::PackArguments;
+use super::destination::{self, Destination, PackedBank};
 use super::layer;
 use crate::Abort;
 use crate::reporter::Reporter;
 use crate::shared::inputs::{FoundInputs, RunResult, with_found, with_inputs};
 use crate::shared::settings_file::Project;
+use crate::shared::split::Split;
 use crate::shared::{output_file, stdio};
 use crate::{Outcome, console};
 use lipz_compiler::{Compiled, Compiler, DeliveredFiles, Input, Memory, Phases, Replace, dependencies, depfile};
@@ -49,8 +50,8 @@ pub(crate) struct PackResult {
 }
 
 impl Plan {
-    /// Creates the plan from the arguments and the settings file. Prints their problems and returns how the run ends.
-    pub(super) fn new(arguments: &Pack, reporter: &mut Reporter) -> Result<Plan, Abort> {
+    /// Creates the plan from the arguments and the settings file. Reports their problems.
+    pub(super) fn new(arguments: &PackArguments, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         arguments.audio.apply(&mut settings.audio);

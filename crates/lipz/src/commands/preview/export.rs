@@ -9,6 +9,8 @@ use super::hearing::Phones;
 use super::listing::Listing;
 use super::version::Version;
 use crate::interrupt::Files;
+use crate::shared::input_file::unreadable;
+use crate::shared::output_file::unwritable;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lipz_bank::Bank;
@@ -152,26 +154,6 @@ fn resolved(folder: &str, path: &str) -> String {
         }
     }
     parts.join("/")
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> Report {
-    let message = format!("`{}` cannot be read: {error}", crate::console::path(path));
-    Report::failure(
-        crate::console::path(path),
-        lipz_diagnostics::Code::UnreadableFile,
-        message,
-        "check that you may read it",
-    )
-}
-
-fn unwritable(path: &Path, error: &std::io::Error) -> Report {
-    let message = format!("`{}` cannot be created: {error}", crate::console::path(path));
-    Report::failure(
-        crate::console::path(path),
-        lipz_diagnostics::Code::OutputFailed,
-        message,
-        "check that you may write there",
-    )
 }
 
 #[cfg(test)]

@@ -36,11 +36,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use version::{PreviewMemory, Version};
 
+/// The help of the sources, which cannot be standard input.
+const SOURCES: &str = "Folders, files or patterns, or a bank [default: those of lipz.toml]";
+
 /// Watch, play and edit clips in a browser.
 ///
 /// Serves a page to this machine only. The page shows the bank that the sources pack to, and updates when a file changes.
 /// Edits on the page are written into the Lipz files. A bank can be played, but not edited. Press Ctrl-C to stop.
 #[derive(Args, Debug)]
+#[command(mut_arg("sources", |sources| sources.help(SOURCES)))]
 #[command(after_help = "Examples:
   lipz preview
   lipz preview voices --open

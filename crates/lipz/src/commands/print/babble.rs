@@ -3,7 +3,7 @@
 use crate::CommandResult;
 use crate::commands::Run;
 use crate::reporter::Reporter;
-use crate::shared::formats;
+use crate::shared::input_file;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
@@ -68,7 +68,7 @@ fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
     if stdio::is_meant(path) {
         return Ok((stdio::input_name(), stdio::lipz_bytes()?));
     }
-    let bytes = std::fs::read(path).map_err(|error| formats::unreadable(path, &error))?;
+    let bytes = std::fs::read(path).map_err(|error| input_file::unreadable(path, &error))?;
     Ok((console::path(path), bytes))
 }
 

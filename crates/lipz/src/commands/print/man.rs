@@ -5,6 +5,7 @@ use crate::args::Arguments;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::output_file;
+use crate::shared::run_flags::QuietFlag;
 use crate::{Outcome, console};
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
@@ -21,9 +22,8 @@ pub(crate) struct ManPages {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for ManPages {
@@ -39,7 +39,7 @@ impl Run for ManPages {
         for (name, page) in &pages {
             output_file::write(&self.output.join(name), page, reporter)?;
         }
-        if self.quiet {
+        if self.quiet.is_set() {
             return Ok(Outcome::Clean);
         }
         let count = console::counted(pages.len(), "page");
@@ -50,11 +50,15 @@ impl Run for ManPages {
 
 /// Returns the pages with their file names.
 fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
-    let mut lipz = Arguments::command();
+    let mut lipz = Arguments::command().disable_help_subcommand(true);
     // Sets the full names of the commands and the common options.
     lipz.build();
-    let commands = lipz.get_subcommands().filter(|command| command.get_name() != "help").cloned();
-    std::iter::once(lipz.clone()).chain(commands).map(page).collect()
+    with_subcommands(&lipz).into_iter().map(page).collect()
+}
+
+/// Returns the command and all commands below it.
+fn with_subcommands(command: &Command) -> Vec<Command> {
+    std::iter::once(command.clone()).chain(command.get_subcommands().flat_map(with_subcommands)).collect()
 }
 
 fn page(command: Command) -> io::Result<(String, Vec<u8>)> {

@@ -1,8 +1,9 @@
 //! `lipz shard link`: links the objects of all shards to one bank, or to a set of banks.
 
 use crate::commands::Run;
-use crate::commands::pack::Split;
 use crate::reporter::{Abort, CommandResult, Reporter};
+use crate::shared::run_flags::{JobsFlag, QuietFlag};
+use crate::shared::split::Split;
 use crate::shared::{output_file, patterns, stdio};
 use crate::{Outcome, console, interrupt};
 use clap::Args;
@@ -33,13 +34,11 @@ pub(super) struct LinkArguments {
     #[arg(short, long, value_name = "BANK")]
     output: PathBuf,
 
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    jobs: Option<u16>,
+    #[command(flatten)]
+    jobs: JobsFlag,
 
-    /// Hide progress and summary, but not diagnostics
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for LinkArguments {
@@ -63,7 +62,7 @@ impl Run for LinkArguments {
             reporter.abort(reports, outcome)
         })?;
         let settings = settings(&link, reporter)?;
-        let options = settings.options.clone().voices(settings.voices()).threads(self.jobs.map(usize::from));
+        let options = settings.options.clone().voices(settings.voices()).threads(self.jobs.threads());
         let split = Split { locales: settings.split_locales, voices: settings.split_voices };
         split.refuse_both(reporter)?;
         let is_split = split.locales || split.voices;
@@ -72,7 +71,7 @@ impl Run for LinkArguments {
                 "link to one bank, or remove `split-locales` and `split-voices` from lipz.toml and make a new plan";
             return Err(reporter.usage("a set cannot be split by locale or by voice", tip));
         }
-        let bar = console::progress_bar(link.clip_count(), self.quiet);
+        let bar = console::progress_bar(link.clip_count(), self.quiet.is_set());
         let compiler =
             Compiler::new(options).around_writes(|write| interrupt::whole(write)).progress(|clips| bar.inc(clips));
         if self.is_set() {
@@ -95,7 +94,7 @@ impl Run for LinkArguments {
             let delivered = interrupt::whole(|| split.outputs(&self.output).deliver(&bank, Replace::Always));
             delivered.map_err(|report| reporter.fail(report))?;
         }
-        if !self.quiet {
+        if !self.quiet.is_set() {
             let (objects, clips) =
                 (console::counted(objects.len(), "object"), console::counted(link.clip_count(), "clip"));
             let (path, bytes) = (console::path(&self.output), console::grouped(length_bytes));
@@ -115,7 +114,7 @@ impl LinkArguments {
         let outcome = Outcome::from_reports(&linked.reports);
         let Some(files) = linked.files else { return Err(reporter.abort(linked.reports, outcome)) };
         reporter.add(linked.reports);
-        if !self.quiet {
+        if !self.quiet.is_set() {
             let (banks, clips) = (console::counted(files.banks.len(), "bank"), console::counted(clips, "clip"));
             let bytes: usize = files.banks.iter().chain([&files.index]).map(|file| file.length_bytes).sum();
             let (path, bytes) = (console::path(&self.output), console::grouped(bytes));

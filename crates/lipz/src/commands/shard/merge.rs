@@ -1,9 +1,12 @@
 //! `lipz shard merge`: merges the visemes of all shards into the Lipz files.
 
 use crate::commands::Run;
-use crate::commands::sync::{summary, table};
 use crate::reporter::{Abort, CommandResult, Reporter};
+use crate::shared::input_file::unreadable;
 use crate::shared::patterns;
+use crate::shared::run_flags::QuietFlag;
+use crate::shared::sync_summary::summary;
+use crate::shared::sync_table::SyncDocument;
 use crate::{Outcome, console, interrupt};
 use clap::Args;
 use lipz_compiler::settings::Settings;
@@ -23,9 +26,8 @@ pub(super) struct MergeShards {
     #[arg(value_name = "FILES", required = true, num_args = 1..)]
     files: Vec<PathBuf>,
 
-    /// Hide progress and summary, but not diagnostics
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for MergeShards {
@@ -55,10 +57,10 @@ fn run(arguments: &MergeShards, reporter: &mut Reporter) -> CommandResult {
     lipz_diagnostics::reports::sort(&mut reports);
     let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
-    reporter.add_result("sync", || table::SyncDocument::new(&synced, 0));
-    if !arguments.quiet {
+    reporter.add_result("sync", || SyncDocument::new(&synced, 0));
+    if !arguments.quiet.is_set() {
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        reporter.summary(&summary::summary(&synced, 0, folder))?;
+        reporter.summary(&summary(&synced, 0, folder))?;
     }
     Ok(outcome)
 }
@@ -115,10 +117,7 @@ fn read(files: &[PathBuf], reporter: &mut Reporter) -> Result<Vec<Mouths>, Abort
 }
 
 fn one(path: &Path) -> Result<Mouths, Report> {
-    let bytes = fs::read(path).map_err(|error| {
-        let message = format!("`{}` cannot be read: {error}", console::path(path));
-        fault(path, Code::UnreadableFile, &message, "check the spelling of the path")
-    })?;
+    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
     Mouths::parse(&bytes).map_err(|why| {
         let message = format!("`{}` does not contain the visemes of a shard: {why}", console::path(path));
         fault(path, Code::NoObject, &message, "name files written by `lipz shard sync`")

@@ -8,10 +8,7 @@ mod plan;
 mod step;
 mod sync;
 
-use crate::CommandResult;
-use crate::commands::Run;
-use crate::reporter::Reporter;
-use clap::{Args, Subcommand};
+use clap::Args;
 
 /// Pack or sync a project in parts, on several machines.
 ///
@@ -25,38 +22,16 @@ use clap::{Args, Subcommand};
   lipz shard link *.lipzobj -o dialogue.lipzbank")]
 pub(crate) struct ShardArguments {
     #[command(subcommand)]
-    task: Task,
+    task: ShardTask,
 }
 
-#[derive(Subcommand, Debug)]
-enum Task {
-    Plan(plan::PlanArguments),
-    Emit(emit::Emit),
-    Pack(pack::PackShard),
-    Link(link::LinkArguments),
-    Sync(sync::SyncShard),
-    Merge(merge::MergeShards),
-}
-
-impl ShardArguments {
-    fn task(&self) -> &dyn Run {
-        match &self.task {
-            Task::Plan(plan) => plan,
-            Task::Emit(emit) => emit,
-            Task::Pack(pack) => pack,
-            Task::Link(link) => link,
-            Task::Sync(sync) => sync,
-            Task::Merge(merge) => merge,
-        }
-    }
-}
-
-impl Run for ShardArguments {
-    fn prints_result(&self) -> bool {
-        self.task().prints_result()
-    }
-
-    fn run(&self, reporter: &mut Reporter) -> CommandResult {
-        self.task().run(reporter)
+subcommands! {
+    ShardArguments.task: ShardTask {
+        Plan(plan::PlanArguments),
+        Emit(emit::Emit),
+        Pack(pack::PackShard),
+        Link(link::LinkArguments),
+        Sync(sync::SyncShard),
+        Merge(merge::MergeShards),
     }
 }

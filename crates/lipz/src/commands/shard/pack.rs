@@ -48,7 +48,7 @@ fn run(arguments: &StepArguments, reporter: &mut Reporter) -> CommandResult {
     }
     let is_new = step::write(output, &object, Replace::IfDifferent, reporter)?;
     step::depfile(arguments.depfile.as_deref(), &shard, output, reporter)?;
-    if !arguments.quiet {
+    if !arguments.quiet.is_set() {
         let clips = console::counted(shard.inputs().len(), "clip");
         let done = step::done(is_stored, is_new, "packed into");
         let (path, bytes) = (console::path(output), console::grouped(object.len()));
@@ -75,10 +75,10 @@ fn make(arguments: &StepArguments, plan: &ShardPlan, reporter: &mut Reporter) ->
     let (recordings, reports) = FactsCache::default().in_bank_with_reports(&settings, &inputs);
     let word_times = word_times_of(&record, &inputs);
     let options = settings.options.clone().recordings(recordings).word_times(word_times).voices(settings.voices());
-    let options = options.threads(arguments.jobs.map(usize::from));
+    let options = options.threads(arguments.jobs.threads());
     let mut shard = Shard::new(plan.shard, plan.shards);
     (shard.settings, shard.reports) = (shown, reports);
-    let bar = console::progress_bar(inputs.len(), arguments.quiet);
+    let bar = console::progress_bar(inputs.len(), arguments.quiet.is_set());
     let compiler = Compiler::new(options).progress(|files| bar.inc(files));
     let made = compiler.object(&inputs, &shard);
     bar.finish_and_clear();

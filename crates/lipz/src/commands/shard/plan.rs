@@ -3,6 +3,7 @@
 use crate::commands::Run;
 use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::inputs;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::settings_file::SettingsFile;
 use crate::shared::{output_file, stdio};
 use crate::{Outcome, console, interrupt};
@@ -52,9 +53,8 @@ pub(super) struct PlanArguments {
     #[arg(short, long, value_name = "PLAN")]
     output: PathBuf,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 /// The work that is divided into shards.
@@ -131,7 +131,7 @@ impl Run for PlanArguments {
         let mut path = self.output.clone().into_os_string();
         path.push(".d");
         output_file::write(Path::new(&path), &bytes, reporter)?;
-        if !self.quiet {
+        if !self.quiet.is_set() {
             let clips = console::counted(found.len(), "clip");
             let shards = console::counted(plan.shards.len(), "shard");
             reporter.summary(&format!("plan of {clips} in {shards} written to {}\n", console::path(&self.output)))?;

@@ -1,13 +1,14 @@
 //! The common parts of shard steps: reading a plan, and writing a result, also to a store.
 
 use crate::reporter::{Abort, Reporter};
+use crate::shared::input_file::unreadable;
+use crate::shared::run_flags::{JobsFlag, QuietFlag};
 use crate::shared::{output_file, stdio};
 use crate::{console, interrupt};
 use clap::Args;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::shard::{Plan, ShardPlan, Step};
 use lipz_compiler::{OutputFile, Replace};
-use lipz_diagnostics::{Code, Report};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -34,13 +35,11 @@ pub(super) struct StepArguments {
     #[arg(long, value_name = "FILE")]
     pub(super) depfile: Option<PathBuf>,
 
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub(super) jobs: Option<u16>,
+    #[command(flatten)]
+    pub(super) jobs: JobsFlag,
 
-    /// Hide progress and summary, but not diagnostics
-    #[arg(short, long)]
-    pub(super) quiet: bool,
+    #[command(flatten)]
+    pub(super) quiet: QuietFlag,
 }
 
 /// Opens the plan of shard `number` from the plan at `path`, for the result in `output`.
@@ -86,10 +85,8 @@ pub(super) fn settings(
 ) -> Result<(Settings, Option<(String, String)>), Abort> {
     let Some(file) = &plan.settings else { return Ok((Settings::default(), None)) };
     let settings = Settings::read(&file.path).map_err(|report| reporter.refuse(vec![report]))?;
-    let text = fs::read_to_string(&file.path).map_err(|error| {
-        let message = format!("`{}` cannot be read: {error}", file.path);
-        reporter.fail(Report::failure(file.path.as_str(), Code::UnreadableFile, message, "make the plan again"))
-    })?;
+    let read = fs::read_to_string(&file.path);
+    let text = read.map_err(|error| reporter.fail(unreadable(Path::new(&file.path), &error)))?;
     Ok((settings, Some((file.path.clone(), text))))
 }
 

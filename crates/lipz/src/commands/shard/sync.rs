@@ -44,9 +44,9 @@ fn run(arguments: &StepArguments, reporter: &mut Reporter) -> CommandResult {
             let (settings, _) = step::settings(&shard, reporter)?;
             // The merge reports the problems of the lexicon.
             let (mut options, _) = SyncOptions::new_with_report(&settings).map_err(|report| reporter.fail(report))?;
-            options.options = std::mem::take(&mut options.options).threads(arguments.jobs.map(usize::from));
+            options.options = std::mem::take(&mut options.options).threads(arguments.jobs.threads());
             let record = SyncRecord::read(Path::new(&shard.record)).map_err(|report| reporter.fail(report))?;
-            let quiet = arguments.quiet;
+            let quiet = arguments.quiet.is_set();
             let bar = console::progress_bar_of_parts(shard.inputs().len(), JOB_PARTS.into(), quiet);
             let progress = |parts: u32| bar.inc(parts.into());
             let made = mouths(&shard, &settings, &options, &record, &progress);
@@ -60,7 +60,7 @@ fn run(arguments: &StepArguments, reporter: &mut Reporter) -> CommandResult {
     }
     let is_new = step::write(output, json.as_bytes(), Replace::IfDifferent, reporter)?;
     step::depfile(arguments.depfile.as_deref(), &shard, output, reporter)?;
-    if !arguments.quiet {
+    if !arguments.quiet.is_set() {
         let clips = console::counted(made.made_count(), "clip");
         let refused = match made.refused {
             0 => String::new(),

@@ -1,7 +1,5 @@
 //! `lipz sync`: makes visemes from recordings.
 
-pub(super) mod summary;
-pub(super) mod table;
 mod train;
 
 use crate::commands::Run;
@@ -12,6 +10,7 @@ use crate::shared::output_file;
 use crate::shared::sources::Sources;
 use crate::shared::values::{parse_fps, parse_viseme_type};
 use crate::shared::{formats, patterns, script_file, stdio};
+use crate::shared::{sync_summary, sync_table};
 use crate::{Outcome, console, interrupt};
 use clap::{Arg, Args};
 use lipz_bank::{Fps, VisemeType};
@@ -71,7 +70,7 @@ pub(crate) struct SyncArguments {
     #[arg(long)]
     train: bool,
 
-    /// Write a CSV table of the words to review, also in unchanged clips; `-` is standard output
+    /// Write a CSV table of the clips and words to review, including unchanged clips; `-` is standard output
     #[arg(long, value_name = "FILE")]
     list: Option<PathBuf>,
 
@@ -149,7 +148,7 @@ impl Run for SyncArguments {
         let mut reports = work.reports;
         if let Some(path) = self.list.as_deref().filter(|path| !stdio::is_meant(path)) {
             output_file::refuse_source(path, reporter)?;
-            let table = table::csv(&synced);
+            let table = sync_table::csv(&synced);
             let written = interrupt::whole(|| lipz_compiler::replace_file(path, table.as_bytes()));
             reports.extend(written.err());
         }
@@ -157,13 +156,13 @@ impl Run for SyncArguments {
         lipz_diagnostics::reports::sort(&mut reports);
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
-        reporter.add_result("sync", || table::SyncDocument::new(&synced, work.without));
+        reporter.add_result("sync", || sync_table::SyncDocument::new(&synced, work.without));
         if self.prints_result() {
-            reporter.print(&table::csv(&synced))?;
+            reporter.print(&sync_table::csv(&synced))?;
         }
         if !self.sources.is_quiet() {
             reporter.summary(&learnt.unwrap_or_default())?;
-            reporter.summary(&summary::summary(&synced, work.without, &work.place))?;
+            reporter.summary(&sync_summary::summary(&synced, work.without, &work.place))?;
         }
         Ok(outcome)
     }

@@ -4,14 +4,14 @@ mod alarm;
 mod scope;
 mod state;
 
-use super::pack::{Pack, PackMemory, Plan};
+use super::pack::{PackArguments, PackMemory, Plan};
 use crate::Abort;
 use crate::CommandResult;
 use crate::Outcome;
 use crate::commands::Run;
 use crate::reporter::Reporter;
 pub(crate) use alarm::Alarm;
-use clap::Args;
+use clap::{Arg, Args};
 use jiff::Zoned;
 use lipz_diagnostics::Report;
 pub(crate) use scope::Scope;
@@ -26,18 +26,28 @@ use std::time::{Duration, Instant};
 /// only changed files; with a cache, so does the first run. Press Ctrl-C to stop. Each run prints its own document, if
 /// --output-format is a format for programs.
 #[derive(Args, Debug)]
+#[command(mut_args(with_files_only))]
 #[command(after_help = "Examples:
   lipz watch
   lipz watch voices -o dialogue.lipzbank
   lipz watch --poll=5 //server/voices -o dialogue.lipzbank")]
 pub(crate) struct Watch {
     #[command(flatten)]
-    pack: Pack,
+    pack: PackArguments,
 
     /// Seconds between checks of the files, for network folders; 2 without a number
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, require_equals = true, default_missing_value = "2")]
     #[arg(value_parser = parse_seconds)]
     poll: Option<Duration>,
+}
+
+/// Describes the sources and the output, which cannot be standard input and output.
+fn with_files_only(argument: Arg) -> Arg {
+    match argument.get_id().as_str() {
+        "sources" => argument.help("Folders, files or patterns [default: those of lipz.toml]"),
+        "output" => argument.help("Bank to write [default: `output` of lipz.toml]"),
+        _ => argument,
+    }
 }
 
 impl Run for Watch {

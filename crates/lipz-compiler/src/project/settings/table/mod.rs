@@ -9,6 +9,19 @@ mod text;
 
 pub use setting::{Content, Map, Setting, Table};
 
+/// Returns the setting with this name outside its table, such as `max-lines`: the table, and the name in it. In a table
+/// with any names, the name is their placeholder, such as `LOCALE`.
+pub fn find_flat(name: &str) -> Option<(&'static Table, &'static str)> {
+    let is_meant = |names: &str| names.split(", ").any(|flat| flat == name);
+    TABLES.iter().find_map(|table| {
+        let own = match &table.content {
+            Content::Settings(settings) => settings.iter().find(|setting| is_meant(setting.flat_name))?.name,
+            Content::Map(map) => is_meant(map.flat_name).then_some(map.name)?,
+        };
+        Some((table, own))
+    })
+}
+
 /// All settings, in the order in which they are read and documented.
 pub const TABLES: &[Table] = &[
     Table {

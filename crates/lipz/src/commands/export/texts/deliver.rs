@@ -2,12 +2,11 @@
 
 use super::ExportTexts;
 use crate::console;
-use crate::interrupt::Files;
 use crate::reporter::{Abort, Reporter};
 use crate::shared::formats;
+use crate::shared::output_file::{OVERWRITE, in_the_way, may_write, write_all};
 use lipz_diagnostics::Report;
 use lipz_texts::{WriteResult, WrittenFile};
-use std::path::Path;
 
 /// Writes the files, and returns their number.
 pub(super) fn deliver(
@@ -37,25 +36,10 @@ pub(super) fn deliver(
         return Err(reporter.usage(message, "name a folder, or one locale with `--locale`"));
     }
     if !arguments.overwrite {
-        reports.extend(written.files.iter().filter_map(|file| formats::in_the_way(&path(file))));
+        reports.extend(written.files.iter().filter_map(|file| in_the_way(&path(file), OVERWRITE)));
     }
-    if !formats::may_write(reports) {
+    if !may_write(reports) {
         return Ok(0);
     }
-    let files = Files::new();
-    let mut count = 0;
-    for file in &written.files {
-        match replace(&files, &path(file), file) {
-            Ok(()) => count += 1,
-            Err(report) => reports.push(report),
-        }
-    }
-    let unwritten = files.finish();
-    count -= unwritten.len();
-    reports.extend(unwritten);
-    Ok(count)
-}
-
-fn replace(files: &Files, path: &Path, file: &WrittenFile) -> Result<(), Report> {
-    files.replace(path, &file.bytes)
+    Ok(write_all(written.files.iter().map(|file| (path(file), file.bytes.as_slice())), reports))
 }

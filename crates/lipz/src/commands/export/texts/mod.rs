@@ -8,6 +8,7 @@ use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
 use crate::shared::sources::Sources;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_formats::TextFormatArgument;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
@@ -40,6 +41,9 @@ pub(crate) struct ExportTexts {
 
     #[command(flatten)]
     sources: Sources,
+
+    #[command(flatten)]
+    stdin: StdinFile,
 
     /// File to write, or folder for a file of each locale; `-` is standard output
     #[arg(short, long, value_name = "FILE|FOLDER")]
@@ -196,7 +200,7 @@ impl From<StateName> for Progress {
 enum EntryScope {
     /// A clip, with `|` between its segments
     Clip,
-    /// A segment, so that no `|` can be lost
+    /// A segment, so that a `|` cannot be lost
     Segment,
 }
 
@@ -228,6 +232,7 @@ impl Run for ExportTexts {
 fn run(arguments: &ExportTexts, reporter: &mut Reporter) -> CommandResult {
     refuse_source(&arguments.output, reporter)?;
     arguments.refuse_idle_flags(reporter)?;
+    arguments.stdin.apply(arguments.sources.paths(), reporter)?;
     let project = arguments.sources.project(reporter)?;
     let options = &project.settings.options;
     refuse_locales(arguments.locale.iter().chain(&arguments.from).map(String::as_str), options, reporter)?;

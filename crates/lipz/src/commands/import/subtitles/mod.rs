@@ -9,14 +9,17 @@ use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::existing_file::ExistingFile;
 use crate::shared::formats;
+use crate::shared::input_file;
 use crate::shared::lint_flags::LintFlags;
+use crate::shared::output_file;
 use crate::shared::patterns;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::settings_file::SettingsFile;
 use crate::shared::values::{parse_fps, parse_locale, with_default_locale};
 use clap::Args;
 use lipz_bank::Fps;
 use lipz_compiler::{Content, Input, Options, key};
-use lipz_diagnostics::{Diagnostic, Report, Severity};
+use lipz_diagnostics::{Diagnostic, Report};
 use lipz_file::format::{Style, format};
 use lipz_interop::subtitles::{SubtitleFormat, clip, join};
 use lipz_interop::{DEFAULT_RATE, Encoding, to_utf8};
@@ -60,9 +63,8 @@ pub(crate) struct ImportSubtitles {
     #[command(flatten)]
     lints: LintFlags,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for ImportSubtitles {
@@ -76,11 +78,7 @@ impl Run for ImportSubtitles {
 }
 
 fn run(arguments: &ImportSubtitles, reporter: &mut Reporter) -> CommandResult {
-    let mut options = arguments
-        .file
-        .project_reading(&arguments.files, std::slice::from_ref(&arguments.output), reporter)?
-        .settings
-        .options;
+    let mut options = arguments.file.project(std::slice::from_ref(&arguments.output), reporter)?.settings.options;
     arguments.lints.apply(&mut options);
     if let Some(locale) = &arguments.locale {
         options = with_default_locale(options, locale).map_err(|error| reporter.fail(error.to_report()))?;
@@ -95,7 +93,7 @@ fn run(arguments: &ImportSubtitles, reporter: &mut Reporter) -> CommandResult {
         |clip: &&[SubtitleFile]| Some(Input { key: clip.first()?.key.clone(), content: Content::File(path(clip)?) });
     key::check(&clips.iter().filter_map(input).collect::<Vec<_>>(), &mut reports);
     let mut written = 0;
-    if formats::may_write(&reports) {
+    if output_file::may_write(&reports) {
         let files = Files::new();
         for clip in clips {
             let Some(path) = path(clip) else { continue };
@@ -110,7 +108,7 @@ fn run(arguments: &ImportSubtitles, reporter: &mut Reporter) -> CommandResult {
     }
     let clips = console::counted(written, "clip");
     let summary = format!("texts of {clips} imported into {}\n", console::path(&arguments.output));
-    reporter.end(reports, (!arguments.quiet && written > 0).then_some(summary))
+    reporter.end(reports, (!arguments.quiet.is_set() && written > 0).then_some(summary))
 }
 
 /// Merges the subtitles of one clip into its Lipz file. Returns false if the file stays unchanged.
@@ -129,12 +127,12 @@ fn one(
     let rate = fps.map_or(DEFAULT_RATE, formats::rate);
     let mut is_changed = false;
     for file in found {
-        let bytes = fs::read(&file.path).map_err(|error| formats::unreadable(&file.path, &error))?;
+        let bytes = fs::read(&file.path).map_err(|error| input_file::unreadable(&file.path, &error))?;
         let mut diagnostics = Vec::new();
         let is_legacy = file.format == SubtitleFormat::Srt;
         let bytes = to_utf8(&bytes, arguments.encoding, is_legacy, &mut diagnostics);
         let cues = file.format.read(&bytes, &mut diagnostics);
-        if !has_errors(&diagnostics) {
+        if !diagnostics.iter().any(Diagnostic::is_error) {
             document = Some(match document {
                 Some(document) => join(document, &cues, &file.locale, rate, &mut diagnostics),
                 None => clip(&cues, &file.locale, rate, &mut diagnostics),
@@ -156,8 +154,4 @@ fn one(
         }
     }
     Ok(true)
-}
-
-fn has_errors(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }

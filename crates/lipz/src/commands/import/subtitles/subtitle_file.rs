@@ -3,14 +3,14 @@
 use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
-use crate::shared::formats;
+use crate::shared::input_file;
 use lipz_compiler::Options;
 use lipz_diagnostics::{Code, Diagnostic, Report, Severity};
 use lipz_file::locale::{canonical_tag, language, unknown_parts};
 use lipz_interop::subtitles::SubtitleFormat;
 use std::io;
 use std::path::{Path, PathBuf};
-use walkdir::{DirEntry, WalkDir};
+use walkdir::WalkDir;
 
 /// A subtitle file.
 pub(super) struct SubtitleFile {
@@ -31,9 +31,9 @@ pub(super) fn find(
     let mut found = Vec::new();
     for place in named {
         let (files_before, reports_before) = (found.len(), reports.len());
-        // Skip hidden files: copies made by macOS start with `._`.
-        let is_hidden = |entry: &DirEntry| entry.depth() > 0 && entry.file_name().as_encoded_bytes().starts_with(b".");
-        for entry in WalkDir::new(place).sort_by_file_name().into_iter().filter_entry(|entry| !is_hidden(entry)) {
+        for entry in
+            WalkDir::new(place).sort_by_file_name().into_iter().filter_entry(|entry| !input_file::is_hidden(entry))
+        {
             match entry {
                 Ok(entry) if entry.file_type().is_dir() => {}
                 Ok(entry) => match format(entry.path()) {
@@ -63,8 +63,8 @@ pub(super) fn find(
 fn unreadable(place: &Path, error: &walkdir::Error) -> Report {
     let path = error.path().unwrap_or(place);
     match error.io_error() {
-        Some(error) => formats::unreadable(path, error),
-        None => formats::unreadable(path, &io::Error::other("a link leads back to a folder above it")),
+        Some(error) => input_file::unreadable(path, error),
+        None => input_file::unreadable(path, &io::Error::other("a link leads back to a folder above it")),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::console;
 use crate::reporter::{Abort, Reporter};
-use crate::shared::{formats, patterns, stdio};
+use crate::shared::{input_file, patterns, stdio};
 use lipz_diagnostics::{Diagnostic, Report, Source};
 use lipz_texts::{Entry, ReadOptions, read};
 use std::ffi::OsStr;
@@ -45,7 +45,7 @@ impl IncomingTexts {
             let bytes = match bytes {
                 Ok(bytes) => bytes,
                 Err(error) => {
-                    reports.push(formats::unreadable(&path, &error));
+                    reports.push(input_file::unreadable(&path, &error));
                     continue;
                 }
             };

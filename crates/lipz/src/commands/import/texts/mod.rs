@@ -8,7 +8,9 @@ use crate::interrupt::Files;
 use crate::reporter::{CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::settings_file::SettingsFile;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::{parse_locale, refuse_locales};
@@ -55,7 +57,7 @@ pub(crate) struct ImportTexts {
     #[arg(long)]
     discard_edits: bool,
 
-    /// Show what would be imported, and write nothing
+    /// Count the texts to import, and write nothing
     #[arg(long)]
     check: bool,
 
@@ -63,11 +65,13 @@ pub(crate) struct ImportTexts {
     file: SettingsFile,
 
     #[command(flatten)]
+    stdin: StdinFile,
+
+    #[command(flatten)]
     lints: LintFlags,
 
-    /// Hide progress and summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 /// States on the command line.
@@ -105,7 +109,8 @@ impl Run for ImportTexts {
 }
 
 fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
-    let mut project = arguments.file.project_reading(&arguments.files, &arguments.output, reporter)?;
+    arguments.stdin.apply(&arguments.files, reporter)?;
+    let mut project = arguments.file.project(&arguments.output, reporter)?;
     let settings = &mut project.settings;
     arguments.lints.apply(&mut settings.options);
     let settings = &project.settings;
@@ -139,7 +144,7 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     });
     reports.extend(incoming.reports());
     all_reports::sort(&mut reports);
-    reporter.end(reports, (!arguments.quiet).then(|| summary(counts, arguments.check) + &remembered))
+    reporter.end(reports, (!arguments.quiet.is_set()).then(|| summary(counts, arguments.check) + &remembered))
 }
 
 impl ImportTexts {
@@ -163,7 +168,7 @@ impl ImportTexts {
             .min_state(self.state.into())
             .forced(self.discard_edits)
             .levels(options.get_levels());
-        let bar = console::progress_bar(inputs.len(), self.quiet);
+        let bar = console::progress_bar(inputs.len(), self.quiet.is_set());
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let files = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {

@@ -16,6 +16,7 @@ use crate::interrupt::Files;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::Direction;
 use crate::shared::formats;
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::{patterns, stdio};
 use clap::Args;
 use lipz_interop::Format;
@@ -55,9 +56,8 @@ pub(crate) struct ImportVisemes {
     #[command(flatten)]
     options: options::Options,
 
-    /// Hide the summary, but not diagnostics
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 impl Run for ImportVisemes {
@@ -99,21 +99,26 @@ impl Run for ImportVisemes {
                 }
             };
         };
-        let mut written = summary::WrittenCounts::default();
+        let mut places = Vec::new();
         let files = Files::new();
         for made in &made {
             match made.write(&files, self.overwrite, folder, &settings, &mut reports) {
-                Ok(place) => written.add(place),
+                Ok(place) => places.push((made.output(folder).name(), place)),
                 Err(report) => reports.push(report),
             }
         }
-        reports.extend(files.finish());
+        let unwritten = files.finish();
+        let mut written = summary::WrittenCounts::default();
+        for (_, place) in places.iter().filter(|(name, _)| unwritten.iter().all(|report| report.source.path != *name)) {
+            written.add(*place);
+        }
+        reports.extend(unwritten);
         reporter.add_result("import", || {
             report::ImportDocument::new(self.tool_format, made.iter().map(|made| (&made.input, &made.clip)))
         });
         let outcome = Outcome::from_reports(&reports);
         reporter.add(reports);
-        if self.quiet || written.is_nothing() {
+        if self.quiet.is_set() || written.is_nothing() {
             return Ok(outcome);
         }
         reporter.summary(&summary::summary(self.tool_format, &made, &written, folder)).map(|()| outcome)

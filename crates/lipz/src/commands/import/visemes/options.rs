@@ -7,6 +7,7 @@ use crate::shared::existing_file::ExistingFile;
 use crate::shared::formats::{self, MapChoice};
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::settings_file::SettingsFile;
+use crate::shared::stdin_file::StdinFile;
 use crate::shared::values::{parse_fps, parse_locale, parse_viseme_type};
 use clap::{Args, ValueEnum};
 use lipz_bank::Fps;
@@ -68,6 +69,9 @@ pub(crate) struct Options {
     file: SettingsFile,
 
     #[command(flatten)]
+    stdin: StdinFile,
+
+    #[command(flatten)]
     lints: LintFlags,
 }
 
@@ -111,9 +115,10 @@ impl Options {
         output: Option<&Path>,
         reporter: &mut Reporter,
     ) -> Result<Settings<'_>, Abort> {
+        self.stdin.apply(files, reporter)?;
         // The new Lipz files are sources of the project.
         let sources = [output.map_or_else(|| PathBuf::from("."), Path::to_owned)];
-        let settings = self.file.project_reading(files, &sources, reporter)?.settings;
+        let settings = self.file.project(&sources, reporter)?.settings;
         let (mut project, sync) = (settings.options, settings.sync);
         self.lints.apply(&mut project);
         let map = self.map.as_deref().map(|map| formats::map(map, reporter)).transpose()?;

@@ -132,6 +132,12 @@ impl PendingClip {
         format(&self.clip.document, style)
     }
 
+    /// Returns the Lipz file of the clip.
+    pub(super) fn output(&self, folder: &Path) -> Input {
+        let path = formats::path(folder, &self.input.key, key::EXTENSION);
+        Input { key: self.input.key.clone(), content: Content::File(path) }
+    }
+
     /// Writes the clip: as a new file, over the existing one, or into it.
     pub(super) fn write(
         &self,

@@ -1,13 +1,13 @@
 //! `--script`: the transcript of one clip, or a folder of transcripts.
 
 use crate::console;
+use crate::shared::input_file::{is_hidden, unreadable};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_interop::{Encoding, to_utf8};
 use std::ffi::OsStr;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
-use walkdir::{DirEntry, WalkDir};
+use walkdir::WalkDir;
 
 /// The extension of text files in a folder, after the key.
 pub(super) const EXTENSION: &str = "txt";
@@ -65,7 +65,6 @@ impl TextSource {
 impl TextFolder {
     /// Returns the keys of the texts in order, without hidden files and those for which `is_other` is true.
     pub(super) fn keys(&self, is_other: impl Fn(&Path) -> bool) -> Result<Vec<String>, Report> {
-        let is_hidden = |entry: &DirEntry| entry.depth() > 0 && entry.file_name().as_encoded_bytes().starts_with(b".");
         let entries = WalkDir::new(&self.path).follow_links(true).sort_by_file_name().into_iter();
         let mut keys = Vec::new();
         for entry in entries.filter_entry(|entry| !is_hidden(entry)) {
@@ -87,16 +86,12 @@ impl TextFolder {
 
 /// Returns the text of a file, without the line break at its end. Adds warnings about the file to `reports`.
 fn text(path: &Path, encoding: Option<&'static Encoding>, reports: &mut Vec<Report>) -> Result<String, Report> {
-    let shown = console::path(path);
-    let bytes = fs::read(path).map_err(|error: io::Error| {
-        let message = format!("`{shown}` cannot be read: {error}");
-        Report::about(shown.clone(), Diagnostic::new(Code::UnreadableFile, message))
-    })?;
+    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
     let mut diagnostics = Vec::new();
     let utf8 = to_utf8(&bytes, encoding, false, &mut diagnostics);
     let decoded = lipz_file::decode_marked(&utf8, &mut diagnostics);
     let text = decoded.map(|text| lipz_file::text::trim(text).to_owned());
-    let report = Report::from_bytes(shown, &utf8, diagnostics);
+    let report = Report::from_bytes(console::path(path), &utf8, diagnostics);
     match text {
         Some(text) => {
             reports.extend((!report.diagnostics.is_empty()).then_some(report));

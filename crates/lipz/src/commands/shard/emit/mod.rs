@@ -7,6 +7,7 @@ mod slurm;
 
 use crate::commands::Run;
 use crate::reporter::{CommandResult, Reporter};
+use crate::shared::run_flags::QuietFlag;
 use crate::shared::{output_file, stdio};
 use crate::{Abort, Outcome, console};
 use clap::{Args, ValueEnum};
@@ -39,9 +40,8 @@ pub(super) struct Emit {
     #[arg(long, value_name = "FOLDER")]
     store: Option<PathBuf>,
 
-    /// Hide the summary
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietFlag,
 }
 
 /// The program that runs the steps.
@@ -98,7 +98,7 @@ impl Run for Emit {
             return Ok(Outcome::Clean);
         }
         output_file::write(&self.output, text.as_bytes(), reporter)?;
-        if !self.quiet {
+        if !self.quiet.is_set() {
             let steps = console::counted(plan.shards.len() + 1, "step");
             reporter.summary(&format!("{steps} written to {}\n", console::path(&self.output)))?;
         }

@@ -1,6 +1,6 @@
 //! The result of `lipz sync` for people.
 
-use super::table::why;
+use super::sync_table::why;
 use crate::console;
 use crate::console::counted;
 use lipz_diagnostics::escape;
@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 const SHOWN: usize = 50;
 
 /// Returns the results, and the items to check. `without` is the number of clips without a recording.
-pub(in crate::commands) fn summary(synced: &SyncResults, without: usize, place: &Path) -> String {
+pub(crate) fn summary(synced: &SyncResults, without: usize, place: &Path) -> String {
     let counts = [
         (synced.unchanged, "unchanged"),
         (synced.kept.len(), "kept"),
@@ -25,7 +25,7 @@ pub(in crate::commands) fn summary(synced: &SyncResults, without: usize, place: 
     let mut out = format!("{} synced{others}, in {}\n", counted(synced.made.len(), "clip"), console::path(place));
     let kept: Vec<String> =
         (synced.kept.iter()).map(|(key, kept)| format!("{}  {}", escape::text(key), why(*kept))).collect();
-    list(&mut out, "kept visemes (--discard-edits replaces them)", &kept);
+    list(&mut out, "kept visemes (`lipz sync --discard-edits` replaces them)", &kept);
     let new_texts: Vec<String> = synced.with_new_text.iter().map(|key| escape::text(key).into_owned()).collect();
     list(&mut out, "recordings older than their texts (record these lines again, or `lipz approve` them)", &new_texts);
     let by_letters: Vec<String> =
@@ -55,6 +55,6 @@ fn list(out: &mut String, heading: &str, lines: &[String]) {
         let _ = writeln!(out, "  {line}");
     }
     if let Some(hidden) = lines.len().checked_sub(SHOWN).filter(|hidden| *hidden > 0) {
-        let _ = writeln!(out, "  … and {} more (--list FILE writes all)", console::grouped(hidden));
+        let _ = writeln!(out, "  … and {} more (`lipz sync --list FILE` writes all)", console::grouped(hidden));
     }
 }

@@ -1,4 +1,4 @@
-//! Acceptance of recordings: a person confirms that they match the current texts.
+//! Approval of recordings: a person confirms that they match the current texts.
 
 use crate::record::expected_text::ExpectedText;
 use crate::record::{RecordedText, SyncRecord};
@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// A recording that is not confirmed for the current text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
-pub struct UnacceptedRecording {
+pub struct UnapprovedRecording {
     /// The key of its clip.
     pub key: String,
     /// Its path, with `/`.
@@ -38,28 +38,28 @@ pub struct UnacceptedRecording {
 ///
 /// # Errors
 /// A diagnostic for each recording or folder that cannot be read.
-pub fn unaccepted(
+pub fn unapproved(
     settings: &Settings,
     inputs: &[Input],
     record: &SyncRecord,
     is_meant: &(dyn Fn(&str, Option<&str>) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
-) -> Result<Vec<UnacceptedRecording>, DiagnosticsError> {
-    let (unaccepted, reports) = unaccepted_with_reports(settings, inputs, record, is_meant, progress);
-    Ok(DiagnosticsError::check(unaccepted, reports)?.0)
+) -> Result<Vec<UnapprovedRecording>, DiagnosticsError> {
+    let (unapproved, reports) = unapproved_with_reports(settings, inputs, record, is_meant, progress);
+    Ok(DiagnosticsError::check(unapproved, reports)?.0)
 }
 
 /// Returns the same for the readable recordings, and reports about the others.
 ///
-/// For tools that report everything at once, such as the command `lipz`. All other programs call [`unaccepted`].
+/// For tools that report everything at once, such as the command `lipz`. All other programs call [`unapproved`].
 #[must_use = "check the reports for missing recordings"]
-pub fn unaccepted_with_reports(
+pub fn unapproved_with_reports(
     settings: &Settings,
     inputs: &[Input],
     record: &SyncRecord,
     is_meant: &(dyn Fn(&str, Option<&str>) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
-) -> (Vec<UnacceptedRecording>, Vec<Report>) {
+) -> (Vec<UnapprovedRecording>, Vec<Report>) {
     if settings.audio.folder.is_none() {
         return Default::default();
     }
@@ -71,14 +71,14 @@ pub fn unaccepted_with_reports(
         progress();
         found
     });
-    let mut unaccepted = Vec::new();
+    let mut unapproved = Vec::new();
     for found in found {
         match found {
-            Ok(found) => unaccepted.extend(found),
+            Ok(found) => unapproved.extend(found),
             Err(report) => reports.push(report),
         }
     }
-    (unaccepted, reports)
+    (unapproved, reports)
 }
 
 fn one(
@@ -87,7 +87,7 @@ fn one(
     originals: &Originals<'_>,
     record: &SyncRecord,
     input: &Input,
-) -> Result<Option<UnacceptedRecording>, Report> {
+) -> Result<Option<UnapprovedRecording>, Report> {
     let (Some(path), Some(lipz_file), Some(bytes)) = (recordings.find(&input.key), path_of(input), bytes_of(input))
     else {
         return Ok(None);
@@ -104,8 +104,8 @@ fn one(
     let keyed = original.as_deref().zip(original_document.as_ref()).map(|(input, document)| (&*input.key, document));
     let said = ExpectedText::new(settings, recordings, sound, (&input.key, &document), keyed);
     let known = said.known(record, &lipz_file);
-    let is_accepted = known.iter().any(|spoken| spoken.is_still(&said.now));
-    Ok((!is_accepted && said.has_text()).then(|| UnacceptedRecording {
+    let is_approved = known.iter().any(|spoken| spoken.is_still(&said.now));
+    Ok((!is_approved && said.has_text()).then(|| UnapprovedRecording {
         key: input.key.clone(),
         recording: shown(path),
         is_outdated: !known.is_empty(),
@@ -114,9 +114,9 @@ fn one(
     }))
 }
 
-impl UnacceptedRecording {
+impl UnapprovedRecording {
     /// Records that the recording matches the current text.
-    pub fn accept(&self, record: &mut SyncRecord) {
-        record.accept(&self.lipz_file, self.now);
+    pub fn approve(&self, record: &mut SyncRecord) {
+        record.approve(&self.lipz_file, self.now);
     }
 }

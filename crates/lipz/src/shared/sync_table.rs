@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// The value of `sync` in a JSON document.
 #[derive(Serialize)]
-pub(in crate::commands) struct SyncDocument<'s> {
+pub(crate) struct SyncDocument<'s> {
     /// Keys of the clips with new visemes.
     synced: &'s [String],
     unchanged: usize,
@@ -45,7 +45,7 @@ struct ByRules<'s> {
 
 impl<'s> SyncDocument<'s> {
     /// Creates the result of a run. `without` is the number of clips without a recording.
-    pub(in crate::commands) fn new(synced: &'s SyncResults, without: usize) -> SyncDocument<'s> {
+    pub(crate) fn new(synced: &'s SyncResults, without: usize) -> SyncDocument<'s> {
         let kept = synced.kept.iter().map(|(clip, kept)| KeptMouth { clip, why: why(*kept) });
         let doubtful = doubtful(synced).into_iter();
         let guessed = guessed(synced).into_iter().map(|line| line.split_once("  ").unwrap_or((line, "")));
@@ -66,7 +66,7 @@ impl<'s> SyncDocument<'s> {
 }
 
 /// Returns the reason for keeping existing visemes.
-pub(in crate::commands) fn why(kept: KeepReason) -> &'static str {
+pub(super) fn why(kept: KeepReason) -> &'static str {
     match kept {
         KeepReason::Changed => "changed by hand",
         KeepReason::ByHand => "not made by `lipz sync`",
@@ -75,7 +75,7 @@ pub(in crate::commands) fn why(kept: KeepReason) -> &'static str {
 }
 
 /// Returns all items to check as CSV, one per row, including those of unchanged clips. No cell is a formula.
-pub(in crate::commands) fn csv(synced: &SyncResults) -> String {
+pub(crate) fn csv(synced: &SyncResults) -> String {
     let mut rows = vec!["what,clip,seconds,word".to_owned()];
     let mut add = |what: &str, clip: &str, seconds: &str, word: &str| {
         rows.push([what, clip, seconds, word].map(|cell| field(&defused(cell))).join(","));
