@@ -4,7 +4,7 @@
 use crate::Failure;
 use crate::cargo;
 use crate::paths::{temporary_folder, workspace_root};
-use crate::tools::{has_program, skip, succeed};
+use crate::tools::{has_program, skip, skip_rest, succeed};
 use std::process::Command;
 
 pub(crate) fn run() -> Result<(), Failure> {
@@ -34,7 +34,7 @@ fn neovim() -> Result<(), Failure> {
 /// Checks the types of the extension, packs it, and tests the package, including with the program, which it starts.
 fn visual_studio_code() -> Result<(), Failure> {
     if !has_program("npm") {
-        return skip("npm, of node 20 or later");
+        return skip_rest("npm, of node 20 or later");
     }
     let program = cargo::lipz()?;
     let folder = workspace_root().join("editors/vscode");

@@ -6,8 +6,10 @@ use crate::paths::workspace_root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The packages to install if there is no compiler for a target.
-pub(crate) const NEEDS: &str = "`rustup target add` for the target, or Debian's rustc-web, cargo-web and rust-web-src";
+/// Returns the packages to install if there is no compiler for a target.
+pub(crate) fn needs(target: &str) -> String {
+    format!("`rustup target add {target}`, or Debian's rustc-web, cargo-web and rust-web-src")
+}
 
 /// The required parts of the standard library.
 #[derive(Clone, Copy)]

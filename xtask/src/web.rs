@@ -3,8 +3,8 @@
 //!
 //! Its wasm module is lipz-capi without additional code, because JavaScript uses the ABI of C.
 
-use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
-use crate::tools::{has_program, skip, succeed};
+use crate::toolchain::{Library, Toolchain, needs, rust_lld, variable};
+use crate::tools::{has_program, skip, skip_rest, succeed};
 use crate::{Failure, paths};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -45,7 +45,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     }
     example(&package)?;
     if !has_program("chromium") {
-        return skip("chromium");
+        return skip_rest("chromium");
     }
     test(&package, BROWSER_TEST)
 }
@@ -71,7 +71,7 @@ pub(crate) fn pictures() -> Result<(), Failure> {
 /// Builds the package and returns its folder; `None` if this machine lacks a tool to build or run it.
 fn package() -> Result<Option<PathBuf>, Failure> {
     let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
-        return skip(NEEDS).map(|()| None);
+        return skip(&needs(TARGET)).map(|()| None);
     };
     build(&toolchain)?;
     let package = paths::target_folder().join("web");
@@ -80,7 +80,7 @@ fn package() -> Result<Option<PathBuf>, Failure> {
     println!("npm package: {}", package.display());
     compare_module(&package.join("lipz.wasm"))?;
     if !has_program("node") {
-        return skip("node").map(|()| None);
+        return skip_rest("node").map(|()| None);
     }
     Ok(Some(package))
 }

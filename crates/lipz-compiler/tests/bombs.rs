@@ -3,7 +3,7 @@
 
 use lipz_bank::{Dialogue, Locale};
 use lipz_compiler::inspect::ClipDetails;
-use lipz_compiler::{Documents, Replacements, unpack};
+use lipz_compiler::{Documents, Replacements, stats, unpack};
 use lipz_diagnostics::Code;
 use lipz_layout::{TEXT_HAS_LENGTH, TEXT_MAX_BYTES, text_count};
 use lipz_testkit::dialogues::places;
@@ -33,6 +33,7 @@ fn texts_that_would_fill_gigabytes_are_refused() {
 
     let locales: Vec<Locale> = dialogue.locales().collect();
     assert!(!ClipDetails::is_bounded(&dialogue, &dialogue.clip_by_key("k").unwrap(), &locales));
+    assert!(!stats::is_bounded(&dialogue));
 }
 
 #[test]
@@ -44,4 +45,5 @@ fn texts_that_fit_are_not() {
     assert!(documents.iter().all(|document| document.is_ok()));
     let locales: Vec<Locale> = dialogue.locales().collect();
     assert!(ClipDetails::is_bounded(&dialogue, &dialogue.clip_by_key("k").unwrap(), &locales));
+    assert!(stats::is_bounded(&dialogue));
 }

@@ -57,6 +57,21 @@ pub fn limit_many(diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
+/// The same for diagnostics of several files, each with the number of its file.
+pub fn limit_many_of_files(diagnostics: &mut Vec<(usize, Diagnostic)>) {
+    if diagnostics.len() < MANY {
+        return;
+    }
+    let mut by_file: BTreeMap<usize, Vec<Diagnostic>> = BTreeMap::new();
+    for (file, diagnostic) in diagnostics.drain(..) {
+        by_file.entry(file).or_default().push(diagnostic);
+    }
+    for (file, mut of_file) in by_file {
+        limit(&mut of_file);
+        diagnostics.extend(of_file.into_iter().map(|diagnostic| (file, diagnostic)));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,6 +90,19 @@ mod tests {
         assert_eq!((all.count(), all.start(), all.severity), (600, 1_000, Severity::Error));
         assert_eq!(all.message, "600 more LZ0201 in this file are not shown");
         assert_eq!(diagnostics.iter().map(Diagnostic::count).sum::<usize>(), 1_601);
+    }
+
+    #[test]
+    fn each_file_has_its_own_limit() {
+        let mut diagnostics = Vec::new();
+        for number in 0..200_000 {
+            diagnostics.push((number % 2, Diagnostic::new(Code::UnknownElement, "")));
+            limit_many_of_files(&mut diagnostics);
+            assert!(diagnostics.len() < MANY);
+        }
+        let count =
+            |file: usize| diagnostics.iter().filter(|(of, _)| *of == file).map(|(_, one)| one.count()).sum::<usize>();
+        assert_eq!([count(0), count(1)], [100_000; 2]);
     }
 
     #[test]

@@ -33,12 +33,14 @@ pub mod rate;
 pub mod schema;
 pub mod text;
 mod write;
+mod xml_bounds;
 
 pub use document::{Document, Element, JsonString, RawJson, Value};
 pub use parse::{
     Fragment, MAX_FILE_BYTES, ParsedFile, decode, decode_marked, parse, too_large, without_byte_order_mark,
 };
 pub use write::{literal, write};
+pub use xml_bounds::{MOST_XML_ATTRIBUTES, costly_xml_tag};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

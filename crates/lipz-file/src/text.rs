@@ -40,7 +40,7 @@ pub fn is_white_space(c: char) -> bool {
 /// The display form of a segment, with problems of its braces.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Display<'t> {
-    /// The text without `{meta}`, then trimmed. Spaces around a removed meta stay.
+    /// The text without `{meta}`, then trimmed.
     pub text: Cow<'t, str>,
     /// Offsets of braces without a partner, which are displayed unchanged.
     pub unbalanced: Vec<usize>,
@@ -52,7 +52,7 @@ pub struct Display<'t> {
 ///
 /// ```
 /// let display = lipz_file::text::display("{smiling} Hello {to: amy} there ");
-/// assert_eq!(display.text, "Hello  there");
+/// assert_eq!(display.text, "Hello there");
 /// ```
 pub fn display(segment: &str) -> Display<'_> {
     let mut display = Display { text: Cow::Borrowed(trim(segment)), unbalanced: Vec::new(), nested: Vec::new() };
@@ -63,12 +63,33 @@ pub fn display(segment: &str) -> Display<'_> {
     let mut kept = String::with_capacity(segment.len());
     let mut end = 0;
     for meta in metas {
-        kept.push_str(&segment[end..meta.start]);
+        push_after_meta(&mut kept, &segment[end..meta.start]);
         end = meta.end;
     }
-    kept.push_str(&segment[end..]);
+    push_after_meta(&mut kept, &segment[end..]);
     display.text = Cow::Owned(trim(&kept).to_owned());
     display
+}
+
+/// Appends the text after a removed meta. Writers put spaces on both sides of a meta, so if there is white space on both
+/// sides, one character of it is dropped. A line break stays in preference to a space. Returns the offset of the text in
+/// `kept`.
+pub fn push_after_meta(kept: &mut String, text: &str) -> usize {
+    let is_line_end = |byte: u8| matches!(byte, b'\n' | b'\r');
+    let is_space = |byte: u8| matches!(byte, b' ' | b'\t');
+    let dropped = match (kept.as_bytes().last(), text.as_bytes()) {
+        (Some(&before), [b'\r', b'\n', ..]) if is_line_end(before) => 2,
+        (Some(&before), [after, ..]) if is_line_end(before) && is_line_end(*after) => 1,
+        (Some(&before), [after, ..]) if is_white_space(char::from(before)) && is_space(*after) => 1,
+        (Some(&before), [after, ..]) if is_space(before) && is_line_end(*after) => {
+            kept.pop();
+            0
+        }
+        _ => 0,
+    };
+    let start = kept.len();
+    kept.push_str(text.get(dropped..).unwrap_or_default());
+    start
 }
 
 /// Returns the ranges of `{meta}` in a segment, including their braces: the outermost balanced pairs, in order.
@@ -164,11 +185,18 @@ mod tests {
     #[test]
     fn meta_is_removed_and_odd_braces_stay() {
         let cases = [
-            ("a {m} b", "a  b", vec![], vec![]),
+            ("a {m} b", "a b", vec![], vec![]),
+            ("a {m} {n}{o} b", "a b", vec![], vec![]),
+            ("a{m} b {n}c", "a b c", vec![], vec![]),
+            ("a  {m} b", "a  b", vec![], vec![]),
+            ("a {m}\nb\n{n} c", "a\nb\nc", vec![], vec![]),
+            ("a\n{m}\nb\r\n{n}\r\nc", "a\nb\r\nc", vec![], vec![]),
+            ("a\u{a0}{m} b", "a\u{a0} b", vec![], vec![]),
+            (" {m} a {n} ", "a", vec![], vec![]),
             ("{m}", "", vec![], vec![]),
             ("{a {b} c} d", "d", vec![], vec![0]),
             ("{a {b} {c {d}} e}f", "f", vec![], vec![0]),
-            ("{a {b} c", "{a  c", vec![0], vec![]),
+            ("{a {b} c", "{a c", vec![0], vec![]),
             ("a } b { c", "a } b { c", vec![2, 6], vec![]),
             ("{{x}", "{", vec![0], vec![]),
             ("{a}{b{c}}", "", vec![], vec![3]),

@@ -2,13 +2,16 @@
 
 use memmap2::Mmap;
 use std::fmt;
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::{self, Read};
 use std::ops::Deref;
 use std::path::Path;
 
 /// The greatest length of a bank, because its offsets have 32 bits.
 const LONGEST_BANK: u64 = u32::MAX as u64;
+
+/// The bytes that are read from a device, which is enough for `Bank::open` to reject it.
+const START_BYTES: u64 = 1 << 12;
 
 /// The storage of a file's bytes.
 #[derive(Debug)]
@@ -31,8 +34,8 @@ impl FileBytes {
     /// Reads the file at `path` into memory. Later changes to the file do not change the bytes.
     ///
     /// # Errors
-    /// If the system cannot open or read the file; `IsADirectory` for a folder. If the file is longer than any bank,
-    /// only the start is read, which is enough for `Bank::open` to reject it.
+    /// If the system cannot open or read the file; `IsADirectory` for a folder. If the file is longer than any bank, or a
+    /// device, only the start is read, which is enough for `Bank::open` to reject it.
     pub fn read(path: impl AsRef<Path>) -> io::Result<FileBytes> {
         FileBytes::read_from(&File::open(path)?)
     }
@@ -55,11 +58,14 @@ impl FileBytes {
     }
 
     pub(crate) fn read_from(mut file: &File) -> io::Result<FileBytes> {
-        let expected_bytes = file.metadata()?.len().min(LONGEST_BANK + 1);
+        let metadata = file.metadata()?;
+        let expected_bytes = metadata.len().min(LONGEST_BANK + 1);
         let mut bytes = Vec::new();
         let is_reserved = bytes.try_reserve_exact(usize::try_from(expected_bytes).unwrap_or(usize::MAX));
         is_reserved.map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
-        Read::by_ref(&mut file).take(LONGEST_BANK + 1).read_to_end(&mut bytes)?;
+        // A device may have no end, unlike a pipe.
+        let most = if is_device(&metadata) { START_BYTES } else { LONGEST_BANK + 1 };
+        Read::by_ref(&mut file).take(most).read_to_end(&mut bytes)?;
         Ok(FileBytes(Bytes::InMemory(bytes)))
     }
 
@@ -94,6 +100,17 @@ impl FileBytes {
             let _ = map.advise(advice);
         }
     }
+}
+
+#[cfg(unix)]
+fn is_device(metadata: &Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+}
+
+#[cfg(not(unix))]
+fn is_device(_metadata: &Metadata) -> bool {
+    false
 }
 
 impl Deref for FileBytes {

@@ -36,6 +36,10 @@ pub struct LipSync {
 /// ```
 pub fn lip_sync(bytes: &[u8], name: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<LipSync> {
     let text = source::text(bytes, diagnostics)?;
+    if let Some(diagnostic) = xml::too_costly(text, Code::ViewerSettingsSyntax) {
+        diagnostics.push(diagnostic.help(WHICH_FILE));
+        return None;
+    }
     let document = match Document::parse(text) {
         Ok(document) => document,
         Err(error) => {

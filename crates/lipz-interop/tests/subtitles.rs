@@ -151,10 +151,52 @@ fn clips_with_segments_keep_them() {
     assert_eq!(joined(&german, "de-de"), ("Guten Abend.|Wer?".to_owned(), 0));
     let one = [cue(0, 500, "Guten Abend. Wer?")];
     assert_eq!(joined(&one, "de-de"), ("Guten Abend. Wer?|".to_owned(), 1));
-    let late = [cue(900, 1000, "Zu spät.")];
-    assert_eq!(joined(&late, "de-de"), ("|Zu spät.".to_owned(), 1));
+    let short = [cue(0, 240, "Guten Abend."), cue(260, 262, "Wer?")];
+    assert_eq!(joined(&short, "de-de"), ("Guten Abend.|Wer?".to_owned(), 1));
     let english = [cue(0, 240, "Good evening."), cue(260, 400, "Who"), cue(400, 500, "is it?")];
     assert_eq!(joined(&english, "en-us"), (" {sly} Good evening. |Who\nis it?".to_owned(), 0), "meta stays");
+}
+
+#[test]
+fn cues_outside_their_clip_are_not_imported() {
+    let divided = r#"{"fps":24,"visemes":"MAAA--|EEOO--","text_en-us":"Good. |Who?","text_de-de":"Gut. |Wer?"}"#;
+    let undivided = r#"{"fps":24,"visemes":"MAAA--EEOO--"}"#;
+    let of = |times: &[(u64, u64)]| -> Vec<Cue> {
+        let cue = |&(start_ms, end_ms)| Cue { start_ms, end_ms, text: format!("{start_ms}"), ..Cue::default() };
+        times.iter().map(cue).collect()
+    };
+    let joined = |clip: &str, cues: &[Cue]| {
+        let mut diagnostics = Vec::new();
+        let after = join(document(clip), cues, "de-de", parse("24").unwrap(), &mut diagnostics);
+        (
+            after,
+            diagnostics
+                .into_iter()
+                .map(|diagnostic| (diagnostic.code.to_string(), diagnostic.message))
+                .collect::<Vec<_>>(),
+        )
+    };
+    let hour = 3_600_000;
+    let outside =
+        |start: &str| ("LZ1306".to_owned(), format!("the subtitle starts at {start} s, but the clip ends at 0.500 s"));
+    let from = |hour: &str| {
+        ("LZ1302".to_owned(), format!("the times count from {hour}:00:00.000, not from the start of the clip"))
+    };
+    for clip in [divided, undivided] {
+        for (cues, expected) in [
+            (of(&[(0, 240), (260, 500), (500, 600)]), vec![outside("0.500")]),
+            (of(&[(5000, 5240), (5260, 5500)]), vec![outside("5.000")]),
+            (of(&[(hour - 1000, hour), (hour, hour + 200)]), vec![outside("3599.000")]),
+            (of(&[(hour, hour + 240), (hour + 600, hour + 700)]), vec![from("01"), outside("0.600")]),
+        ] {
+            assert_eq!(joined(clip, &cues), (document(clip), expected));
+        }
+        let (after, told) = joined(clip, &of(&[(10 * hour, 10 * hour + 240), (10 * hour + 250, 10 * hour + 500)]));
+        assert_eq!((after.string("text_de-de"), told), (Some("36000000|36000250"), vec![from("10")]));
+    }
+    let mut diagnostics = Vec::new();
+    let made = clip(&of(&[(10 * hour + 500, 10 * hour + 1000)]), "de-de", parse("10").unwrap(), &mut diagnostics);
+    assert_eq!((made.string("visemes"), diagnostics.len()), (Some("-----|-----"), 1));
 }
 
 #[test]

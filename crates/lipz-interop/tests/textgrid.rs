@@ -3,6 +3,7 @@
 
 use lipz_file::Document;
 use lipz_file::format::{Style, format};
+use lipz_interop::textgrid::TierChoice;
 use lipz_interop::{ExportOptions, Format, ImportOptions, MergeOptions, export, formats, import, to_utf8};
 use proptest::prelude::*;
 
@@ -92,7 +93,7 @@ fn files_of_every_praat() {
     assert_eq!(diagnostics, []);
     let names: Vec<_> = read(file.as_bytes()).into_iter().map(|clip| (clip.name, clip.remarks)).collect();
     let remark = |text: &str| vec![text.to_owned()];
-    let noise = "words unknown to the aligner (`spn`) are shown as one shape";
+    let noise = "labels without phones (`spn`) are shown as one shape";
     assert_eq!(
         names,
         [(Some("Mara".into()), remark("the tier `noise` is left out")), (Some("Tom".into()), remark(noise))]
@@ -110,9 +111,48 @@ fn phonemes_in_small_letters_are_the_same() {
 
 #[test]
 fn tiers_without_shapes_are_named() {
-    let file = include_str!("../../../fixtures/interop/textgrid/mayor.TextGrid").replace("\"phones\"", "\"MAU\"");
+    let file = include_str!("../../../fixtures/interop/textgrid/mayor.TextGrid").replace("\"phones\"", "\"sounds\"");
     let imported = import(textgrid(), file.as_bytes(), &ImportOptions::new());
     let codes: Vec<String> = imported.diagnostics.iter().map(|diagnostic| diagnostic.code.to_string()).collect();
     assert_eq!((codes, imported.clips.len()), (vec!["LZ1107".to_owned()], 0));
-    assert_eq!(imported.diagnostics[0].notes, ["its tiers: `words`, `MAU`"]);
+    assert_eq!(imported.diagnostics[0].notes, ["its tiers: `words`, `sounds`"]);
+}
+
+#[test]
+fn tiers_are_chosen_by_name() {
+    let file = include_str!("../../../fixtures/interop/textgrid/mayor.TextGrid");
+    let clip = |file: &str, tiers: &[&str]| {
+        let tiers: Vec<TierChoice> = tiers.iter().map(|tier| tier.parse().unwrap()).collect();
+        let options = ImportOptions::new().tiers(&tiers);
+        let imported = import(textgrid(), file.as_bytes(), &options);
+        let found: Vec<String> = imported.diagnostics.iter().map(|diagnostic| diagnostic.message.clone()).collect();
+        (imported.clips.into_iter().map(|clip| (clip.document, clip.remarks)).collect::<Vec<_>>(), found)
+    };
+    let expected = clip(file, &[]);
+    let renamed = file.replace("\"phones\"", "\"sounds\"").replace("\"words\"", "\"spelling\"");
+    assert_eq!(clip(&renamed, &["Sounds", "words=spelling"]), expected);
+    // The tiers of WebMAUS are known.
+    let maus = file.replace("\"phones\"", "\"MAU\"").replace("\"words\"", "\"ORT-MAU\"");
+    assert_eq!(clip(&maus, &[]), expected);
+    // A chosen tier replaces the one that is known by its name.
+    let twice = renamed.replace("\"spelling\"", "\"phones\"");
+    assert_eq!(clip(&twice, &["sounds"]).0[0].0, expected.0[0].0);
+    let missing = clip(&renamed, &["sound"]);
+    assert_eq!(missing, (Vec::new(), vec!["the file has no tier called `sound`".to_owned()]));
+}
+
+/// A label that is in no table turned all phones of a file into errors of a different alphabet.
+#[test]
+fn unknown_labels_do_not_change_the_alphabet() {
+    let file = |name: &str| {
+        std::fs::read(
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/interop/textgrid").join(name),
+        )
+    };
+    let messages = |name: &str| {
+        let found = import(textgrid(), &file(name).unwrap(), &ImportOptions::new()).diagnostics;
+        found.into_iter().map(|diagnostic| diagnostic.message).collect::<Vec<_>>()
+    };
+    assert_eq!(messages("unknown.TextGrid"), ["`zzz` is not in the mapping table `cmu`"]);
+    assert_eq!(messages("noises.TextGrid"), [] as [&str; 0]);
 }

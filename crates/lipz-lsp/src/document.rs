@@ -1,6 +1,6 @@
 //! A file that is open in the editor: its current text and its diagnostics.
 
-use crate::{place, uri};
+use crate::{halves, place, uri};
 use lipz_diagnostics::{Diagnostic, Span};
 use lsp_types::{TextDocumentContentChangeEvent, Uri};
 use ropey::Rope;
@@ -45,19 +45,46 @@ impl Document {
     /// Applies the editor's changes to the text.
     pub(crate) fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
         for change in changes {
-            let bytes = match change.range {
-                Some(range) => place::bytes(&self.rope, range),
-                None => 0..self.rope.len_bytes(),
+            let (bytes, text) = match change.range {
+                Some(range) => self.with_halves(range, change.text),
+                None => (0..self.rope.len_bytes(), halves::joined(&change.text)),
             };
             let characters = self.rope.byte_to_char(bytes.start)..self.rope.byte_to_char(bytes.end);
             let at = characters.start;
             self.rope.remove(characters);
-            self.rope.insert(at, &change.text);
-            self.from_project.iter_mut().for_each(|diagnostic| follow(diagnostic, &bytes, change.text.len()));
+            self.rope.insert(at, &text);
+            self.from_project.iter_mut().for_each(|diagnostic| follow(diagnostic, &bytes, text.len()));
         }
         self.text = self.rope.to_string();
         self.version = version;
         self.is_stale = true;
+    }
+
+    /// Returns the bytes of a range, and the text for them. If the range starts or ends within a surrogate pair, the
+    /// other half of the character stays, and is joined with a half next to it.
+    fn with_halves(&self, range: lsp_types::Range, text: String) -> (Range<usize>, String) {
+        let mut bytes = place::bytes(&self.rope, range);
+        let character = |byte: usize| self.rope.get_char(self.rope.byte_to_char(byte));
+        let halves_at = |position, byte: usize| {
+            if place::is_within_character(&self.rope, position) { halves::of(character(byte)?) } else { None }
+        };
+        let high = halves_at(range.start, bytes.start).map(|(high, _)| high);
+        let low = halves_at(range.end, bytes.end).map(|(_, low)| low);
+        if low.is_some() {
+            bytes.end += character(bytes.end).map_or(0, char::len_utf8);
+        }
+        let has_halves = |text: &str| text.contains(halves::is_half);
+        if high.is_none() && low.is_none() && !has_halves(&text) {
+            return (bytes, text);
+        }
+        // A half may stand next to the range since an earlier change.
+        let before =
+            bytes.start.checked_sub(1).and_then(character).filter(|before| high.is_none() && halves::is_half(*before));
+        let after = character(bytes.end).filter(|after| low.is_none() && halves::is_half(*after));
+        bytes.start -= before.map_or(0, char::len_utf8);
+        bytes.end += after.map_or(0, char::len_utf8);
+        let parts = before.or(high).into_iter().chain(text.chars()).chain(low.or(after));
+        (bytes, halves::joined(&parts.collect::<String>()))
     }
 
     /// Returns the length of the byte order mark in bytes. The parser's positions count from its end.
@@ -100,5 +127,23 @@ mod tests {
         assert_eq!(&document.text[span.range()], "1");
         document.change(3, vec![change(None, "{}"), change(Some((7, 0, 9, 9)), " ")]);
         assert_eq!((document.text.as_str(), document.version), ("{} ", 3));
+    }
+    /// The text of the editor, in UTF-16 units, is the same after any change of halves.
+    #[test]
+    fn halves_of_characters_are_replaced() {
+        let mut document = Document::new(Uri::from_str("untitled:a").unwrap(), 1, "a\u{1f600}b".into());
+        // U+1F600 is D83D DE00.
+        document.change(2, vec![change(Some((0, 2, 0, 3)), "\u{f601}")]);
+        assert_eq!(document.text, "a\u{1f601}b");
+        document.change(3, vec![change(Some((0, 1, 0, 2)), ""), change(Some((0, 1, 0, 1)), "\u{f03c}")]);
+        assert_eq!(document.text, "a\u{1f201}b");
+        document.change(4, vec![change(Some((0, 2, 0, 2)), "x")]);
+        assert_eq!(document.text, "a\u{f03c}x\u{f601}b");
+        document.change(5, vec![change(Some((0, 4, 0, 5)), "c"), change(Some((0, 2, 0, 3)), "")]);
+        assert_eq!(document.text, "a\u{f03c}\u{f601}c", "no half was sent");
+        document.change(6, vec![change(Some((0, 1, 0, 2)), "\u{f03d}")]);
+        assert_eq!(document.text, "a\u{1f601}c");
+        document.change(7, vec![change(Some((0, 1, 0, 3)), "\u{f000}")]);
+        assert_eq!(document.text, "a\u{f000}c", "a character of an icon font");
     }
 }

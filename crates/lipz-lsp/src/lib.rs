@@ -20,6 +20,7 @@ mod completion;
 mod context;
 mod convert;
 mod document;
+mod halves;
 mod hover;
 mod links;
 mod place;

@@ -57,6 +57,16 @@ pub(crate) fn byte(rope: &Rope, position: Position) -> usize {
     rope.char_to_byte(rope.utf16_cu_to_char(units))
 }
 
+/// Whether a position is between the two UTF-16 units of a character.
+pub(crate) fn is_within_character(rope: &Rope, position: Position) -> bool {
+    let line = position.line as usize;
+    if line >= rope.len_lines() {
+        return false;
+    }
+    let units = rope.char_to_utf16_cu(rope.line_to_char(line)).saturating_add(position.character as usize);
+    units < rope.char_to_utf16_cu(line_end(rope, line)) && rope.char_to_utf16_cu(rope.utf16_cu_to_char(units)) != units
+}
+
 /// Returns the first character of the line break at the end of a line, or the end of the text.
 fn line_end(rope: &Rope, line: usize) -> usize {
     let start = rope.line_to_char(line);

@@ -3,6 +3,7 @@
 //! lsp-server ends the connection at the first message that is not JSON, and allocates any length that a header
 //! declares. This module answers every message, and memory only grows with the bytes that arrive.
 
+use crate::halves;
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use serde_json::{Value, json};
 use std::io::{self, BufRead, Read, Write};
@@ -41,7 +42,11 @@ pub(crate) fn read(input: &mut impl BufRead) -> io::Result<Option<IncomingMessag
     if (bytes.len() as u64) < length {
         return Err(io::Error::new(io::ErrorKind::UnexpectedEof, "the last message is cut off"));
     }
-    Ok(Some(match serde_json::from_slice(&bytes) {
+    let parsed = serde_json::from_slice(&bytes).or_else(|error| match halves::replaced(&bytes) {
+        Some(bytes) => serde_json::from_slice(&bytes),
+        None => Err(error),
+    });
+    Ok(Some(match parsed {
         Ok(value) => message(value),
         Err(error) => refused(Value::Null, ErrorCode::ParseError, format!("the message is not JSON: {error}")),
     }))
@@ -131,6 +136,14 @@ mod tests {
             );
             assert!(read(&mut stream).unwrap().is_none());
         }
+    }
+
+    /// JavaScript writes half a surrogate pair as an escape. The message was lost, and the texts differed from then on.
+    #[test]
+    fn halves_of_characters_are_read() {
+        let body = r#"{"jsonrpc":"2.0","id":7,"method":"x","params":["\ude01"]}"#;
+        let Ok(Some(IncomingMessage::Message(Message::Request(request)))) = one(&framed(body)) else { panic!() };
+        assert_eq!((request.id, request.params), (7.into(), json!(["\u{f601}"])));
     }
 
     #[test]

@@ -156,3 +156,52 @@ fn lengths_in_headers_are_not_believed() {
     let sound = Sound::from_bytes(&file[..file.len() - 4_000], None).unwrap();
     assert_eq!((length_ms(&sound), sound.is_truncated()), (250, true));
 }
+
+/// A cue sheet that is not that of a CD, and tags that are cut off: players decode such files.
+#[test]
+fn metadata_of_flac_files_do_not_matter() {
+    let whole = include_bytes!("../../../fixtures/speech/tone.flac");
+    let expected = Sound::from_bytes(whole, None).unwrap();
+    // After the magic number and the properties of the samples.
+    let at = 4 + 4 + 34;
+    assert_eq!((&whole[..4], whole[4] & 0x7f), (b"fLaC".as_slice(), 0));
+    let block = |kind: u8, content: &[u8]| {
+        let [_, length @ ..] = u32::try_from(content.len()).unwrap().to_be_bytes();
+        [&[kind], &length[..], content].concat()
+    };
+    let mut cue_sheet = vec![0; 396 + 36];
+    cue_sheet[136] = 0x80; // of a CD
+    cue_sheet[395] = 1; // one track,
+    cue_sheet[403] = 1; // which starts in the middle of a frame of the CD
+    for blocks in [block(5, &cue_sheet), block(4, &[255; 8]), block(6, &[255; 40]), block(2, &[])] {
+        let mut file = [&whole[..at], &blocks, &whole[at..]].concat();
+        file[4] &= 0x7f;
+        let sound = Sound::from_bytes(&file, None).unwrap();
+        assert_eq!((sound.duration_us(), is_told(&sound)), (expected.duration_us(), false));
+        let tagged = [b"ID3\x04\0\0\0\0\0\x05".as_slice(), &[0; 5], &file].concat();
+        assert_eq!(Sound::from_bytes(&tagged, None).unwrap().duration_us(), expected.duration_us());
+    }
+}
+
+#[test]
+fn lengths_that_were_never_written() {
+    let samples: Vec<f32> = (0..8000_u16).map(|n| if n % 40 < 20 { 0.4 } else { -0.4 }).collect();
+    let whole = wav(Samples::S16, 1, 8000, &samples);
+    let expected = Sound::from_bytes(&whole, None).unwrap();
+    let with = |changes: &[(usize, &[u8])]| {
+        let mut file = whole.clone();
+        changes.iter().for_each(|(at, bytes)| file[*at..*at + bytes.len()].copy_from_slice(bytes));
+        file
+    };
+    let ds64 = [b"ds64".as_slice(), &28_u32.to_le_bytes(), &[0; 28]].concat();
+    let rf64 = with(&[(0, b"RF64"), (4, &[255; 4]), (40, &[255; 4])]);
+    let rf64 = [&rf64[..12], &ds64, &rf64[12..]].concat();
+    for (name, file) in [
+        ("0 and 0", with(&[(4, &[0; 4]), (40, &[0; 4])])),
+        ("36 and 0", with(&[(4, &36_u32.to_le_bytes()), (40, &[0; 4])])),
+        ("RF64", rf64),
+    ] {
+        let sound = Sound::from_bytes(&file, None).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!((sound.duration_us(), is_told(&sound)), (expected.duration_us(), false), "{name}");
+    }
+}

@@ -4,6 +4,7 @@
 mod support;
 
 use std::fs;
+use std::time::{Duration, SystemTime};
 use support::sound::voice;
 use support::{Scene, lipz};
 
@@ -293,4 +294,27 @@ fn the_first_dub_has_its_work_before_it_begins() {
     let exported = lipz(scene.path(), ["export", "texts", "po", "-o", "de.po", "--overwrite"]);
     let expected = "texts of 2 clips for de-de written into de.po; left out 1 dub with the texts of their originals\n";
     assert_eq!(exported.stdout, expected);
+}
+
+/// The clips of unchanged files are not read while other files have errors, so a dub was not compared with them.
+#[test]
+fn packs_with_a_cache_report_dubs_beside_errors() {
+    let scene = scene();
+    scene.write("voices/en/act1/no.lipz", ORIGINAL);
+    let past = SystemTime::now() - Duration::from_secs(60);
+    let age = || {
+        for name in ["en/act1/mayor", "en/act1/yes", "en/act1/no", "de/act1/mayor"] {
+            let file = scene.path().join(format!("voices/{name}.lipz"));
+            fs::File::options().append(true).open(file).unwrap().set_modified(past).unwrap();
+        }
+    };
+    age();
+    scene.prepare(&["pack", "--quiet", "--cache", "c.cache"]);
+    scene.write("voices/de/act1/mayor.lipz", DUB.replace('|', ""));
+    scene.write("voices/en/act1/no.lipz", ORIGINAL.replace("blair", "rms"));
+    age();
+    let cold = lipz(scene.path(), ["pack", "-o", "cold.lipzbank"]);
+    let cached = lipz(scene.path(), ["pack", "--cache", "c.cache"]);
+    assert!(cold.stderr.contains("error[LZ2002]") && cold.stderr.contains("error[LZ0401]"), "{}", cold.stderr);
+    assert_eq!((cached.code, cached.stderr), (cold.code, cold.stderr));
 }

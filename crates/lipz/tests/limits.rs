@@ -120,6 +120,38 @@ fn without_threads_every_command_does_its_work() {
     let outcome = run(limit(as_nobody(&scene, &watch), libc::RLIMIT_NPROC, 1));
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
     assert!(outcome.stderr.contains("error[LZ1605]: files cannot be watched: "), "{}", outcome.stderr);
+    // The language server reads its messages on a thread.
+    let outcome = run(limit(as_nobody(&scene, &["lsp"]), libc::RLIMIT_NPROC, 1));
+    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+    assert!(!outcome.stderr.contains("panicked"), "{}", outcome.stderr);
+}
+
+/// A link to a device without an end was read until memory ended.
+#[test]
+fn devices_without_an_end_are_refused() {
+    let scene = scene();
+    for name in ["zero.tsv", "zero.po", "zero.en-us.srt", "zero.xml", "zero.csv", "zero.lipzbank", "zero.toml"] {
+        std::os::unix::fs::symlink("/dev/zero", scene.path().join(name)).unwrap();
+    }
+    open_to_all(&scene);
+    let import = ["import", "visemes", "rhubarb-tsv"];
+    let commands: &[&[&str]] = &[
+        &["verify", "zero.lipzbank"],
+        &["inspect", "zero.lipzbank"],
+        &["diff", "old.lipzbank", "zero.lipzbank"],
+        &["merge", "old.lipzbank", "zero.lipzbank", "-o", "merged.lipzbank"],
+        &[&import[..], &["zero.tsv", "-o", "imported"]].concat(),
+        &[&import[..], &["mouth.tsv", "-o", "imported", "--script", "zero.csv"]].concat(),
+        &[&import[..], &["mouth.tsv", "-o", "imported", "--map", "zero.toml"]].concat(),
+        &["import", "texts", "zero.po", "--config", "sources=['voices']"],
+        &["import", "subtitles", "zero.en-us.srt", "-o", "imported"],
+        &["print", "babble", "zero.xml"],
+    ];
+    for arguments in commands {
+        let outcome = run(limit(as_nobody(&scene, arguments), libc::RLIMIT_AS, 1 << 30));
+        assert!([1, 2].contains(&outcome.code), "{arguments:?}: {}", outcome.stderr);
+        assert!(outcome.stderr.starts_with("error[LZ"), "{arguments:?}: {}", outcome.stderr);
+    }
 }
 
 #[test]

@@ -51,6 +51,29 @@ fn what_does_not_belong_together() {
     scene.finish(7);
 }
 
+/// As for missing sources, the command cannot do what was asked for.
+#[test]
+fn folders_of_recordings_that_are_missing_end_with_2() {
+    let scene = Scene::new();
+    scene.write("voices/mayor.lipz", CLIP);
+    scene.prepare(&["pack", "voices", "-o", "old.lipzbank", "--quiet"]);
+    for arguments in [
+        &["check", "voices"][..],
+        &["sync", "voices"],
+        &["pack", "voices", "-o", "new.lipzbank"],
+        &["preview", "voices", "-o", "site"],
+        &["preview", "old.lipzbank", "-o", "site"],
+        &["watch", "voices", "-o", "new.lipzbank"],
+    ] {
+        for (folder, what) in [("nowhere", "does not exist"), ("voices/mayor.lipz", "is not a folder")] {
+            let outcome = lipz(scene.path(), arguments.iter().copied().chain(["--audio", folder]));
+            assert_eq!(outcome.code, 2, "{arguments:?}: {outcome:?}");
+            assert!(outcome.stderr.contains(&format!("error[LZ0001]: `{folder}` {what}")), "{outcome:?}");
+        }
+    }
+    assert!(!scene.path().join("new.lipzbank").exists() && !scene.path().join("site").exists());
+}
+
 #[test]
 fn settings_say_where_recordings_are() {
     let scene = Scene::new();

@@ -94,7 +94,15 @@ fn diagnostics() {
             "1\n00:00:02,000 --> 00:00:03,000\nTwo.\n\n2\n00:00:01,000 --> 00:00:02,500\nOne.\n",
         ),
         ("LZ1303-subtitle-place", "mayor.de-de.srt", "1\n00:00:00,000 --> 00:00:00,333\nGuten Abend.\n"),
-        ("LZ1303-subtitle-place-end", "g.en-us.srt", "1\n00:00:00,000 --> 99999:59:59,000\nGood evening.\n"),
+        ("LZ1306-subtitle-outside", "mayor.fr-fr.srt", "1\n00:00:05,000 --> 00:00:06,000\nBonsoir.\n"),
+        ("LZ1306-subtitle-outside-long", "g.en-us.srt", "1\n00:00:00,000 --> 99999:59:59,000\nGood evening.\n"),
+        ("LZ1302-subtitle-times-hour", "i.en-us.srt", "1\n10:00:00,000 --> 10:00:01,000\nGood evening.\n"),
+        ("LZ1301-subtitle-syntax-skipped", "k.en-us.vtt", "WEBVTT\n\n00:00.000 --> 00:01.000\nGood\n\nevening.\n"),
+        (
+            "LZ1304-subtitle-text-times",
+            "l.en-us.srt",
+            "1\n00:00:00,000 --> 00:00:01,000\nGood\n2\n00:00:01,000 --> 00:00:02,000\nevening.\n",
+        ),
         ("LZ1304-subtitle-text-empty-line", "h.en-us.srt", "1\n00:00:00 --> 00:00:01\nGood\n\nevening.\n"),
         ("LZ1304-subtitle-text", "e.en-us.srt", "1\n00:00:00,000 --> 00:00:00,333\nA <i>good</i>\nevening | night.\n"),
     ];
@@ -110,7 +118,25 @@ fn diagnostics() {
     scene.write("more/lines.lipz", r#"{ "fps": 24, "visemes": "MA", "text_en-us": "Good \n \n evening." }"#);
     let export = ["export", "subtitles", "vtt", "more", "-o", "out", "--quiet"];
     scene.expect("LZ1305-subtitle-loss-lines", &export);
-    scene.finish(12);
+    scene.finish(16);
+}
+
+/// Subtitles of a programme, or of a longer clip, emptied the translation.
+#[test]
+fn subtitles_outside_a_clip_leave_its_translation() {
+    let scene = Scene::new();
+    let clip = "{ \"visemes\": \"--------|--------\", \"text_de-de\": \"Guten Tag. |Auf Wiedersehen.\", \"fps\": 8 }\n";
+    scene.write("voices/line.lipz", clip);
+    let import = ["import", "subtitles", "line.de-de.srt", "-o", "voices", "--quiet"];
+    let read = || fs::read_to_string(scene.path().join("voices/line.lipz")).unwrap();
+    scene.write("line.de-de.srt", "00:00:05,000 --> 00:00:06,000\nHallo.\n\n00:00:06,000 --> 00:00:07,000\nTschau.\n");
+    let late = lipz(scene.path(), import);
+    assert!(late.code == 1 && late.stderr.contains("error[LZ1306]"), "{late:?}");
+    assert_eq!(read(), clip);
+    scene.write("line.de-de.srt", "01:00:00,000 --> 01:00:01,000\nHallo.\n\n01:00:01,000 --> 01:00:02,000\nTschau.\n");
+    let programme = lipz(scene.path(), import);
+    assert!(programme.code == 0 && programme.stderr.contains("warning[LZ1302]"), "{programme:?}");
+    assert!(read().contains("\"Hallo.    |Tschau.\"") || read().contains("Hallo.|Tschau."), "{}", read());
 }
 
 #[test]
@@ -142,7 +168,9 @@ fn white_space_and_speakers_return() {
         scene.write("new/a.lipz", r#"{ "fps": 24, "visemes": "MA|EO" }"#);
         scene.prepare(&["pack", "voices", "-o", "old.lipzbank", "--quiet"]);
         let export = lipz(scene.path(), ["export", "subtitles", format, "voices", "-o", format, "--quiet"]);
-        assert_eq!((export.code, export.stderr.as_str()), (0, ""));
+        // A change of speakers within a text is lost in SubRip.
+        let loss = "the subtitle does not show that `Bob` speaks a part of the text";
+        assert_eq!((export.code, export.stderr.contains(loss)), (0, format == "srt"), "{}", export.stderr);
         scene.prepare(&["import", "subtitles", format, "-o", "new", "--quiet"]);
         let diff = lipz(scene.path(), ["diff", "old.lipzbank", "new"]);
         assert_eq!(diff.code, 0, "{diff:?}");

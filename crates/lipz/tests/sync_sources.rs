@@ -58,8 +58,8 @@ fn scripts_with_mistakes_are_told_by_line() {
     scene.write("rec/a.wav", voice(LINE, 1));
     for (script, message) in [
         ("", "the first line does not name the columns"),
-        ("filename,line\na,Who?\n", "the first line does not name the columns"),
-        ("file,line\na,Who?\n", "the first line has no column `text`"),
+        ("name,words\na,Who?\n", "the first line does not name the columns"),
+        ("file,words\na,Who?\n", "the first line has no column `text`"),
         ("file,text\n,Who?\n", "the row has no file name"),
         ("file,text\na\n", "the row has no text"),
     ] {
@@ -67,6 +67,9 @@ fn scripts_with_mistakes_are_told_by_line() {
         assert_eq!((code, told.as_str()), (1, ""), "{script}");
         assert!(found.contains(&format!("error[LZ1101]: {message}\n --> lines.csv:")), "{script}: {found}");
     }
+    let (code, _, found) = with_script(&scene, "Speaker,Audio File,Dialogue\nMara,A.WAV,Who?\n");
+    assert_eq!((code, text_of(&scene, "a.lipz").as_str()), (0, "Who?"), "{found}");
+    fs::remove_dir_all(scene.path().join("voices")).unwrap();
     let (code, _, found) = with_script(&scene, "file;text\na;Who?\nA.wav;What?\n");
     assert_eq!((code, text_of(&scene, "a.lipz").as_str()), (0, "Who?"), "{found}");
     assert!(found.contains("[LZ1104]: `A.wav` has a different text in a row above\n --> lines.csv:3:1"), "{found}");

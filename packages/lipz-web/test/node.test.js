@@ -203,6 +203,33 @@ test("structs.js has the structs of lipz.h, field by field", async () => {
   }
 });
 
+test("queries of a damaged bank that was not verified throw nothing but LipzErrors", async () => {
+  const bank = await readFile(golden("dubbed.lipzbank"));
+  const ask = (dialogue) => {
+    const handles = [...dialogue.locales, ...dialogue.voices].map(({ tag }) => tag);
+    for (const clip of dialogue.clips()) {
+      const { key, frames, fps, duration, visemeType } = clip;
+      handles.push(key, frames, fps, duration, visemeType, clip.visemeAt(0.1), ...clip.segments.map(({ events }) => events));
+    }
+    return handles;
+  };
+  let opened = 0;
+  for (let at = 64; at + 4 <= bank.length; at += 4) {
+    for (const word of [0, 7, 0xffffffff]) {
+      const damaged = Uint8Array.from(bank);
+      new DataView(damaged.buffer).setUint32(at, word, true);
+      try {
+        const dialogue = await openDialogue([damaged], { verify: false });
+        opened++;
+        ask(dialogue);
+      } catch (error) {
+        assert.ok(error instanceof LipzError, `word ${at}: ${error.stack}`);
+      }
+    }
+  }
+  assert.ok(opened > 100, opened);
+});
+
 test("remedies are those for the statuses of lipz.h", async () => {
   const header = await readFile(new URL("lipz.h", import.meta.url), "utf8");
   for (const [name, [status]] of Object.entries(REMEDIES)) {

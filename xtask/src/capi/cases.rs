@@ -1,7 +1,7 @@
 //! The playback cases in C and C++, with every compiler, with sanitizers, and under valgrind. Each program returns the
 //! same answers as the reader in Rust, with the golden banks and with equivalent files.
 
-use crate::tools::{has_program, skip, succeed};
+use crate::tools::{has_program, skip_rest, succeed};
 use crate::{Failure, cargo, paths};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ pub(super) fn run(prefix: &Path) -> Result<(), Failure> {
     let folders = folders()?;
     for (compiler, language, source) in PROGRAMS {
         if !has_program(compiler) {
-            skip(compiler)?;
+            skip_rest(compiler)?;
             continue;
         }
         // The sanitizers of the compiler that also links the other programs are enough.

@@ -10,7 +10,7 @@ mod programs;
 pub(crate) use cases::layouts;
 
 use crate::cargo;
-use crate::tools::{has_program, skip, succeed};
+use crate::tools::{has_program, skip, skip_rest, succeed};
 use crate::{Failure, paths};
 use std::path::Path;
 
@@ -27,7 +27,7 @@ pub(crate) fn run() -> Result<(), Failure> {
     install::install(&target.join("library"), &prefix)?;
     println!("installed below {}", prefix.display());
     match TOOLS.iter().find(|tool| !has_program(tool)) {
-        Some(tool) => skip(tool),
+        Some(tool) => skip_rest(tool),
         None => programs::run(&prefix).and_then(|()| cases::run(&prefix)),
     }
 }

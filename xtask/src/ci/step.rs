@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::cargo;
 use crate::paths::workspace_root;
-use crate::tools::succeed;
+use crate::tools::{IS_STEP, succeed};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -83,7 +83,7 @@ impl Step {
         if let Program::CargoWith(variable, value) = self.program {
             command.env(variable, value);
         }
-        command.args(self.arguments.split_whitespace()).current_dir(workspace_root());
+        command.args(self.arguments.split_whitespace()).current_dir(workspace_root()).env(IS_STEP, "1");
         Ok(command)
     }
 

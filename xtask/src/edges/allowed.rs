@@ -116,6 +116,7 @@ pub(super) const RULES: &[Rule] = &[
             "serde",
             "serde_json",
             "toml",
+            "unicode-normalization",
             "unicode-segmentation",
         ],
         below: Below::AtMost(43),

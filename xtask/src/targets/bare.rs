@@ -3,13 +3,13 @@
 
 use super::cortex_m;
 use crate::Failure;
-use crate::toolchain::{Library, NEEDS, Toolchain};
+use crate::toolchain::{Library, Toolchain, needs};
 use crate::tools::{skip, succeed};
 use std::process::Command;
 
 pub(super) fn run() -> Result<(), Failure> {
     let Some(toolchain) = Toolchain::find(cortex_m::M4.target, Library::Core) else {
-        return skip(NEEDS);
+        return skip(&needs(cortex_m::M4.target));
     };
     succeed(&mut reader(&toolchain), "the build of the reader without std")?;
     // The negative control: with std, the build must fail. Otherwise the build above proves nothing.

@@ -2,7 +2,7 @@
 
 use super::controls;
 use crate::Failure;
-use crate::toolchain::{Library, NEEDS, Toolchain};
+use crate::toolchain::{Library, Toolchain, needs};
 use crate::tools::{has_program, skip, succeed};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -29,7 +29,7 @@ pub(super) fn run(processor: &Processor) -> Result<(), Failure> {
         return skip(EMULATOR);
     }
     let Some(toolchain) = Toolchain::find(processor.target, Library::Core) else {
-        return skip(NEEDS);
+        return skip(&needs(processor.target));
     };
     let mut build = toolchain.firmware("build");
     succeed(build.args(["--quiet", "--release", "--package", "firmware-cortex-m"]), "the build of the firmware")?;

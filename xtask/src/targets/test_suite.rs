@@ -1,7 +1,7 @@
 //! The whole test suite of the reader on machines with a different byte order or word size.
 
 use crate::Failure;
-use crate::toolchain::{Library, NEEDS, Toolchain, rust_lld, variable};
+use crate::toolchain::{Library, Toolchain, needs, rust_lld, variable};
 use crate::tools::{has_program, skip, succeed};
 
 const STATIC: &str = "-Ctarget-feature=+crt-static";
@@ -35,7 +35,7 @@ pub(super) fn run(machine: &Machine) -> Result<(), Failure> {
         return skip("a processor that runs its programs");
     }
     let Some(toolchain) = Toolchain::find(machine.target, Library::Std) else {
-        return skip(NEEDS);
+        return skip(&needs(machine.target));
     };
     let mut tests = toolchain.cargo("test");
     tests.args(["--quiet", "--package", "lipz-bank"]);

@@ -3,7 +3,7 @@
 use super::controls;
 use crate::Failure;
 use crate::paths::workspace_root;
-use crate::toolchain::{Library, NEEDS, Toolchain};
+use crate::toolchain::{Library, Toolchain, needs};
 use crate::tools::{has_program, skip, succeed};
 use std::process::Command;
 
@@ -14,7 +14,7 @@ pub(super) fn run() -> Result<(), Failure> {
         return skip("node");
     }
     let Some(toolchain) = Toolchain::find(TARGET, Library::Core) else {
-        return skip(NEEDS);
+        return skip(&needs(TARGET));
     };
     let mut build = toolchain.firmware("build");
     succeed(build.args(["--quiet", "--release", "--package", "firmware-wasm"]), "the build of the module")?;

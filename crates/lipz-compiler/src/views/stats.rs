@@ -1,7 +1,8 @@
 //! Statistics of the contents of a dialogue.
 
+use crate::bank::decompile::budget_bytes;
 use crate::bank::dialogue::{TaggedLocale, clips_by_key, length_bytes, locales_by_tag, sections, texts_bytes};
-use lipz_bank::{Clip, Dialogue, Fps, VisemeType, Voice};
+use lipz_bank::{Clip, Dialogue, Fps, Locale, Segment, VisemeType, Voice};
 use lipz_layout::Tag;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -164,6 +165,24 @@ impl<'d> Stats<'d> {
         (stats.longest, stats.shortest) = extremes(&clips);
         stats
     }
+}
+
+/// Whether the texts and events of a dialogue fit the budget of its files (docs/reference/bank-format.md, "Source
+/// records"). Segments share them, so that a forged bank of a few megabytes could take minutes: check this before you
+/// count or compare untrusted banks. The time is proportional to the segments and locales.
+pub fn is_bounded(dialogue: &Dialogue<'_>) -> bool {
+    let mut left = budget_bytes(dialogue);
+    let mut take = |bytes: usize| {
+        left = left.checked_sub(bytes as u64)?;
+        Some(())
+    };
+    let locales: Vec<Locale> = dialogue.locales().collect();
+    let mut fits = |segment: Segment<'_>| {
+        take(segment.event().map_or(0, str::len))?;
+        let texts = locales.iter().filter_map(|locale| segment.text(*locale));
+        texts.filter(|text| !text.is_fallback()).try_for_each(|text| take(text.len()))
+    };
+    clips_by_key(dialogue).iter().all(|clip| clip.segments().try_for_each(&mut fits).is_some())
 }
 
 /// Writes an object, sorted by code.

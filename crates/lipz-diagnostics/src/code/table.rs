@@ -121,6 +121,7 @@ codes! {
     SubtitlePlace "LZ1303" "subtitle-place" Warning "a cue does not fit the segments of its clip"
     SubtitleText "LZ1304" "subtitle-text" Warning "a cue contains something that a Lipz text cannot store"
     SubtitleLoss "LZ1305" "subtitle-loss" Warning "a text does not fit into a subtitle file"
+    SubtitleOutside "LZ1306" "subtitle-outside" Error "a cue is outside its clip"
 
     "Babble"
     BabbleDigits "LZ1401" "babble-digits" Error "a babble loop or power transfer does not consist of digits"

@@ -1,12 +1,16 @@
 //! Timestamps of Cartesia's voices: the messages of its stream, each a JSON object. `phoneme_timestamps` has phones in
 //! IPA with starts and ends in seconds, and `word_timestamps` has the words. All other messages are audio.
+//!
+//! A connection carries several utterances. `context_id` states the utterance of a message, and the times of each start
+//! at 0.
 
 use super::Format;
 use crate::json::{self, Node};
 use crate::source::{self, Line};
-use crate::textgrid::clip::phone_symbol;
+use crate::textgrid::symbols::phone_symbol;
 use crate::{ImportOptions, Shape, Time, TimedText, Track};
 use lipz_diagnostics::{Code, Diagnostic};
+use std::collections::HashMap;
 
 pub(super) const FORMAT: Format = Format {
     name: "cartesia",
@@ -22,28 +26,52 @@ pub(super) const FORMAT: Format = Format {
 
 fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
-    let mut track = Track::default();
-    let mut ended = None;
+    let mut utterances: Vec<Utterance> = Vec::new();
+    let mut index_of: HashMap<Option<String>, usize> = HashMap::new();
     for message in messages(text, diagnostics) {
-        for phone in stretches(message, "phoneme_timestamps", "phonemes", diagnostics) {
-            let shape = |start, label: &str| Shape::at(phone.span, start, phone_symbol(label, options.map));
-            if let Some(gap) = ended.filter(|ended| *ended < phone.start) {
-                track.shapes.push(shape(gap, ""));
-            }
-            track.shapes.push(shape(phone.start, &phone.label));
-            ended = ended.max(Some(phone.end));
-        }
+        let phones = stretches(message, "phoneme_timestamps", "phonemes", diagnostics);
         let words = stretches(message, "word_timestamps", "words", diagnostics);
-        track.words.extend(words.into_iter().map(|word| TimedText { start: word.start, text: word.label }));
         if message.get(&["type"]).and_then(Node::string).is_some_and(|kind| kind == "error") {
             let what = message.get(&["message", "error"]).and_then(Node::string).unwrap_or_default();
             let diagnostic =
                 Diagnostic::at(Code::ForeignValue, message.span(), format!("the service reports an error: {what}"));
             diagnostics.push(diagnostic.help("request the recording again"));
         }
+        if phones.is_empty() && words.is_empty() {
+            continue;
+        }
+        let context = message.get(&["context_id"]).and_then(Node::string);
+        let index = *index_of.entry(context.clone()).or_insert(utterances.len());
+        if index == utterances.len() {
+            utterances.push(Utterance { track: Track { name: context, ..Track::default() }, ended: None });
+        }
+        utterances.get_mut(index).into_iter().for_each(|utterance| utterance.add(&phones, &words, options));
     }
-    track.end = ended;
-    vec![track]
+    if utterances.is_empty() {
+        return vec![Track::default()];
+    }
+    utterances.into_iter().map(|utterance| Track { end: utterance.ended, ..utterance.track }).collect()
+}
+
+/// An utterance that is being read.
+struct Utterance {
+    track: Track,
+    /// The end of the phones up to now.
+    ended: Option<Time>,
+}
+
+impl Utterance {
+    fn add(&mut self, phones: &[Stretch], words: &[Stretch], options: &ImportOptions<'_>) {
+        for phone in phones {
+            let shape = |start, label: &str| Shape::at(phone.span, start, phone_symbol(label, options.map));
+            if let Some(gap) = self.ended.filter(|ended| *ended < phone.start) {
+                self.track.shapes.push(shape(gap, ""));
+            }
+            self.track.shapes.push(shape(phone.start, &phone.label));
+            self.ended = self.ended.max(Some(phone.end));
+        }
+        self.track.words.extend(words.iter().map(|word| TimedText { start: word.start, text: word.label.clone() }));
+    }
 }
 
 /// Returns the messages, which may be concatenated, an array, or the `data:` of server-sent events.

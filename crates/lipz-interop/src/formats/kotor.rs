@@ -106,6 +106,8 @@ fn dominant(keys: &[(Time, u8)]) -> Vec<Shape> {
 fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
     let rate = track.rate.unwrap_or(DEFAULT_RATE);
     let half_a_frame = Time::of_frame(1, rate).as_f64() / 2.0;
+    // Times that are equal by arithmetic differ by rounding, which is far less than this.
+    let is_later = |last: f64, first: f64| last - first > half_a_frame / 2.0;
     let length = track.end.unwrap_or(Time::ZERO).as_f64();
     let mut keys: Vec<(f64, u8)> = Vec::new();
     let mut shapes = track.shapes.iter().peekable();
@@ -122,8 +124,8 @@ fn write(track: &Track, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
         let first = if keys.is_empty() { 0.0 } else { shape.start.as_f64() + half_a_frame };
         let last = end.map_or(length, |end| end - half_a_frame);
         keys.push((first.min(last), number));
-        // For a shape of one frame, both times are equal.
-        if last - first > half_a_frame {
+        // For a shape of one frame, both times are equal, unless it is the first or the last one.
+        if is_later(last, first) {
             keys.push((last, number));
         }
     }
@@ -159,6 +161,24 @@ mod tests {
         for ((time, shape), (expected_frame, expected_shape)) in keys.into_iter().zip(expected) {
             assert!((frame(time) - expected_frame).abs() < 1e-4, "{time} is not frame {expected_frame}");
             assert_eq!(shape, expected_shape);
+        }
+    }
+
+    /// Half of the clips whose last shape has one frame lacked the key, depending on the rounding of two equal times.
+    #[test]
+    fn last_keys_of_every_length_are_at_the_end() {
+        for rate in ["24", "23.976", "25", "30", "60"].map(|rate| lipz_file::rate::parse(rate).unwrap()) {
+            for frames in 1..400 {
+                let at = |frame| Time::of_frame(frame, rate);
+                let shapes = vec![Shape::new(Time::ZERO, "0"), Shape::new(at(frames), "2")];
+                let clip = Track { shapes, end: Some(at(frames + 1)), rate: Some(rate), ..Track::default() };
+                let bytes = write(&clip, &mut Vec::new());
+                let key = |key: &[u8]| (float(key.get(..4)), key[4]);
+                let keys: Vec<(f32, u8)> = bytes[HEADER_BYTES..].chunks_exact(KEY_BYTES).map(key).collect();
+                let shapes: Vec<u8> = keys.iter().map(|(_, shape)| *shape).collect();
+                assert_eq!(shapes, [0, 0, 2, 2], "{frames} frames");
+                assert_eq!(keys[3].0.to_bits(), float(bytes.get(8..12)).to_bits(), "{frames} frames");
+            }
         }
     }
 

@@ -18,6 +18,7 @@ mod rhubarb;
 mod rhubarb_json;
 mod rhubarb_tsv;
 mod rhubarb_xml;
+mod timecode;
 
 use crate::{ImportOptions, Track, fallout, textgrid};
 use lipz_diagnostics::Diagnostic;

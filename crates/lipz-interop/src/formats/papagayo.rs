@@ -1,6 +1,7 @@
-//! The common parts of both Papagayo formats: voices of words of phonemes, on frames counted from 0.
+//! The common parts of both Papagayo formats: voices of words of phonemes, on frames counted from 0, and phoneme sets.
 
-use crate::{Shape, Text, Time, TimedText, Track};
+use crate::{ImportOptions, Map, Shape, Text, Time, TimedText, Track, find_map};
+use lipz_diagnostics::escape;
 use lipz_file::rate::Rate;
 use lipz_file::text::trim;
 
@@ -8,6 +9,46 @@ use lipz_file::text::trim;
 pub(super) const MAPS: &[&str] = &["papagayo", "fleming-dobbs", "cmu", "rhubarb", "rhubarb-toonboom"];
 /// The name of rest in every set.
 const REST: &str = "rest";
+
+/// The phoneme sets of Papagayo-NG with their tables, the default one first.
+const SETS: [(&str, &[&str]); 4] = [
+    ("preston_blair", &["papagayo"]),
+    ("fleming_dobbs", &["fleming-dobbs"]),
+    ("cmu_39", &["cmu"]),
+    ("rhubarb", &["rhubarb", "rhubarb-toonboom"]),
+];
+
+/// Returns the tracks of a project with the table of its phoneme set. Without a set, the table is the first one that has
+/// all phonemes. Rest has the symbol of the table.
+pub(super) fn with_table(mut tracks: Vec<Track>, set: Option<&str>, options: &ImportOptions<'_>) -> Vec<Track> {
+    let set = set.map(|set| set.trim().to_ascii_lowercase().replace(['-', ' '], "_"));
+    let of_set = set.as_deref().and_then(|set| SETS.iter().find(|(name, _)| *name == set)).map(|(_, maps)| *maps);
+    let has = |map: &Map, shape: &Shape| shape.symbol == REST || map.code(&shape.symbol).is_some();
+    let has_all = |map: &Map| tracks.iter().flat_map(|track| &track.shapes).all(|shape| has(map, shape));
+    let maps = || of_set.unwrap_or(MAPS).iter().filter_map(|name| Some((*name, find_map(name)?)));
+    let of_type = || maps().filter(|(_, map)| options.viseme_type.is_none_or(|wanted| wanted == map.viseme_type));
+    let chosen = of_type().find(|(_, map)| has_all(map)).or_else(|| of_type().next()).or_else(|| maps().next());
+    let Some((name, map)) = chosen else { return tracks };
+    let map = options.map.unwrap_or(map);
+    let rest = map.code(REST).is_none().then(|| map.symbol(b'-')).flatten();
+    for track in &mut tracks {
+        track.map = Some(name);
+        if let Some(rest) = rest {
+            track
+                .shapes
+                .iter_mut()
+                .filter(|shape| shape.symbol == REST)
+                .for_each(|shape| rest.clone_into(&mut shape.symbol));
+        }
+        if let Some(unknown) = set.as_deref().filter(|_| of_set.is_none()) {
+            let unknown = escape::quoted(unknown);
+            track
+                .remarks
+                .push(format!("lipz does not have a table for the phoneme set {unknown}, so it uses `{name}`"));
+        }
+    }
+    tracks
+}
 
 /// A voice that is being converted to a track.
 pub(super) struct PapagayoVoice {

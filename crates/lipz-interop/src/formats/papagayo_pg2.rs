@@ -1,7 +1,7 @@
 //! Papagayo-NG project, `.pg2`: JSON version 2, with the same voices, phrases, words and phonemes as `.pgo`.
 
 use super::Format;
-use super::papagayo::{MAPS, PapagayoVoice};
+use super::papagayo::{MAPS, PapagayoVoice, with_table};
 use crate::json::{self, Node};
 use crate::{ImportOptions, Shape, Time, TimedText, Track, source};
 use lipz_diagnostics::Diagnostic;
@@ -19,11 +19,12 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(root) = source::text(bytes, diagnostics).and_then(|text| json::root(text, diagnostics)) else {
         return Vec::new();
     };
-    project(root, diagnostics).unwrap_or_default()
+    let set = root.get(&["phoneme_set"]).and_then(Node::string);
+    with_table(project(root, diagnostics).unwrap_or_default(), set.as_deref(), options)
 }
 
 fn project(root: Node<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Track>> {

@@ -2,7 +2,7 @@
 //! a word has phonemes, each on a frame counted from 0. Line breaks in a voice's text are stored as `|`.
 
 use super::Format;
-use super::papagayo::{MAPS, PapagayoVoice};
+use super::papagayo::{MAPS, PapagayoVoice, with_table};
 use crate::source::{self, Line};
 use crate::{ImportOptions, Shape, Time, TimedText, Track};
 use lipz_diagnostics::Diagnostic;
@@ -22,10 +22,10 @@ pub(super) const FORMAT: Format = Format {
     write: None,
 };
 
-fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let mut lines = Lines { text, lines: source::lines(text).collect::<Vec<_>>().into_iter(), diagnostics };
-    lines.project().unwrap_or_default()
+    with_table(lines.project().unwrap_or_default(), None, options)
 }
 
 struct Lines<'s, 'f> {

@@ -20,6 +20,10 @@ pub(super) const FORMAT: Format = Format {
 
 fn read(bytes: &[u8], _: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
+    if let Some(diagnostic) = xml::too_costly(text, Code::ForeignSyntax) {
+        diagnostics.push(diagnostic.help("check whether this is a file of Rhubarb"));
+        return Vec::new();
+    }
     // Entities of a document type can grow without bound. Rhubarb does not write them, and the parser rejects them by
     // default.
     let document = match Document::parse_with_options(text, ParsingOptions::default()) {

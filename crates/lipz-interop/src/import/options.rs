@@ -1,6 +1,7 @@
 //! The options of an import.
 
 use crate::segments::Segments;
+use crate::textgrid::TierChoice;
 use crate::{Map, Time};
 use lipz_file::rate::Rate;
 use lipz_types::VisemeType;
@@ -29,6 +30,8 @@ pub struct ImportOptions<'a> {
     pub units_per_second: Option<u32>,
     /// The length of the recording.
     pub sound_length: Option<Time>,
+    /// The tiers of a TextGrid whose names do not state their content.
+    pub tiers: &'a [TierChoice],
     /// The number of the first frame in Moho files, 0 or 1.
     pub dat_base: u64,
     /// The codes of the lip-sync track, one per frame, instead of the shapes of the file. For files with one speaker.
@@ -56,6 +59,7 @@ impl Default for ImportOptions<'_> {
             name: None,
             units_per_second: None,
             sound_length: None,
+            tiers: &[],
             dat_base: 1,
             codes: None,
             min_hold: 1,
@@ -121,6 +125,12 @@ impl<'a> ImportOptions<'a> {
     #[must_use]
     pub fn sound_length(self, sound_length: impl Into<Option<Time>>) -> Self {
         ImportOptions { sound_length: sound_length.into(), ..self }
+    }
+
+    /// Sets the tiers of a TextGrid whose names do not state their content.
+    #[must_use]
+    pub fn tiers(self, tiers: &'a [TierChoice]) -> Self {
+        ImportOptions { tiers, ..self }
     }
 
     /// Sets the number of the first frame in Moho files, 0 or 1.

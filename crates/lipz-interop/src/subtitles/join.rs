@@ -2,6 +2,7 @@
 
 use super::Cue;
 use super::clip::bounds;
+use super::outside::in_clip;
 use crate::Time;
 use crate::export::rate;
 use crate::import::{REST, element, fps};
@@ -24,11 +25,12 @@ use std::cmp::Reverse;
 /// # Ok::<(), &str>(())
 /// ```
 pub fn clip(cues: &[Cue], locale: &str, rate: Rate, diagnostics: &mut Vec<Diagnostic>) -> Document<'static> {
+    let cues = &*in_clip(cues, None, rate, diagnostics).unwrap_or_default();
     let end_ms = cues.iter().map(|cue| cue.end_ms).max().unwrap_or(0);
     let frames = usize::try_from(Time::new(end_ms, 1000).nearest_frame(rate)).unwrap_or(usize::MAX);
     if let Some(last) = cues.iter().max_by_key(|cue| cue.end_ms).filter(|_| frames > MAX_FRAMES) {
         let message = format!("the clip would have {frames} frames, more than {MAX_FRAMES}");
-        let diagnostic = Diagnostic::at(Code::SubtitlePlace, last.span, message);
+        let diagnostic = Diagnostic::at(Code::SubtitleOutside, last.span, message);
         diagnostics.push(diagnostic.help("correct the time, which is more than a day"));
     }
     let codes = vec![REST; frames.min(MAX_FRAMES)];
@@ -49,7 +51,7 @@ const MAX_FRAMES: usize = 1 << 22;
 ///
 /// A clip without segments gets those of the cues. Otherwise it keeps its segments, and a cue becomes the text of the
 /// segment that it overlaps longest. Segments whose display text does not change keep their spelling, including meta
-/// and spaces.
+/// and spaces. If a diagnostic is an error, the clip does not change.
 pub fn join<'s>(
     mut document: Document<'s>,
     cues: &[Cue],
@@ -60,6 +62,13 @@ pub fn join<'s>(
     let name = format!("text_{locale}");
     let rate = rate(&document).unwrap_or(default_rate);
     let visemes = document.string("visemes").map(str::to_owned);
+    let bounds = visemes.as_deref().map(bounds);
+    let frames = bounds.as_ref().and_then(|bounds| bounds.last().copied());
+    let cues = match frames {
+        Some(_) => in_clip(cues, frames, rate, diagnostics),
+        None => Some(cues.into()),
+    };
+    let Some(cues) = cues.as_deref() else { return document };
     let text = match &visemes {
         Some(visemes) if is_undivided(&document, &name) => {
             let codes: Vec<u8> = visemes.bytes().filter(|byte| !is_white_space(char::from(*byte))).collect();
@@ -67,7 +76,7 @@ pub fn join<'s>(
             set(&mut document, "visemes", division.visemes(&codes));
             division.text()
         }
-        Some(visemes) => in_segments(cues, &bounds(visemes), rate, diagnostics).join(BAR),
+        Some(_) => in_segments(cues, &bounds.unwrap_or_default(), rate, diagnostics).join(BAR),
         None => cues.iter().map(|cue| trim(&cue.text)).collect::<Vec<_>>().join(BAR),
     };
     let text = match document.string(&name) {

@@ -1,6 +1,6 @@
 //! Markup in cues: tags, character references, speakers.
 
-use lipz_file::text::{display, is_white_space};
+use lipz_file::text::{display, is_white_space, push_after_meta};
 use std::ops::Range;
 
 /// The meta of a Lipz text that names the speaker of the text after it.
@@ -157,6 +157,11 @@ pub(super) fn to_vtt(text: &str) -> String {
     lines(&marked_up)
 }
 
+/// Returns the first speaker who is named after the start of a displayed text.
+pub(super) fn later_speaker(text: &str) -> Option<&str> {
+    voices(text).into_iter().skip(1).find_map(|(name, _)| name)
+}
+
 /// Returns a text as displayed, without speakers.
 pub(super) fn to_plain(text: &str) -> String {
     lines(&voices(text).into_iter().map(|(_, said)| said).collect::<String>())
@@ -169,7 +174,7 @@ fn lines(text: &str) -> String {
 }
 
 /// Returns the displayed texts with their speakers, in order; `None` for a text without a speaker.
-fn voices(text: &str) -> Vec<(Option<&str>, String)> {
+fn voices<'t>(text: &'t str) -> Vec<(Option<&'t str>, String)> {
     // A character that replaces `{speaker: …}` while the rest is converted for display.
     let Some(mark) = ('\u{e000}'..='\u{f8ff}').find(|mark| !text.contains(*mark)) else {
         return vec![(None, display(text).text.into_owned())];
@@ -184,24 +189,20 @@ fn voices(text: &str) -> Vec<(Option<&str>, String)> {
     }
     marked.push_str(rest);
     let shown = display(&marked).text;
-    let mut names = names.into_iter();
-    let mut voices: Vec<(Option<&str>, String)> = Vec::new();
-    for (index, said) in shown.split(mark).enumerate() {
-        let name = if index == 0 { None } else { names.next().filter(|name| !name.is_empty()) };
+    let names = names.into_iter().map(|name| Some(name).filter(|name| !name.is_empty()));
+    // All texts together, and the start of each.
+    let (mut said, mut starts) = (String::with_capacity(shown.len()), Vec::new());
+    for (name, part) in std::iter::once(None).chain(names).zip(shown.split(mark)) {
         // The displayed text starts with the first character that is not a space, whoever speaks it.
-        let is_first = voices.iter().all(|(_, said)| said.is_empty());
-        let said = if is_first { said.trim_start_matches(is_white_space) } else { said };
-        voices.push((name, said.to_owned()));
+        let part = if said.is_empty() { part.trim_start_matches(is_white_space) } else { part };
+        starts.push((name, push_after_meta(&mut said, part)));
     }
-    while let Some((_, said)) = voices.last_mut() {
-        said.truncate(said.trim_end_matches(is_white_space).len());
-        if !said.is_empty() {
-            break;
-        }
-        voices.pop();
-    }
-    voices.retain(|(_, said)| !said.is_empty());
-    voices
+    let end = said.trim_end_matches(is_white_space).len();
+    let ends = starts.iter().skip(1).map(|(_, start)| *start).chain([end]);
+    let voice = |(&(name, start), until): (&(Option<&'t str>, usize), usize)| {
+        (name, said.get(start..until.min(end)).unwrap_or_default().to_owned())
+    };
+    starts.iter().zip(ends).map(voice).filter(|(_, said)| !said.is_empty()).collect()
 }
 
 fn escaped(text: &str) -> String {
@@ -246,8 +247,8 @@ mod tests {
     #[test]
     fn what_is_written() {
         let text = " {smiling} Tom & <Amy>\n\n {speaker: Mara} -->{nod} {speaker:} Me?";
-        assert_eq!(to_vtt(text), "Tom &amp; &lt;Amy&gt;\n <v Mara> --&gt;  Me?");
-        assert_eq!(to_plain(text), "Tom & <Amy>\n  -->  Me?");
+        assert_eq!(to_vtt(text), "Tom &amp; &lt;Amy&gt;\n <v Mara>--&gt; Me?");
+        assert_eq!(to_plain(text), "Tom & <Amy>\n --> Me?");
         assert_eq!(to_vtt("{speaker: Mara"), "{speaker: Mara");
         for text in [
             "{speaker: Mara} Good evening & <welcome>!",

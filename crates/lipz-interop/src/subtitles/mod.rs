@@ -3,9 +3,11 @@
 //! A segment with a text in a locale corresponds to a [`Cue`], which is the term of both formats.
 //! `docs/guides/other-tools.md` lists the losses in each direction.
 
+mod body;
 mod clip;
 mod join;
 mod markup;
+mod outside;
 mod srt;
 mod timing;
 mod vtt;
@@ -14,10 +16,10 @@ pub(crate) use clip::bounds;
 pub use clip::{SubtitleOptions, cues};
 pub use join::{clip, join};
 
+use body::Body;
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use lipz_file::text::{DELIMITER, display};
 use markup::PlainText;
-use timing::Body;
 
 /// A cue: a text that is shown for some time.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]

@@ -1,110 +1,16 @@
 //! The times of cues: their lines and their order.
 
 use super::Cue;
-use crate::source::{self, Line};
-use lipz_diagnostics::{Code, Diagnostic, Span};
-use lipz_file::text::is_white_space;
-use std::ops::Range;
+use crate::source::Line;
+use lipz_diagnostics::{Code, Diagnostic};
 
 /// The separator between the times of a cue.
 pub(super) const ARROW: &str = "-->";
 
-/// Returns the blocks of a SubRip file, which are separated by blank lines. A blank line inside a cue does not end it:
-/// blocks without times are added to the cue before them, which is reported once.
-pub(super) fn srt_blocks<'t>(text: &'t str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Vec<Line<'t>>> {
-    let tries_times =
-        |block: &[Line<'_>]| block.iter().take(2).any(|line| line.text.contains('>') && line.text.contains(':'));
-    let has_times = |block: &[Line<'_>]| block.iter().take(2).any(|line| line.text.contains(ARROW));
-    let mut blocks: Vec<Vec<Line<'t>>> = Vec::new();
-    let mut is_told = false;
-    for block in blocks_between(text, |line| line.text.chars().all(is_white_space)) {
-        // Text above the first times does not belong to a cue.
-        match blocks.last_mut().filter(|last| has_times(last)) {
-            Some(last) if !has_times(&block) && !tries_times(&block) => {
-                if let (Some(line), false) = (block.first(), is_told) {
-                    is_told = true;
-                    let message = "an empty line splits the subtitle, which continues here";
-                    diagnostics.push(
-                        line.diagnostic(Code::SubtitleText, message)
-                            .note("the rest is read as a part of the subtitle above it; players may not show it")
-                            .help("remove the empty line"),
-                    );
-                }
-                last.extend(block);
-            }
-            _ => blocks.push(block),
-        }
-    }
-    blocks
-}
-
-/// Returns the blocks of a WebVTT file, which are separated by empty lines. A line of spaces does not end a cue
-/// (automatic captions contain such lines), and is dropped.
-pub(super) fn vtt_blocks(text: &str) -> Vec<Vec<Line<'_>>> {
-    let mut blocks = blocks_between(text, |line| line.text.is_empty());
-    for block in &mut blocks {
-        block.retain(|line| !line.text.chars().all(is_white_space));
-    }
-    blocks.retain(|block| !block.is_empty());
-    blocks
-}
-
-fn blocks_between<'t>(text: &'t str, is_end: impl Fn(&Line<'t>) -> bool) -> Vec<Vec<Line<'t>>> {
-    // The classic Mac OS ends lines with CR alone.
-    let lines: Vec<Line<'_>> = match text.contains('\n') {
-        true => source::lines(text).collect(),
-        false => source::lines_of(text, '\r').collect(),
-    };
-    lines.split(is_end).filter(|block| !block.is_empty()).map(<[_]>::to_vec).collect()
-}
-
-/// The lines of a cue after its times.
-pub(super) struct Body<'t>(&'t [Line<'t>]);
-
-impl Body<'_> {
-    /// Returns the text of all lines.
-    pub(super) fn text(&self) -> String {
-        self.0.iter().map(|line| line.text).collect::<Vec<_>>().join("\n")
-    }
-
-    /// Returns the position in the file of a part of the text, up to the end of its first line.
-    pub(super) fn span(&self, part: Range<usize>) -> Span {
-        let mut start = 0;
-        for line in self.0 {
-            let end = start + line.text.len();
-            if part.start < end {
-                return Span::new(line.at + part.start - start, line.at + part.end.min(end) - start);
-            }
-            start = end + 1;
-        }
-        Span::default()
-    }
-}
-
-/// Returns the cue of a block: an optional name or number, the times, then the text.
-pub(super) fn cue<'t>(block: &'t [Line<'t>], diagnostics: &mut Vec<Diagnostic>) -> Option<(Cue, Body<'t>)> {
-    let Some((at, line)) = block.iter().enumerate().take(2).find(|(_, line)| line.text.contains(ARROW)) else {
-        let line = block.first()?;
-        diagnostics.push(
-            line.diagnostic(Code::SubtitleSyntax, "the line does not belong to a cue because it has no times above it")
-                .help(
-                    "write the times, such as 00:00:01,000 --> 00:00:02,500, then the lines; end the subtitle with \
-                    an empty line",
-                ),
-        );
-        return None;
-    };
-    let (start_ms, end_ms) = times(*line, diagnostics)?;
-    let body = Body(block.get(at + 1..).unwrap_or_default());
-    Some((Cue { start_ms, end_ms, text: String::new(), span: line.span() }, body))
-}
-
-/// Parses the times of a line, `00:00:01,000 --> 00:00:02,500`. The rest of the line concerns positions on the screen.
-fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)> {
-    let (before, after) = line.text.split_once(ARROW)?;
-    let behind = Line { text: after, at: line.at + before.len() + ARROW.len() };
-    let first = Line { text: before, at: line.at }.trimmed();
-    let second = behind.fields().next().unwrap_or(behind);
+/// Returns the cue with the times of a line, `00:00:01,000 --> 00:00:02,500`, without its text. The rest of the line
+/// concerns positions on the screen.
+pub(super) fn cue(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Cue> {
+    let (first, second) = time_fields(line)?;
     let mut read = |field: Line<'_>| {
         let time = milliseconds(field.text);
         if time.is_none() {
@@ -120,7 +26,29 @@ fn times(line: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<(u64, u64)
         diagnostics.push(line.diagnostic(Code::SubtitleSyntax, message).help("swap the times, or correct them"));
         return None;
     }
-    Some((start_ms, end_ms))
+    Some(Cue { start_ms, end_ms, text: String::new(), span: line.span() })
+}
+
+/// Whether a line has the form of two times. A line of text may contain an arrow, too.
+pub(super) fn has_times(line: Line<'_>) -> bool {
+    time_fields(line)
+        .is_some_and(|(first, second)| [first, second].iter().all(|time| milliseconds(time.text).is_some()))
+}
+
+/// Returns the two times of a line, which an arrow separates.
+fn time_fields(line: Line<'_>) -> Option<(Line<'_>, Line<'_>)> {
+    let (before, after) = line.text.split_once(ARROW)?;
+    let behind = Line { text: after, at: line.at + before.len() + ARROW.len() };
+    let second = behind.fields().next().unwrap_or(behind);
+    Some((Line { text: before, at: line.at }.trimmed(), without_settings(second)))
+}
+
+/// Returns a time without the settings that may follow it without a space, as in `00:02.500align:start`.
+fn without_settings(field: Line<'_>) -> Line<'_> {
+    let end = field.text.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(field.text.len());
+    let time = field.text.get(..end).unwrap_or_default();
+    let is_whole = time.rsplit_once(['.', ',']).is_some_and(|(_, fraction)| fraction.len() == 3);
+    if is_whole { Line { text: time, at: field.at } } else { field }
 }
 
 /// Parses `HH:MM:SS,mmm`. WebVTT uses a dot, and hours are optional there; files in the wild mix both forms.
@@ -175,7 +103,6 @@ pub(super) fn sort(cues: &mut [Cue], diagnostics: &mut Vec<Diagnostic>) {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
@@ -199,14 +126,14 @@ mod tests {
     }
 
     #[test]
-    fn parts_of_a_text_are_found_in_the_file() {
-        let file = "1\r\n00:00:01,000 --> 00:00:02,000\r\nGute\r\nfrüh <b\r\n>!\r\n";
-        let blocks = srt_blocks(file, &mut Vec::new());
-        let (_, body) = cue(&blocks[0], &mut Vec::new()).unwrap();
-        let text = body.text();
-        for (part, in_file) in [("Gute", "Gute"), ("üh", "üh"), ("<b\n>", "<b"), ("!", "!")] {
-            let at = text.find(part).unwrap();
-            assert_eq!(&file[body.span(at..at + part.len()).range()], in_file);
+    fn lines_with_times() {
+        let has_times = |text| has_times(Line { text, at: 0 });
+        for text in ["00:01,0 --> 00:02", "00:00:01.000-->00:00:02.000 align:end", "00:01.000 --> 00:02.000align:end"] {
+            assert!(has_times(text), "{text}");
+        }
+        for text in ["a --> b", "00:01.000 -->", "00:01.000 --> 00:02x", "00:01.000 -> 00:02.000", "x 00:01 --> 00:02"]
+        {
+            assert!(!has_times(text), "{text}");
         }
     }
 

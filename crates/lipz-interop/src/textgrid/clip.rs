@@ -3,29 +3,25 @@
 //! The name of a tier determines its content. Aligners write a pair of tiers for each speaker, `Mara - words` and `Mara
 //! - phones`.
 
-use super::phones::{is_arpabet, is_silence, plain_ipa, without_stress};
+use super::phones::is_silence;
+use super::roles::{TierRole, roles};
+use super::symbols::{ARPABET, IPA, Sound, Symbols, XSAMPA};
 use super::{Interval, TextGrid, Tier};
 use crate::import::element;
-use crate::{DEFAULT_RATE, Format, ImportOptions, Map, Shape, Text, Time, TimedText, Track, find_map};
+use crate::{DEFAULT_RATE, Format, ImportOptions, Shape, Text, Time, TimedText, Track, find_map};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::text::{DELIMITER, trim};
 use lipz_file::{Element, Value};
 use lipz_types::VisemeType;
-use std::collections::HashMap;
-
-/// Tables for phones, then those for codes.
-const ARPABET: &str = "cmu";
-const IPA: &str = "ipa";
-/// The label of a spoken word that is unknown to the aligner, and the phoneme that replaces it.
-const SPOKEN_NOISE: &str = "spn";
-const SPOKEN_NOISE_IN_ARPABET: &str = "AH";
+use std::collections::{BTreeSet, HashMap};
+use std::fmt::Write;
 
 pub(crate) const FORMAT: Format = Format {
     name: "textgrid",
     about: "Praat TextGrid, also of the Montreal Forced Aligner",
     extension: "TextGrid",
-    maps: &["blair", "toonboom", "rms", ARPABET, IPA],
+    maps: &["blair", "toonboom", "rms", ARPABET, IPA, XSAMPA],
     is_binary: false,
     is_legacy: true,
     keeps_texts: true,
@@ -33,52 +29,19 @@ pub(crate) const FORMAT: Format = Format {
     write: Some(write),
 };
 
-/// The role of a tier in a clip.
-#[derive(Clone, PartialEq, Eq, Debug)]
-enum TierRole {
-    /// Lipz codes of a type.
-    Visemes(VisemeType),
-    Phones,
-    Words,
-    /// Stretches of text that belong together.
-    Phrases,
-    /// An element of a Lipz file, with a part for each segment.
-    Element,
-    Unknown,
-}
-
 /// The tiers of a speaker.
 type Tiers<'t> = Vec<(TierRole, &'t Tier)>;
 
-/// Returns the role of a tier from its name, and the speaker at the start of the name.
-fn role(name: &str) -> (Option<&str>, TierRole) {
-    let (speaker, name) = match name.rsplit_once(" - ") {
-        Some((speaker, name)) => (Some(speaker.trim()), name.trim()),
-        None => (None, name.trim()),
-    };
-    let role = match name.to_ascii_lowercase().as_str() {
-        "visemes" | "viseme" | "mouth" => TierRole::Visemes(VisemeType::Blair),
-        "phones" | "phone" | "phonemes" | "phoneme" => TierRole::Phones,
-        "words" | "word" => TierRole::Words,
-        "segments" | "segment" | "phrases" | "phrase" | "utterances" | "utterance" | "sentences" | "sentence" => {
-            TierRole::Phrases
-        }
-        "events" => TierRole::Element,
-        other => match other.strip_prefix("visemes-").and_then(|name| name.parse().ok()) {
-            Some(viseme_type) => TierRole::Visemes(viseme_type),
-            None if matches!(text_name(name), Some(TextName::Canonical(_))) => TierRole::Element,
-            None => TierRole::Unknown,
-        },
-    };
-    (speaker.filter(|speaker| !speaker.is_empty()), role)
+fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
+    TextGrid::read(bytes, diagnostics).and_then(|grid| tracks(&grid, options, diagnostics)).unwrap_or_default()
 }
 
-fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
-    let Some(grid) = TextGrid::read(bytes, diagnostics) else { return Vec::new() };
+/// Returns a track for each speaker; `None` if the file has no mouth shapes.
+fn tracks(grid: &TextGrid, options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Track>> {
     let mut speakers: Vec<(Option<&str>, Tiers<'_>)> = Vec::new();
     let mut place_of: HashMap<Option<&str>, usize> = HashMap::new();
-    for tier in &grid.tiers {
-        let (speaker, role) = role(&tier.name);
+    let roles = roles(&grid.tiers, options.tiers, diagnostics)?;
+    for (tier, (speaker, role)) in grid.tiers.iter().zip(roles) {
         // A tier with an unknown name does not belong to a speaker, even if it contains a hyphen.
         let speaker = speaker.filter(|_| role != TierRole::Unknown);
         let place = *place_of.entry(speaker).or_insert(speakers.len());
@@ -91,21 +54,20 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
         tiers.iter().any(|(role, _)| matches!(role, TierRole::Visemes(_) | TierRole::Phones))
     };
     if !speakers.iter().any(|(_, tiers)| is_spoken(tiers)) {
-        let names: Vec<String> = grid.tiers.iter().map(|tier| escape::quoted(&tier.name).to_string()).collect();
         let diagnostic = Diagnostic::new(Code::NoShapes, "the file has no tier called `phones` or `visemes`");
-        let tiers =
-            if names.is_empty() { "the file has no tiers".into() } else { format!("its tiers: {}", names.join(", ")) };
-        diagnostics.push(diagnostic.note(tiers).help("rename the tier with the phones"));
-        return Vec::new();
+        diagnostics.push(
+            diagnostic.note(super::roles::listed(&grid.tiers)).help("name the tier with the phones: --tier NAME"),
+        );
+        return None;
     }
     let origin = TimeOrigin(grid.start);
     let (spoken, silent): (Vec<_>, Vec<_>) = speakers.into_iter().partition(|(_, tiers)| is_spoken(tiers));
     let spoken = spoken.into_iter();
     let mut tracks: Vec<Track> =
-        spoken.map(|(name, tiers)| track(name, &tiers, &grid, origin, options, diagnostics)).collect();
+        spoken.map(|(name, tiers)| track(name, &tiers, grid, origin, options, diagnostics)).collect();
     let left_out = silent.iter().flat_map(|(_, tiers)| tiers).map(|(_, tier)| left_out(tier));
     tracks.iter_mut().take(1).for_each(|first| first.remarks.extend(left_out.clone()));
-    tracks
+    Some(tracks)
 }
 
 /// Returns the remark about a tier that is skipped.
@@ -152,9 +114,12 @@ fn track(
     track.map = Some(symbols.table());
     let intervals = mouth.map_or(&[][..], |(_, tier)| &tier.intervals);
     track.shapes = shapes(intervals, symbols, origin, grid.end);
-    let noises = intervals.iter().filter(|interval| trim(&interval.label).eq_ignore_ascii_case(SPOKEN_NOISE)).count();
-    if noises > 0 {
-        track.remarks.push(format!("words unknown to the aligner (`{SPOKEN_NOISE}`) are shown as one shape"));
+    for (kind, shown) in [(Sound::Spoken, "one shape"), (Sound::Noise, "rest")] {
+        let labels =
+            quoted_labels(intervals.iter().map(|interval| &interval.label), |label| symbols.sound(label) == kind);
+        if !labels.is_empty() {
+            track.remarks.push(format!("labels without phones ({labels}) are shown as {shown}"));
+        }
     }
     let elements: Vec<&Tier> =
         tiers.iter().filter(|(role, _)| *role == TierRole::Element).map(|(_, tier)| *tier).collect();
@@ -180,6 +145,18 @@ fn track(
     let unknown = tiers.iter().filter(|(role, _)| *role == TierRole::Unknown);
     track.remarks.extend(unknown.map(|(_, tier)| left_out(tier)));
     track
+}
+
+/// Returns the different labels that are selected, in quotes.
+fn quoted_labels<'l>(labels: impl Iterator<Item = &'l String>, is_selected: impl Fn(&str) -> bool) -> String {
+    let different: BTreeSet<&str> = labels.map(|label| trim(label)).filter(|label| is_selected(label)).collect();
+    let mut quoted = String::new();
+    for label in different {
+        let comma = if quoted.is_empty() { "" } else { ", " };
+        // Writing to a string cannot fail.
+        let _ = write!(quoted, "{comma}{}", escape::quoted(label));
+    }
+    quoted
 }
 
 /// A pair of references, copied.
@@ -224,76 +201,6 @@ fn parts(tier: &Tier, divided: &Tier, diagnostics: &mut Vec<Diagnostic>) -> Vec<
         );
     }
     parts
-}
-
-/// The conversion of a tier's labels to symbols of a table.
-#[derive(Clone, Copy)]
-enum Symbols<'m> {
-    Codes(VisemeType),
-    Arpabet,
-    Ipa,
-    /// A custom table, with its own symbols.
-    Own(&'m Map),
-}
-
-impl<'m> Symbols<'m> {
-    fn of_phones(phones: &Tier, own: Option<&'m Map>) -> Symbols<'m> {
-        let mut labels = phones.intervals.iter().map(|interval| trim(&interval.label));
-        let arpabet = find_map(ARPABET);
-        // Some corpora use lower case. Their labels are all in the table.
-        let is_phoneme =
-            |label: &str| is_arpabet(label) || arpabet.is_some_and(|map| map.code(without_stress(label)).is_some());
-        let is_known = |label: &str| is_phoneme(label) || is_silence(label) || label.eq_ignore_ascii_case(SPOKEN_NOISE);
-        match own {
-            Some(map) => Symbols::Own(map),
-            None if labels.all(is_known) => Symbols::Arpabet,
-            None => Symbols::Ipa,
-        }
-    }
-
-    fn table(self) -> &'static str {
-        match self {
-            Symbols::Codes(VisemeType::Blair) => "blair",
-            Symbols::Codes(VisemeType::ToonBoom) => "toonboom",
-            Symbols::Codes(VisemeType::Rms) => "rms",
-            Symbols::Arpabet => ARPABET,
-            Symbols::Ipa | Symbols::Own(_) => IPA,
-        }
-    }
-
-    /// Returns the symbol for a label.
-    fn symbol(self, label: &str) -> String {
-        let label = trim(label);
-        let rest = || find_map(self.table()).and_then(|map| map.symbol(b'-')).unwrap_or("sil").to_owned();
-        match self {
-            Symbols::Own(map) if map.code(label).is_some() => label.to_owned(),
-            Symbols::Own(map) if is_silence(label) => map.symbol(b'-').unwrap_or(label).to_owned(),
-            Symbols::Own(map) if map.code(without_stress(label)).is_some() => without_stress(label).to_owned(),
-            Symbols::Own(map) => known(&plain_ipa(label), map).unwrap_or_else(|| label.to_owned()),
-            _ if is_silence(label) => rest(),
-            Symbols::Codes(_) => label.to_owned(),
-            Symbols::Arpabet if label.eq_ignore_ascii_case(SPOKEN_NOISE) => SPOKEN_NOISE_IN_ARPABET.to_owned(),
-            Symbols::Arpabet => without_stress(label).to_owned(),
-            Symbols::Ipa => {
-                find_map(IPA).and_then(|map| known(&plain_ipa(label), map)).unwrap_or_else(|| label.to_owned())
-            }
-        }
-    }
-}
-
-/// The most letters of a phone that are looked up. No symbol of a table has more.
-const MOST_LETTERS: usize = 8;
-
-/// Returns the symbol for a phone in IPA, in the built-in table or in a custom one.
-pub(crate) fn phone_symbol(label: &str, own: Option<&Map>) -> String {
-    own.map_or(Symbols::Ipa, Symbols::Own).symbol(label)
-}
-
-/// Returns the symbol of a table for a phone: the whole phone, or its first letters.
-fn known(phone: &str, map: &Map) -> Option<String> {
-    let ends = phone.char_indices().map(|(at, _)| at).skip(1).chain([phone.len()]).take(MOST_LETTERS);
-    let prefixes = ends.collect::<Vec<_>>().into_iter().rev().filter_map(|end| phone.get(..end));
-    prefixes.filter(|prefix| !prefix.is_empty()).find(|prefix| map.code(prefix).is_some()).map(str::to_owned)
 }
 
 /// Returns the shapes of a tier. The mouth rests in its gaps.

@@ -4,11 +4,15 @@
 //! converts words, phones, mouth shapes and texts of a clip to and from Lipz documents.
 
 pub(crate) mod clip;
+mod number;
 mod phones;
 mod read;
+mod roles;
+pub(crate) mod symbols;
 mod write;
 
 pub use phones::is_silence;
+pub use roles::TierChoice;
 
 use crate::Time;
 use lipz_diagnostics::Span;
@@ -28,7 +32,7 @@ use lipz_diagnostics::Span;
 /// ```
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct TextGrid {
-    /// The start. Times of intervals are relative to the same zero.
+    /// The start. Times of intervals are relative to the same zero. A file that starts below 0 is read from its start.
     pub start: Time,
     /// The end.
     pub end: Time,

@@ -1,14 +1,17 @@
 //! Reading of a TextGrid. Only free-standing numbers, texts in double quotes and flags in `<>` count, in order. All
 //! other words are for people (Praat manual, "TextGrid file formats"). Therefore both text forms are read in the same
-//! way.
+//! way. Numbers are those that Praat reads: see `number`.
 
+use super::number::{Seconds, count};
 use super::{Interval, TextGrid, Tier};
 use crate::Time;
 use crate::source::{self, Line};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 
-/// The first text of every file that Praat saves as text, and the second one of a TextGrid.
+/// The first text of every file that Praat saves as text, and the second one of a TextGrid. Old versions of Praat add a
+/// word for the form.
 const TEXT_FILE: &str = "ooTextFile";
+const SHORT_TEXT_FILE: &str = "ooTextFile short";
 const TEXT_GRID: &str = "TextGrid";
 /// The first bytes of Praat's binary files, and of its chronological ones.
 const BINARY_FILE: &[u8] = b"ooBinaryFile";
@@ -25,13 +28,13 @@ impl TextGrid {
             return None;
         }
         let text = source::text(bytes, diagnostics)?;
-        let mut values = Values { text, at: 0, diagnostics };
+        let mut values = Values { text, at: 0, origin: Seconds::ZERO, diagnostics };
         let first = values.string("the type of the file")?;
         if first.label == CHRONOLOGICAL {
             diagnostics.push(another("a TextGrid sorted by time"));
             return None;
         }
-        if first.label != TEXT_FILE {
+        if ![TEXT_FILE, SHORT_TEXT_FILE].contains(&first.label.as_str()) {
             diagnostics.push(first.line.not(&format!("`{TEXT_FILE}`, the type of the file")).help(IS_IT));
             return None;
         }
@@ -40,7 +43,8 @@ impl TextGrid {
             diagnostics.push(class.line.not(&format!("`{TEXT_GRID}`, the class of the object")).help(IS_IT));
             return None;
         }
-        let (start, end) = (values.time("the start")?, values.time("the end")?);
+        let start = values.start()?;
+        let end = values.time("the end")?;
         let mut grid = TextGrid { start, end, tiers: Vec::new() };
         if !values.has_tiers()? {
             return Some(grid);
@@ -69,6 +73,8 @@ struct Label<'t> {
 struct Values<'t, 'd> {
     text: &'t str,
     at: usize,
+    /// The start of a file whose times start below 0. All times count from it.
+    origin: Seconds,
     diagnostics: &'d mut Vec<Diagnostic>,
 }
 
@@ -113,9 +119,13 @@ impl<'t> Values<'t, '_> {
                 }
                 _ => {
                     self.at = start + end_of_word;
-                    let is_number = first.is_ascii_digit() || matches!(first, '-' | '+' | '.');
-                    if is_number && word(end_of_word).text.parse::<f64>().is_ok() {
-                        return Some(GridValue::Number(word(end_of_word)));
+                    // Praat does not read a number from `.5`, but other programs write it.
+                    let is_signed = first.is_ascii_digit() || matches!(first, '-' | '+');
+                    let word = word(end_of_word);
+                    if (is_signed && word.text.len() > 1 || first.is_ascii_digit())
+                        || (first == '.' && Seconds::parse(word.text).is_some())
+                    {
+                        return Some(GridValue::Number(word));
                     }
                 }
             }
@@ -142,17 +152,31 @@ impl<'t> Values<'t, '_> {
         }
     }
 
+    /// Reads the start of the file. Praat can shift a file so that it starts below 0.
+    fn start(&mut self) -> Option<Time> {
+        let line = self.number("the start")?;
+        match Seconds::parse(line.text) {
+            Some(start) if start.is_negative() => {
+                self.origin = start;
+                Some(Time::ZERO)
+            }
+            Some(start) => Some(start.since(Seconds::ZERO)?),
+            None => self.refuse(line, "the start, a time in seconds"),
+        }
+    }
+
     fn time(&mut self, what: &str) -> Option<Time> {
         let line = self.number(what)?;
-        match Time::parse(line.text) {
+        match Seconds::parse(line.text).and_then(|time| time.since(self.origin)) {
             Some(time) => Some(time),
+            None if self.origin.is_negative() => self.refuse(line, &format!("{what}, a time in seconds, in the file")),
             None => self.refuse(line, &format!("{what}, a time in seconds, 0 or later")),
         }
     }
 
     fn count(&mut self, what: &str) -> Option<usize> {
         let line = self.number(what)?;
-        line.text.parse().ok().or_else(|| self.refuse(line, &format!("{what}, a whole number")))
+        count(line.text).or_else(|| self.refuse(line, &format!("{what}, a whole number")))
     }
 
     fn has_tiers(&mut self) -> Option<bool> {
@@ -242,6 +266,40 @@ mod tests {
         assert_eq!(grid, without_spans(&short));
         assert_eq!(grid, without_spans(&grid.write()));
         assert_eq!((grid.tiers[0].name.as_str(), grid.tiers[1].has_points), ("a \"b\"", true));
+    }
+
+    /// Praat itself writes `-0`, and other programs write numbers that it reads.
+    #[test]
+    fn numbers_of_all_programs() {
+        let file = |start: &str, middle: &str, end: &str, count: &str| {
+            format!(
+                "{HEAD}{start} {end} <exists> 1 \"IntervalTier\" \"a\" {start} {end} {count} {start} {middle} \"x\" {middle} {end} \"y\""
+            )
+        };
+        let times = |text: &str| {
+            let (grid, found) = read(text);
+            assert_eq!(found, Vec::<String>::new(), "{text}");
+            let grid = grid.unwrap();
+            let ms = |time: Time| time.in_units(1000);
+            let middle = ms(grid.tiers[0].intervals[0].end);
+            assert_eq!(middle, ms(grid.tiers[0].intervals[1].start));
+            (ms(grid.start), middle, ms(grid.end))
+        };
+        for (text, expected) in [
+            (file("-0", "0.5", "1", "2"), (0, 500, 1000)),
+            (file("-0.0", "+0.5", "1e0", "2.0"), (0, 500, 1000)),
+            (file("-1.3877787807814457e-17", "1/2", "100%", "+2"), (0, 500, 1000)),
+            (file("0", ".5", "1.", "2"), (0, 500, 1000)),
+            (file("0", "0.5s", "1,", "2"), (0, 500, 1000)),
+            (file("-0.25", "0.25", "0.75", "2"), (0, 500, 1000)),
+            (file("2", "2.5", "3", "2"), (2000, 2500, 3000)),
+        ] {
+            assert_eq!(times(&text), expected, "{text}");
+        }
+        let old = file("0", "0.5", "1", "2").replace("ooTextFile", "ooTextFile short").replace("Object class = ", "");
+        assert_eq!(times(&old), (0, 500, 1000));
+        let before = read(&file("-0.25", "-0.5", "1", "2")).1;
+        assert_eq!(before, ["`-0.5` is not the end of an interval, a time in seconds, in the file"]);
     }
 
     #[test]

@@ -26,7 +26,7 @@ use std::thread;
 /// path name. It runs on a thread of its own.
 ///
 /// # Errors
-/// If the streams fail, or the start of a message cannot be determined.
+/// If the streams fail, the start of a message cannot be determined, or the system has no thread for reading.
 pub fn serve(
     mut input: impl BufRead + Send + 'static,
     output: impl Write,
@@ -34,7 +34,7 @@ pub fn serve(
 ) -> io::Result<bool> {
     // Unbounded, so that the reader does not wait for an editor that sends without reading.
     let (sender, received) = unbounded();
-    thread::spawn(move || {
+    let read = move || {
         loop {
             let next = transport::read(&mut input).transpose();
             let Some(next) = next else { return };
@@ -43,7 +43,8 @@ pub fn serve(
                 return;
             }
         }
-    });
+    };
+    thread::Builder::new().spawn(read)?;
     let mut server = Server::new(output, Runs::new(check));
     loop {
         if received.is_empty() {

@@ -12,6 +12,8 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
+/// The time until the next try if the system has no thread.
+const NO_THREAD: Duration = Duration::from_secs(1);
 /// The pause in typing before a project is checked.
 const PAUSE: Duration = Duration::from_millis(300);
 
@@ -93,11 +95,16 @@ impl<W: Write> Server<W> {
         let open: Vec<(PathBuf, i32, String)> =
             open.map(|(path, document)| (path, document.version, document.text.clone())).collect();
         let (check, sender) = (Arc::clone(&self.runs.check), self.runs.sender.clone());
-        self.runs.is_running = true;
-        thread::spawn(move || {
+        let again = home.clone();
+        let work = move || {
             // The server may already be gone.
             let _ = sender.send(run(home, &project, &*check, open));
-        });
+        };
+        self.runs.is_running = thread::Builder::new().spawn(work).is_ok();
+        if !self.runs.is_running {
+            // The system has no thread now. Later it may have one.
+            self.runs.wanted.insert(again, Instant::now() + NO_THREAD);
+        }
         Ok(())
     }
 }

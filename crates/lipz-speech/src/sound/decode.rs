@@ -6,7 +6,7 @@ use super::error::SoundError;
 use super::output::Output;
 use super::packets::Packets;
 use super::source::SizedSource;
-use super::{lengths, ogg, other};
+use super::{flac, lengths, ogg, other};
 use std::collections::VecDeque;
 use std::io::{Read, Seek};
 use symphonia::core::codecs::audio::{AudioDecoder, AudioDecoderOptions};
@@ -45,6 +45,7 @@ where
         _ => VecDeque::new(),
     };
     let told = lengths::mend(&mut source).map_err(SoundError::Io)?;
+    flac::mend(&mut source).map_err(SoundError::Io)?;
     let format = probe(source, extension)?;
     let (track, mut decoder) = open(format.as_ref())?;
     let rate_hz = decoder.codec_params().sample_rate.unwrap_or(0);

@@ -25,9 +25,9 @@ pub(super) struct FileEnd {
 /// Checks the lengths in the header, and fixes those for which the decoder would reject the file.
 pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEnd> {
     let head = source.peek(0, 12)?;
-    let length = |bytes: [u8; 4]| match head.starts_with(b"RIFF") {
-        true => u32::from_le_bytes(bytes),
-        false => u32::from_be_bytes(bytes),
+    let length = |bytes: [u8; 4]| match head.starts_with(b"FORM") {
+        true => u32::from_be_bytes(bytes),
+        false => u32::from_le_bytes(bytes),
     };
     let Some(whole) = head.get(4..).and_then(|rest| rest.first_chunk()).copied().map(length) else {
         return Ok(FileEnd::default());
@@ -37,7 +37,14 @@ pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEn
         (Some(b"RIFF"), Some(b"WAVE")) => {
             // The decoder then uses only the length of the sample chunk, which may exceed the file.
             source.mended.push((4, u32::MAX.to_le_bytes()));
-            Ok(FileEnd { is_streamed: whole >= STREAMED, is_cut: false })
+            let is_unfinished = !is_true && unknown_samples(source)?;
+            Ok(FileEnd { is_streamed: whole >= STREAMED || is_unfinished, is_cut: false })
+        }
+        // RF64 (EBU Tech 3306) is WAV with lengths of 64 bits in a chunk that decoders skip.
+        (Some(b"RF64" | b"BW64"), Some(b"WAVE")) => {
+            source.mended.push((0, *b"RIFF"));
+            source.mended.push((4, u32::MAX.to_le_bytes()));
+            Ok(FileEnd { is_streamed: true, is_cut: false })
         }
         (Some(b"FORM"), Some(b"AIFF" | b"AIFC")) => {
             let Some(end) = u32::try_from(source.length - HEAD_BYTES).ok() else { return Ok(FileEnd::default()) };
@@ -48,6 +55,26 @@ pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEn
         }
         _ => Ok(FileEnd::default()),
     }
+}
+
+/// Lets the samples of a WAV file end with the file, if their length is 0. Programs write it at the end, and some never
+/// do. Returns whether it was 0.
+fn unknown_samples<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<bool> {
+    let mut at = FIRST_CHUNK;
+    for _ in 0..MOST_CHUNKS {
+        let head = source.peek(at, 8)?;
+        let Some((name, length)) = head.split_first_chunk::<4>() else { break };
+        let Some(length) = length.first_chunk().map(|length| u64::from(u32::from_le_bytes(*length))) else { break };
+        if name == b"data" {
+            let is_unknown = length == 0 && at + HEAD_BYTES < source.length;
+            if is_unknown {
+                source.mended.push((at + 4, u32::MAX.to_le_bytes()));
+            }
+            return Ok(is_unknown);
+        }
+        at += HEAD_BYTES + length + length % 2;
+    }
+    Ok(false)
 }
 
 /// Shortens the samples of an AIFF file to the length of the file, if they should be longer.

@@ -4,6 +4,7 @@ mod clipping;
 mod damage;
 pub(crate) mod decode;
 mod error;
+mod flac;
 mod lengths;
 pub(crate) mod level;
 mod mpeg;

@@ -2,6 +2,7 @@
 //! visemes.
 
 use crate::job::SyncOptions;
+use crate::job::text_files::TextFiles;
 use crate::recordings::file_facts::{no_sound, unreadable};
 use crate::recordings::finder::not_used;
 use crate::recordings::originals::{Originals, beside};
@@ -145,10 +146,10 @@ pub fn jobs_of_recordings_with_reports(
     found.iter().for_each(|(key, _)| *times.entry(key::folded(key)).or_default() += 1);
     let is_usable = |key: &str| key::refusal(key).is_none() && times.get(&key::folded(key)) == Some(&1);
     let places = RecordingPlaces::new(settings);
-    let mut jobs = Vec::new();
+    let (mut jobs, mut texts) = (Vec::new(), TextFiles::default());
     for (key, recording) in found.into_iter().filter(|(key, _)| is_usable(key)) {
         let lipz_file = output.join(format!("{key}.{}", key::EXTENSION));
-        match text_of(&key, &recording, script) {
+        match text_of(&key, &recording, script, &mut texts) {
             Ok(text) => {
                 let locale = places.voice_of(&key).and_then(|place| place.locale).map(str::to_owned);
                 jobs.push(Job { key, recording, lipz_file, text, locale, original: None });
@@ -161,7 +162,7 @@ pub fn jobs_of_recordings_with_reports(
     let named = settings.sources.iter().filter(|source| source.is_file()).filter_map(|source| source.parent());
     let beside: Vec<PathBuf> = named.collect::<BTreeSet<_>>().into_iter().flat_map(recordings_in).collect();
     reports.extend(script.and_then(|script| script_without_recording(script, &jobs, &beside)));
-    reports.extend(texts_without_recording(&jobs));
+    reports.extend(texts_without_recording(&jobs, &mut texts));
     (jobs, reports)
 }
 
@@ -183,14 +184,16 @@ fn add_originals(jobs: &mut [Job], places: &RecordingPlaces) {
 }
 
 /// Returns the transcript of a recording, from the script or the text file next to it.
-fn text_of(key: &str, recording: &Path, script: Option<&Script>) -> Result<Option<String>, Report> {
+fn text_of(
+    key: &str,
+    recording: &Path,
+    script: Option<&Script>,
+    texts: &mut TextFiles,
+) -> Result<Option<String>, Report> {
     if let Some(text) = script.and_then(|script| script.text_of_file(recording, key)) {
         return Ok(Some(text.to_owned()));
     }
-    let path = recording.with_extension("txt");
-    if !path.is_file() {
-        return Ok(None);
-    }
+    let Some(path) = texts.beside(recording) else { return Ok(None) };
     let bytes = fs::read(&path).map_err(|error| unreadable(&path, &error))?;
     let mut diagnostics = Vec::new();
     match lipz_file::decode(lipz_file::without_byte_order_mark(&bytes), &mut diagnostics) {
@@ -219,11 +222,11 @@ fn script_without_recording(script: &Script, jobs: &[Job], beside: &[PathBuf]) -
 }
 
 /// Reports text files without a recording, in folders where other text files have one.
-fn texts_without_recording(jobs: &[Job]) -> Vec<Report> {
+fn texts_without_recording(jobs: &[Job], files: &mut TextFiles) -> Vec<Report> {
     let mut folders = BTreeMap::<&Path, BTreeSet<PathBuf>>::new();
     for job in jobs {
         let texts = folders.entry(job.recording.parent().unwrap_or(Path::new(""))).or_default();
-        texts.insert(job.recording.with_extension("txt"));
+        texts.extend(files.beside(&job.recording));
     }
     let mut reports = Vec::new();
     for (folder, of_recordings) in folders.into_iter().filter(|(_, texts)| texts.iter().any(|text| text.is_file())) {

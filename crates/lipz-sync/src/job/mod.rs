@@ -18,6 +18,7 @@ mod settings_hash;
 pub(crate) mod store;
 mod sync_run;
 mod target;
+mod text_files;
 pub(crate) mod work;
 pub(crate) mod write;
 

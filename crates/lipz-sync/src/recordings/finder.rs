@@ -3,9 +3,9 @@
 use crate::recordings::paths::{shown, slashed};
 use crate::recordings::places::{RecordingPlace, RecordingPlaces};
 use lipz_compiler::settings::{Settings, sound_rank};
-use lipz_compiler::{Input, Voices};
+use lipz_compiler::{Input, Voices, key};
 use lipz_diagnostics::{Code, DiagnosticsError, Report, escape};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
@@ -20,6 +20,9 @@ pub struct Recordings {
     files: BTreeMap<String, Vec<PathBuf>>,
     /// Unsupported audio files, by the same paths.
     others: BTreeMap<String, PathBuf>,
+    /// The paths of `files` and `others` as some file systems compare them: without case and Unicode normalisation.
+    /// `None` for several paths.
+    folded: HashMap<String, Option<String>>,
     places: RecordingPlaces,
 }
 
@@ -88,10 +91,27 @@ impl Recordings {
                 }
             }
         }
+        recordings.fold();
         for files in recordings.files.values_mut() {
             files.sort_by_key(|path| sound_rank(path)); // stable: files with the same extension stay sorted by name
         }
         (recordings, reports)
+    }
+
+    fn fold(&mut self) {
+        for name in self.files.keys().chain(self.others.keys().filter(|name| !self.files.contains_key(*name))) {
+            let only = |one: &mut Option<String>| *one = None;
+            self.folded.entry(key::folded(name)).and_modify(only).or_insert_with(|| Some(name.clone()));
+        }
+    }
+
+    /// Returns the path among the files for an expected one: the same, or else the only one that differs in case or
+    /// Unicode normalisation, because a copy to a different system may change both.
+    fn actual<'n>(&'n self, name: &'n str) -> &'n str {
+        if self.files.contains_key(name) || self.others.contains_key(name) {
+            return name;
+        }
+        self.folded.get(&key::folded(name)).and_then(Option::as_deref).unwrap_or(name)
     }
 
     /// Keeps only the recordings whose paths fulfil the condition.
@@ -131,7 +151,7 @@ impl Recordings {
     /// Returns the name among the files, and the path.
     fn entry(&self, place: RecordingPlace<'_, '_>) -> Option<(&str, &Path)> {
         let (name, extension) = place.path();
-        let (name, files) = self.files.get_key_value(&name)?;
+        let (name, files) = self.files.get_key_value(self.actual(&name))?;
         let is_meant = |path: &&PathBuf| extension.is_none_or(|meant| path.extension().is_some_and(|own| own == meant));
         Some((name, files.iter().find(is_meant)?))
     }
@@ -158,7 +178,7 @@ impl Recordings {
 
     /// Returns the unsupported audio file in the place of this clip's recording.
     pub(crate) fn unread_of(&self, key: &str) -> Option<&Path> {
-        self.others.get(&self.places.of(key).path().0).map(PathBuf::as_path)
+        self.others.get(self.actual(&self.places.of(key).path().0)).map(PathBuf::as_path)
     }
 
     /// Returns all recordings, each with its path below the folder, with `/` and without extension.
@@ -229,6 +249,21 @@ mod tests {
         assert_eq!(found(None, "x"), None, "no recording");
         assert_eq!(found(Some("en/{key}/take"), "x").as_deref(), Some("en/x/take.wav"));
         assert_eq!(found(Some("act1/{key}"), "mara").as_deref(), Some("act1/mara.wav"));
+    }
+
+    /// macOS decomposes names, and recorders write capitals.
+    #[test]
+    fn names_of_other_systems_lead_to_recordings() {
+        let folder = folder(&["Act1/MARA.WAV", "ma\u{308}ry.wav", "otto.wav", "Otto.wav", "OTTO.m4a", "Tom.m4a"]);
+        let found = |key| found(folder.path(), None, key);
+        assert_eq!(found("act1/mara").as_deref(), Some("Act1/MARA.WAV"));
+        assert_eq!(found("m\u{e4}ry").as_deref(), Some("ma\u{308}ry.wav"));
+        assert_eq!(found("Otto").as_deref(), Some("Otto.wav"));
+        assert_eq!(found("oTTO"), None, "two are equally near");
+        let recordings = Recordings::below(folder.path()).unwrap();
+        assert_eq!(recordings.unread_of("tom"), Some(folder.path().join("Tom.m4a").as_path()));
+        let inputs = ["act1/mara", "m\u{e4}ry", "otto", "Otto"].map(|key| Input::from_bytes(key, ""));
+        assert_eq!(recordings.without_clip(&inputs), [] as [&Path; 0]);
     }
 
     #[test]

@@ -56,7 +56,7 @@ pub fn text_record(bytes: &[u8]) {
     for file in &files {
         let standings = record.standings(file, "en-us", "de-de", &sources, &texts);
         assert_eq!(standings.len(), texts.len());
-        record.accept(file, "en-us", "de-de", &sources, &texts, &[Some(State::Translated), None]);
+        record.approve(file, "en-us", "de-de", &sources, &texts, &[Some(State::Translated), None]);
         let standings = record.standings(file, "en-us", "de-de", &sources, &texts);
         assert_eq!(standings[0], Standing::Current(State::Translated), "{record}");
     }

@@ -4,7 +4,7 @@ use super::Merge;
 use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::{State, joined};
 use crate::exchange::{Entry, Mark, placeholder};
-use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use lipz_file::text::{DELIMITER, trim};
 use std::collections::BTreeMap;
 
@@ -57,6 +57,7 @@ pub(super) fn merge(
             places.insert(at, (entry, text.clone()));
         }
         clip.entry(entry, &mut result, found);
+        bound::limit_many_of_files(found);
     }
     result
 }
@@ -186,8 +187,8 @@ impl ClipMerge<'_> {
             let diagnostic = Diagnostic::at(Code::MetaDiffers, entry.text.span, message);
             found.push((entry.file, diagnostic.help(placeholder::META_HELP)));
         }
-        result.unmarked += usize::from(!old.is_empty() && entry.mark.is_none());
-        result.texts.insert(at, text.to_owned());
+        let is_first = result.texts.insert(at, text.to_owned()).is_none();
+        result.unmarked += usize::from(is_first && !old.is_empty() && entry.mark.is_none());
     }
 
     /// Returns the diagnostic for a segment whose text is in the project, but missing from the file.

@@ -83,6 +83,23 @@ impl DialogueFiles {
         Ok(files)
     }
 
+    /// Returns the dialogue, whose texts and events can be counted and compared. Refuses a forged bank in which they would
+    /// take minutes.
+    pub(crate) fn bounded_dialogue<'f>(
+        &self,
+        files: &'f [DialogueFile<'f>],
+        reporter: &mut Reporter,
+    ) -> Result<Dialogue<'f>, Abort> {
+        let dialogue = self.dialogue(files, reporter)?;
+        if lipz_compiler::stats::is_bounded(&dialogue) {
+            return Ok(dialogue);
+        }
+        let name = escape::text(&self.name).into_owned();
+        let message = format!("`{name}` repeats more texts and events than can be counted");
+        let help = "this bank was not made by lipz: pack it again from its sources";
+        Err(reporter.fail(Report::failure(name, Code::BankDamaged, message, help)))
+    }
+
     /// Returns the dialogue of these files. Reports the file that does not match those before it.
     pub(crate) fn dialogue<'f>(
         &self,

@@ -8,8 +8,8 @@ use lipz_file::format::{LineEnding, Style, rewrite};
 use lipz_file::rate::Rate;
 use lipz_file::{Document, Value};
 use lipz_types::VisemeType;
+use std::io;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// An existing Lipz file.
 pub(crate) struct ExistingFile {
@@ -20,7 +20,7 @@ pub(crate) struct ExistingFile {
 impl ExistingFile {
     /// Returns the file at a path, if there is one.
     pub(crate) fn find(path: &Path) -> Result<Option<ExistingFile>, Report> {
-        match fs::read(path) {
+        match input_file::read(path) {
             Ok(bytes) => Ok(Some(ExistingFile { path: path.to_owned(), bytes })),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(input_file::unreadable(path, &error)),

@@ -4,14 +4,13 @@ use crate::Abort;
 use crate::console;
 use crate::reporter::Reporter;
 use crate::shared::format_examples::{Direction, example};
-use crate::shared::input_file::unreadable;
+use crate::shared::input_file::{self, unreadable};
 use crate::shared::stdio;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lipz_bank::Fps;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape, suggest};
 use lipz_file::rate::Rate;
 use lipz_interop::{Encoding, Format, Map, find_map, formats, maps, to_utf8};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Returns a parser for format names on the command line.
@@ -68,7 +67,7 @@ pub(crate) fn map(named: &str, reporter: &mut Reporter) -> Result<MapChoice, Abo
             .map_or("list the tables with `lipz print maps`".to_owned(), |known| format!("did you mean `{known}`?"));
         return Err(reporter.fail(Report::about("", Diagnostic::new(Code::MapRefused, message).help(help))));
     }
-    let bytes = fs::read(path).map_err(|error| {
+    let bytes = input_file::read(path).map_err(|error| {
         let message = format!("the mapping table {} cannot be read: {error}", escape::quoted(named));
         reporter.fail(Report::about(console::path(path), Diagnostic::new(Code::MapRefused, message)))
     })?;
@@ -114,7 +113,7 @@ impl ToolFile {
         let (key, bytes, name) = if stdio::is_meant(path) {
             (stdio::input_key(None), stdio::lipz_bytes()?, stdio::input_name())
         } else {
-            let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+            let bytes = input_file::read(path).map_err(|error| unreadable(path, &error))?;
             (key_below(root, path, format.extension)?, bytes, console::path(path))
         };
         let mut diagnostics = Vec::new();

@@ -1,13 +1,37 @@
-//! Input files: messages about those that cannot be read, and hidden files.
+//! Input files that the user names, which may be devices without an end: their bytes, and messages about those that
+//! cannot be read.
 
 use crate::console;
 use lipz_diagnostics::{Code, Diagnostic, Report};
-use std::io;
+use std::fs::{File, FileType};
+use std::io::{self, Read};
 use std::path::Path;
 use walkdir::DirEntry;
 
 /// The help for a missing file that the user named.
 pub(crate) const CHECK_SPELLING: &str = "check the spelling of the path";
+
+/// The longest file. Files of other tools have at most some megabytes.
+pub(crate) const MAX_BYTES: u64 = 1 << 30;
+
+/// Reads a file, or a pipe to its end.
+///
+/// # Errors
+/// If it cannot be read, is a device such as `/dev/zero`, or is longer than [`MAX_BYTES`].
+pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if is_device(metadata.file_type()) {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is a device"));
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len().min(MAX_BYTES)).unwrap_or_default());
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        let message = format!("it is longer than {} MiB", MAX_BYTES >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}
 
 /// Returns the report about an unreadable file.
 pub(crate) fn unreadable(path: &Path, error: &io::Error) -> Report {
@@ -29,4 +53,15 @@ pub(crate) fn refused(code: Code, name: &str, error: &io::Error, [missing, folde
 /// Whether an entry below a named folder is hidden. Copies made by macOS start with `._`.
 pub(crate) fn is_hidden(entry: &DirEntry) -> bool {
     entry.depth() > 0 && entry.file_name().as_encoded_bytes().starts_with(b".")
+}
+
+#[cfg(unix)]
+fn is_device(file_type: FileType) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    file_type.is_char_device() || file_type.is_block_device()
+}
+
+#[cfg(not(unix))]
+fn is_device(_file_type: FileType) -> bool {
+    false
 }

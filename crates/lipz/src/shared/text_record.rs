@@ -1,5 +1,6 @@
 //! The record of the source texts of translations, a file of the project.
 
+use crate::shared::input_file;
 use crate::shared::settings_file::Project;
 use crate::{console, interrupt};
 use lipz_compiler::{Compiler, Content, Input, Options, replace_file, rewrite_file};
@@ -7,7 +8,7 @@ use lipz_diagnostics::{Code, Report, Source};
 use lipz_texts::{TextRecord, texts_of};
 use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
-use std::{env, fs, io};
+use std::{env, io};
 
 /// The name of its file.
 pub(crate) const RECORD_NAME: &str = "lipz-texts.txt";
@@ -36,7 +37,7 @@ impl RecordFile {
     /// If it cannot be read, or the file is not a record.
     pub(crate) fn open(project: &Project, inputs: &[Input]) -> Result<(RecordFile, Option<Report>), Report> {
         let path = place(project);
-        let before = match fs::read(&path) {
+        let before = match input_file::read(&path) {
             Ok(bytes) => Some(bytes),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => {

@@ -59,10 +59,10 @@ impl CleanStrings {
             if !meta.starts_with('{') || !meta.ends_with('}') || !self.has_meta(meta, options) {
                 return None;
             }
-            self.shown.push_str(&rest[..start]);
+            text::push_after_meta(&mut self.shown, &rest[..start]);
             rest = &rest[start + meta.len()..];
         }
-        self.shown.push_str(rest);
+        text::push_after_meta(&mut self.shown, rest);
         Some(text::trim(&self.shown))
     }
 

@@ -3,7 +3,7 @@
 use super::columns::{CsvColumn, NoColumn, columns};
 use super::row::CsvRow;
 use crate::exchange::entry::{NoLocale, ReadOptions};
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, bound, escape};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -52,6 +52,7 @@ impl CsvHeader {
                 let message = format!("the column {name} is not imported");
                 let diagnostic = Diagnostic::at(Code::ExchangeLoss, row.span(at), message);
                 diagnostics.push(diagnostic.note(note).help(help));
+                bound::limit_many(diagnostics);
             }
             found.push(column.unwrap_or(CsvColumn::Other));
         }

@@ -23,13 +23,16 @@ pub(super) enum QuoteFault {
         quote: usize,
         /// The position of the problem.
         at: usize,
+        /// The length of the character there.
+        length: usize,
     },
 }
 
 impl QuoteFault {
     /// Returns the diagnostic for a row that starts at `start`.
     pub(super) fn diagnostic(self, start: usize) -> Diagnostic {
-        let span = |at: usize| Span::new(start + at, start + at + 1);
+        let long = |at: usize, length: usize| Span::new(start + at, start + at + length);
+        let span = |at: usize| long(at, 1);
         match self {
             QuoteFault::Open(at) => {
                 Diagnostic::at(Code::ExchangeSyntax, span(at), "the cell that starts with this quote is not closed")
@@ -38,8 +41,8 @@ impl QuoteFault {
                         if it was cut off",
                     )
             }
-            QuoteFault::Behind { quote, at } => {
-                Diagnostic::at(Code::ExchangeSyntax, span(at), "text follows the quote that closes a cell")
+            QuoteFault::Behind { quote, at, length } => {
+                Diagnostic::at(Code::ExchangeSyntax, long(at, length), "text follows the quote that closes a cell")
                     .also(span(quote), "the cell starts here")
                     .help("put a separator after the quote, or write a quote in the text twice: `\"\"`")
             }
@@ -67,7 +70,8 @@ pub(super) fn scan(raw: &str, separator: u8) -> Scan {
                 if is_behind && scan.fault.is_none() {
                     // Include the whole character.
                     let at = raw.floor_char_boundary(at);
-                    scan.fault = Some(QuoteFault::Behind { quote: first, at });
+                    let length = raw.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8);
+                    scan.fault = Some(QuoteFault::Behind { quote: first, at, length });
                 }
             }
             None if is_quoted => {
@@ -113,7 +117,7 @@ mod tests {
         let fault = |raw: &str| scan(raw, b',').fault;
         assert_eq!(fault("a,\"b\nc,d\n"), Some(QuoteFault::Open(2)));
         assert_eq!(fault("a,\""), Some(QuoteFault::Open(2)));
-        assert_eq!(fault("a,\"b\" c\n"), Some(QuoteFault::Behind { quote: 2, at: 5 }));
-        assert_eq!(fault("\"b\"\u{e4},\"c\n"), Some(QuoteFault::Behind { quote: 0, at: 3 }));
+        assert_eq!(fault("a,\"b\" c\n"), Some(QuoteFault::Behind { quote: 2, at: 5, length: 1 }));
+        assert_eq!(fault("\"b\"\u{e4},\"c\n"), Some(QuoteFault::Behind { quote: 0, at: 3, length: 2 }));
     }
 }

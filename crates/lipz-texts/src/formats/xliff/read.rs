@@ -3,7 +3,7 @@
 use super::{read1, read2, xml};
 use crate::exchange::decode;
 use crate::exchange::entry::{IncomingFile, ReadOptions};
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::sync::Arc;
 
@@ -17,6 +17,14 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
         incoming.text = decode::readable(bytes);
         return;
     };
+    if let Some(tag) = lipz_file::costly_xml_tag(&text) {
+        let most = lipz_file::MOST_XML_ATTRIBUTES;
+        let message = format!("a tag has more than {most} attributes, or the file declares too many namespaces");
+        let diagnostic = Diagnostic::at(Code::ExchangeSyntax, Span::new(tag.start, tag.end), message);
+        incoming.diagnostics.push(diagnostic.help("open it in the tool that wrote it, and save it again"));
+        incoming.text = text.into_owned();
+        return;
+    }
     let parsing = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     match Document::parse_with_options(&text, parsing) {
         Ok(document) => root(document.root_element(), options, incoming),
@@ -51,11 +59,11 @@ fn root(root: Node<'_, '_>, options: &ReadOptions, incoming: &mut IncomingFile) 
 }
 
 /// Returns the span of the name in an element's start tag.
-pub(super) fn start(node: Node<'_, '_>) -> lipz_diagnostics::Span {
+pub(super) fn start(node: Node<'_, '_>) -> Span {
     let start = node.range().start;
     let length = node.document().input_text().get(start..).unwrap_or_default();
     let length = length.find([' ', '>', '/', '\n', '\t', '\r']).unwrap_or(length.len());
-    lipz_diagnostics::Span::new(start, start + length)
+    Span::new(start, start + length)
 }
 
 /// Returns the locale of the translations, or reports that it is missing.

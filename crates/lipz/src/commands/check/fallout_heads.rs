@@ -69,7 +69,7 @@ impl CheckedHeads {
     /// Checks a list against the images next to it.
     fn list(&mut self, path: &Path) {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let Some(bytes) = self.read(path, |path| fs::read(path)) else { return };
+        let Some(bytes) = self.read(path, input_file::read) else { return };
         let Some(paths) = self.read(folder, listed) else { return };
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let (heads, mut found): (Vec<Head>, _) = read_list(&text);
@@ -88,7 +88,7 @@ impl CheckedHeads {
     }
 
     fn picture(&mut self, path: &Path) {
-        let Some(bytes) = self.read(path, |path| fs::read(path)) else { return };
+        let Some(bytes) = self.read(path, input_file::read) else { return };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let (file, found) = check_file(&name, &bytes);
         self.files.extend(file);

@@ -126,7 +126,7 @@ impl Run for Check {
         }
         self.stdin.apply(self.sources.paths(), reporter)?;
         let mut project = self.sources.project(reporter)?;
-        self.audio.apply(&mut project.settings.audio);
+        self.audio.apply(&mut project.settings.audio, reporter)?;
         // The contents of recordings matter only for a bank.
         project.settings.audio.in_bank = false;
         self.cache.iter().try_for_each(|cache| output_file::refuse_source(cache, reporter))?;

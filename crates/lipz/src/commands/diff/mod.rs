@@ -63,7 +63,8 @@ fn compare(arguments: &Diff, reporter: &mut Reporter) -> CommandResult {
     let old = bank_or_sources(&arguments.old, &arguments.project, reporter)?;
     let new = bank_or_sources(&arguments.new, &arguments.project, reporter)?;
     let (old_files, new_files) = (old.verified(reporter)?, new.verified(reporter)?);
-    let (old_dialogue, new_dialogue) = (old.dialogue(&old_files, reporter)?, new.dialogue(&new_files, reporter)?);
+    let old_dialogue = old.bounded_dialogue(&old_files, reporter)?;
+    let new_dialogue = new.bounded_dialogue(&new_files, reporter)?;
     let difference = diff::diff(&old_dialogue, &new_dialogue);
     if reporter.wants_json() {
         reporter.print_json(&difference)?;

@@ -54,7 +54,7 @@ impl Plan {
     pub(super) fn new(arguments: &PackArguments, reporter: &mut Reporter) -> Result<Plan, Abort> {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
-        arguments.audio.apply(&mut settings.audio);
+        arguments.audio.apply(&mut settings.audio, reporter)?;
         let output = match (&arguments.output, &settings.output) {
             (Some(output), _) => output.clone(),
             (None, Some(output)) if stdio::is_meant(output) => {

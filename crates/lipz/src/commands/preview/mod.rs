@@ -100,7 +100,7 @@ impl PreviewArguments {
         let named = DialogueFiles::open(path, reporter)?;
         let bytes = whole(&named, reporter)?;
         let mut settings = Settings::default();
-        self.audio.apply(&mut settings.audio);
+        self.audio.apply(&mut settings.audio, reporter)?;
         let (recordings, unread) = Recordings::discover_with_reports(&settings);
         if have_errors(&unread) {
             return Err(reporter.abort(unread, Outcome::Failed));
@@ -119,7 +119,7 @@ impl PreviewArguments {
     /// Returns the project that the arguments name.
     fn project(&self, reporter: &mut Reporter) -> Result<Project, Abort> {
         let mut project = self.sources.project(reporter)?;
-        self.audio.apply(&mut project.settings.audio);
+        self.audio.apply(&mut project.settings.audio, reporter)?;
         Ok(project)
     }
 

@@ -68,7 +68,7 @@ fn read(path: &Path) -> Result<(String, Vec<u8>), Report> {
     if stdio::is_meant(path) {
         return Ok((stdio::input_name(), stdio::lipz_bytes()?));
     }
-    let bytes = std::fs::read(path).map_err(|error| input_file::unreadable(path, &error))?;
+    let bytes = input_file::read(path).map_err(|error| input_file::unreadable(path, &error))?;
     Ok((console::path(path), bytes))
 }
 

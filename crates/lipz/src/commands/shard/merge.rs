@@ -2,7 +2,7 @@
 
 use crate::commands::Run;
 use crate::reporter::{Abort, CommandResult, Reporter};
-use crate::shared::input_file::unreadable;
+use crate::shared::input_file::{self, unreadable};
 use crate::shared::patterns;
 use crate::shared::run_flags::QuietFlag;
 use crate::shared::sync_summary::summary;
@@ -14,7 +14,6 @@ use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_sync::shard::{Mouths, merge};
 use lipz_sync::{SyncOptions, SyncRecord};
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Write the visemes of all shards into the Lipz files.
@@ -117,7 +116,7 @@ fn read(files: &[PathBuf], reporter: &mut Reporter) -> Result<Vec<Mouths>, Abort
 }
 
 fn one(path: &Path) -> Result<Mouths, Report> {
-    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let bytes = input_file::read(path).map_err(|error| unreadable(path, &error))?;
     Mouths::parse(&bytes).map_err(|why| {
         let message = format!("`{}` does not contain the visemes of a shard: {why}", console::path(path));
         fault(path, Code::NoObject, &message, "name files written by `lipz shard sync`")

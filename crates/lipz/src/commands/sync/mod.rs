@@ -106,7 +106,7 @@ impl Run for SyncArguments {
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
         let mut project = self.sources.project(reporter)?;
         let settings = &mut project.settings;
-        self.audio.apply(&mut settings.audio);
+        self.audio.apply(&mut settings.audio, reporter)?;
         let options = &mut settings.options;
         *options = std::mem::take(options).viseme_type(self.viseme_type.or(options.get_viseme_type()));
         if settings.sources.iter().any(|source| stdio::is_meant(source)) {

@@ -23,7 +23,6 @@ use lipz_diagnostics::{Diagnostic, Report};
 use lipz_file::format::{Style, format};
 use lipz_interop::subtitles::{SubtitleFormat, clip, join};
 use lipz_interop::{DEFAULT_RATE, Encoding, to_utf8};
-use std::fs;
 use std::path::{Path, PathBuf};
 use subtitle_file::SubtitleFile;
 
@@ -127,17 +126,20 @@ fn one(
     let rate = fps.map_or(DEFAULT_RATE, formats::rate);
     let mut is_changed = false;
     for file in found {
-        let bytes = fs::read(&file.path).map_err(|error| input_file::unreadable(&file.path, &error))?;
+        let bytes = input_file::read(&file.path).map_err(|error| input_file::unreadable(&file.path, &error))?;
         let mut diagnostics = Vec::new();
         let is_legacy = file.format == SubtitleFormat::Srt;
         let bytes = to_utf8(&bytes, arguments.encoding, is_legacy, &mut diagnostics);
         let cues = file.format.read(&bytes, &mut diagnostics);
         if !diagnostics.iter().any(Diagnostic::is_error) {
-            document = Some(match document {
-                Some(document) => join(document, &cues, &file.locale, rate, &mut diagnostics),
+            let joined = match &document {
+                Some(document) => join(document.clone(), &cues, &file.locale, rate, &mut diagnostics),
                 None => clip(&cues, &file.locale, rate, &mut diagnostics),
-            });
-            is_changed = true;
+            };
+            if !diagnostics.iter().any(Diagnostic::is_error) {
+                document = Some(joined);
+                is_changed = true;
+            }
         }
         options.get_levels().apply(&mut diagnostics);
         if !diagnostics.is_empty() {

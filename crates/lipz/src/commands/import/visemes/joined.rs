@@ -6,6 +6,7 @@ use super::pending_clip::PendingClip;
 use super::text::{TextFolder, TextSource};
 use crate::console;
 use crate::shared::formats;
+use lipz_compiler::key::folded;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_interop::Script;
 use std::collections::HashSet;
@@ -76,8 +77,8 @@ fn unused_files(
     let mut keys = folder.keys(|path| is_of_format(path) || imported.contains(path))?;
     let count = keys.len();
     let key = |file: &PathBuf| formats::key_below(arguments.root.as_deref(), file, extension).ok();
-    let used: HashSet<String> = files.iter().filter_map(key).collect();
-    keys.retain(|key| !used.contains(key));
+    let used: HashSet<String> = files.iter().filter_map(key).map(|key| folded(&key)).collect();
+    keys.retain(|key| !used.contains(&folded(key)));
     Ok((keys, count))
 }
 

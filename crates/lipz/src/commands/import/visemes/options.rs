@@ -14,6 +14,7 @@ use lipz_bank::Fps;
 use lipz_compiler::settings::Sync;
 use lipz_diagnostics::Diagnostic;
 use lipz_file::rate::{self, Rate};
+use lipz_interop::textgrid::TierChoice;
 use lipz_interop::{DEFAULT_RATE, ImportOptions, MergeOptions, Segments, Time};
 use lipz_types::VisemeType;
 use std::path::{Path, PathBuf};
@@ -40,6 +41,10 @@ pub(crate) struct Options {
     /// The default is 24 frames, or 60 for ovr. For fallout, it is the unit that fits the length of the audio, or 44100.
     #[arg(long, value_name = "NUMBER", value_parser = parse_rate, help_heading = SHAPES)]
     file_rate: Option<Rate>,
+
+    /// Tier of a TextGrid with the phones, or words=NAME, segments=NAME
+    #[arg(long = "tier", value_name = "NAME", help_heading = SHAPES)]
+    tiers: Vec<TierChoice>,
 
     /// First frame number of Moho files: 0 or 1
     #[arg(long, value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u64).range(0..=1), help_heading = SHAPES)]
@@ -138,6 +143,7 @@ impl Settings<'_> {
             .default_rate(self.project.get_default_fps().map_or(DEFAULT_RATE, formats::rate))
             .file_rate(flags.file_rate)
             .units_per_second(flags.file_rate.filter(|rate| rate.denominator == 1).map(|rate| rate.numerator))
+            .tiers(&flags.tiers)
             .dat_base(flags.dat_base)
             .min_hold(usize::from(flags.min_hold))
             .locale(self.default_locale())

@@ -1,11 +1,13 @@
 //! `--script`: the transcript of one clip, or a folder of transcripts.
 
 use crate::console;
-use crate::shared::input_file::{is_hidden, unreadable};
+use crate::shared::input_file::{self, is_hidden, unreadable};
+use lipz_compiler::key;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_interop::{Encoding, to_utf8};
+use std::cell::OnceCell;
+use std::collections::HashMap;
 use std::ffi::OsStr;
-use std::fs;
 use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
@@ -27,6 +29,8 @@ pub(super) struct TextFolder {
     pub(super) path: PathBuf,
     /// The encoding of files that are not UTF-8.
     encoding: Option<&'static Encoding>,
+    /// The keys of its texts, by the keys that some file systems treat as equal. Read when a key has no file.
+    keys: OnceCell<HashMap<String, String>>,
 }
 
 impl TextSource {
@@ -40,7 +44,7 @@ impl TextSource {
     ) -> Result<TextSource, Report> {
         let Some(path) = named else { return Ok(TextSource::OfFiles) };
         if path.is_dir() {
-            return Ok(TextSource::Folder(TextFolder { path: path.to_owned(), encoding }));
+            return Ok(TextSource::Folder(TextFolder { path: path.to_owned(), encoding, keys: OnceCell::new() }));
         }
         if several {
             let help = "name a folder that has a file KEY.txt for each of them";
@@ -54,15 +58,24 @@ impl TextSource {
         match self {
             TextSource::OfFiles => Ok(None),
             TextSource::One(text) => Ok(Some(text.clone())),
-            TextSource::Folder(TextFolder { path, encoding }) => {
-                let path = path.join(format!("{key}.{EXTENSION}"));
-                if path.is_file() { text(&path, *encoding, reports).map(Some) } else { Ok(None) }
+            TextSource::Folder(folder) => {
+                folder.file(key).map(|path| text(&path, folder.encoding, reports)).transpose()
             }
         }
     }
 }
 
 impl TextFolder {
+    /// Returns the file with the text of a key. Case and Unicode normalisation may differ.
+    fn file(&self, key: &str) -> Option<PathBuf> {
+        let path = |key: &str| Some(self.path.join(format!("{key}.{EXTENSION}"))).filter(|path| path.is_file());
+        let by_folded = || {
+            let keys = self.keys(|_| false).unwrap_or_default();
+            keys.into_iter().map(|key| (key::folded(&key), key)).collect()
+        };
+        path(key).or_else(|| path(self.keys.get_or_init(by_folded).get(&key::folded(key))?))
+    }
+
     /// Returns the keys of the texts in order, without hidden files and those for which `is_other` is true.
     pub(super) fn keys(&self, is_other: impl Fn(&Path) -> bool) -> Result<Vec<String>, Report> {
         let entries = WalkDir::new(&self.path).follow_links(true).sort_by_file_name().into_iter();
@@ -86,7 +99,7 @@ impl TextFolder {
 
 /// Returns the text of a file, without the line break at its end. Adds warnings about the file to `reports`.
 fn text(path: &Path, encoding: Option<&'static Encoding>, reports: &mut Vec<Report>) -> Result<String, Report> {
-    let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let bytes = input_file::read(path).map_err(|error| unreadable(path, &error))?;
     let mut diagnostics = Vec::new();
     let utf8 = to_utf8(&bytes, encoding, false, &mut diagnostics);
     let decoded = lipz_file::decode_marked(&utf8, &mut diagnostics);

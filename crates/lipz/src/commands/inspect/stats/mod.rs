@@ -20,7 +20,7 @@ pub(super) fn run(dialogue: &DialogueArguments, key: Option<&str>, reporter: &mu
     }
     let (named, recorded) = files_and_recorded(dialogue, reporter)?;
     let files = named.verified(reporter)?;
-    let dialogue = named.dialogue(&files, reporter)?;
+    let dialogue = named.bounded_dialogue(&files, reporter)?;
     let stats = lipz_compiler::stats::Stats::from_dialogue(&dialogue);
     if reporter.wants_json() {
         reporter.print_json(&recorded::StatsWithRecordings { stats: &stats, recorded: recorded.map(Into::into) })?;

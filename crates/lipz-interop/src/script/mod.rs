@@ -1,5 +1,7 @@
 //! Scripts: the texts of many recordings in one file, identified by the names of the recordings.
 
+mod columns;
+
 use crate::fallout::msg;
 use crate::to_utf8;
 use encoding_rs::Encoding;
@@ -7,12 +9,7 @@ use lipz_diagnostics::{Code, Diagnostic, Source, Span, escape};
 use lipz_file::without_byte_order_mark;
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
-
-/// The columns of a CSV that are used.
-const FILE: &str = "file";
-const TEXT: &str = "text";
-/// The characters that may separate columns. Where the comma is the decimal point, spreadsheets write semicolons.
-const DELIMITERS: [u8; 3] = [b',', b';', b'\t'];
+use unicode_normalization::UnicodeNormalization;
 
 /// A script: the texts of many recordings.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -33,7 +30,8 @@ struct ScriptEntry {
 
 impl Script {
     /// Reads a script: a `.msg` file of Fallout, or otherwise a CSV file whose first line names its columns. The
-    /// columns `file` and `text` are used. Commas, semicolons or tabs separate columns.
+    /// columns `file` and `text` are used, or those with other usual names, such as `Filename` and `Transcript`. Commas,
+    /// semicolons, tabs or bars separate columns.
     ///
     /// Files that are not UTF-8 are read in `encoding`, or else as Windows-1252, the usual encoding of old tools
     /// ([`to_utf8`]). The diagnostics refer to the text of the returned source.
@@ -74,7 +72,7 @@ impl Script {
         names
     }
 
-    /// Returns the text of the recording at `path`, without extension. Case is ignored.
+    /// Returns the text of the recording at `path`, without extension. Case and Unicode normalisation are ignored.
     ///
     /// Either of `path` and the path in the script may have more leading folders than the other: `mayor` and
     /// `act1/mayor` in the script both match `rec/act1/mayor`, and the one with more folders has priority. A path with
@@ -133,8 +131,9 @@ fn of_entries(text: &str) -> (Script, Vec<Diagnostic>) {
 
 fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
     let (mut script, mut found) = (Script::default(), Vec::new());
-    let Some((delimiter, [file, line])) = columns(text) else {
-        return (script, vec![without_columns(text)]);
+    let columns::Columns { delimiter, file, text: line } = match columns::find(text) {
+        Ok(columns) => columns,
+        Err(diagnostic) => return (script, vec![*diagnostic]),
     };
     let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).flexible(true).from_reader(text.as_bytes());
     for row in rows.records() {
@@ -167,40 +166,10 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
     (script, found)
 }
 
-/// Returns the delimiter of the columns, and the indices of the two used columns.
-fn columns(text: &str) -> Option<(u8, [usize; 2])> {
-    DELIMITERS.into_iter().find_map(|delimiter| {
-        let head = head(text, delimiter)?;
-        let column = |name: &str| head.iter().position(|column| column.trim().eq_ignore_ascii_case(name));
-        Some((delimiter, [column(FILE)?, column(TEXT)?]))
-    })
-}
-
-fn head(text: &str, delimiter: u8) -> Option<csv::StringRecord> {
-    let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).from_reader(text.as_bytes());
-    rows.records().next()?.ok()
-}
-
-/// Returns the diagnostic for a first line that does not name both columns.
-fn without_columns(text: &str) -> Diagnostic {
-    let end = text.lines().next().map_or(0, str::len);
-    let named: Vec<String> =
-        head(text, b',').iter().flatten().map(|column| escape::quoted(column.trim()).to_string()).collect();
-    let missing: Vec<&str> = [FILE, TEXT]
-        .into_iter()
-        .filter(|name| !named.iter().any(|column| column.trim_matches('`').eq_ignore_ascii_case(name)))
-        .collect();
-    let message = match missing.as_slice() {
-        [name] => format!("the first line has no column `{name}`"),
-        _ => "the first line does not name the columns".to_owned(),
-    };
-    let diagnostic = Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), message);
-    diagnostic.help("start the script with `file,text`; other columns are ignored")
-}
-
-/// Returns a path in the form for comparison: in lower case, with `/`.
+/// Returns a path in the form for comparison: in lower case, composed, with `/`. macOS decomposes the names of files.
 fn normal(path: &str) -> String {
-    path.replace('\\', "/").to_lowercase()
+    let path = path.replace('\\', "/").to_lowercase();
+    if path.is_ascii() { path } else { path.nfc().collect() }
 }
 
 /// Returns the last part of a path.
@@ -225,6 +194,9 @@ mod tests {
         assert_eq!(script.text_of("eld_1"), Some("Greetings, Chosen."));
         assert_eq!(script.text_of("Eld_2"), Some("A \"word\"."));
         assert_eq!(script.text_of("eld_3"), None);
+        let (script, _, _) = Script::read("a.csv", "file,text\nM\u{e4}ry,One.\nO\u{308}L,Two.\n".as_bytes(), None);
+        assert_eq!(script.text_of("ma\u{308}ry"), Some("One."), "decomposed");
+        assert_eq!(script.text_of("\u{d6}l"), Some("Two."), "composed");
         let (script, _, _) = Script::read("ELDER.MSG", b"{100}{eld_1}{Greetings.}", None);
         assert_eq!(script.text_of("ELD_1"), Some("Greetings."));
     }
@@ -287,7 +259,7 @@ mod tests {
         });
         let expected = [("the row has no file name", ",Two."), ("the row has no text", "b")];
         assert_eq!(marked.collect::<Vec<_>>(), expected);
-        let (_, _, found) = Script::read("a.csv", b"file,line\na,One.\n", None);
+        let (_, _, found) = Script::read("a.csv", b"file,words\na,One.\n", None);
         assert_eq!(found[0].message, "the first line has no column `text`");
     }
 }

@@ -1,0 +1,169 @@
+//! The columns of a script, found by the names that people and other tools give them.
+
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::locale::canonical_tag;
+
+/// The names of the column with the files, the best first. Spaces, `-` and `_` are ignored, as is case.
+const FILES: [&str; 26] = [
+    "file",
+    "filename",
+    "filepath",
+    "path",
+    "audio",
+    "audiofile",
+    "audiofilename",
+    "audiopath",
+    "wav",
+    "wavfile",
+    "wavname",
+    "sound",
+    "soundfile",
+    "recording",
+    "recordingfile",
+    "voice",
+    "voicefile",
+    "vofile",
+    "vofilename",
+    "asset",
+    "clip",
+    "key",
+    "lineid",
+    "utteranceid",
+    "stringid",
+    "id",
+];
+
+/// The names of the column with the texts, the best first.
+const TEXTS: [&str; 17] = [
+    "text",
+    "transcript",
+    "transcription",
+    "script",
+    "line",
+    "dialogue",
+    "dialog",
+    "dialogueline",
+    "dialogtext",
+    "sentence",
+    "utterance",
+    "spokentext",
+    "subtitle",
+    "caption",
+    "content",
+    "source",
+    "sourcetext",
+];
+
+/// The characters that may separate columns. Where the comma is the decimal point, spreadsheets write semicolons.
+const DELIMITERS: [u8; 4] = [b',', b';', b'\t', b'|'];
+
+/// The used columns of a script.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Columns {
+    pub(super) delimiter: u8,
+    /// The index of the column with the files, and of that with the texts.
+    pub(super) file: usize,
+    pub(super) text: usize,
+}
+
+/// Returns the columns by the names in the first line of a script.
+pub(super) fn find(script: &str) -> Result<Columns, Box<Diagnostic>> {
+    let of = |delimiter| Some((delimiter, head(script, delimiter)?));
+    let heads: Vec<(u8, Vec<String>)> = DELIMITERS.into_iter().filter_map(of).collect();
+    let both = |(delimiter, names): &(u8, Vec<String>)| {
+        let file = column(names, &FILES)?;
+        Some(Columns { delimiter: *delimiter, file, text: text(names, file)? })
+    };
+    heads.iter().find_map(both).ok_or_else(|| {
+        // The delimiter that divides the line into most columns is the one that was meant.
+        let names = heads.iter().map(|(_, names)| names.as_slice()).max_by_key(|names| names.len());
+        Box::new(without_columns(script, names.unwrap_or_default()))
+    })
+}
+
+fn head(script: &str, delimiter: u8) -> Option<Vec<String>> {
+    let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).from_reader(script.as_bytes());
+    let head = rows.records().next()?.ok()?;
+    Some(head.iter().map(|name| name.trim().to_owned()).collect())
+}
+
+/// Returns the column with the best of these names.
+fn column(names: &[String], known: &[&str]) -> Option<usize> {
+    let plain: Vec<String> = names.iter().map(|name| plain(name)).collect();
+    known.iter().find_map(|known| plain.iter().position(|name| name == known))
+}
+
+/// Returns the column with the texts: by its name, or the only one named after a locale, `en-us` or `text_en-us`.
+fn text(names: &[String], file: usize) -> Option<usize> {
+    let is_locale = |name: &str| {
+        let tag = name.strip_prefix("text_").unwrap_or(name);
+        // A language alone may be a word, such as `key`.
+        tag.contains(['-', '_']) && canonical_tag(tag, true).is_some()
+    };
+    let mut of_locales = (0..names.len()).filter(|&at| at != file && names.get(at).is_some_and(|name| is_locale(name)));
+    column(names, &TEXTS).filter(|text| *text != file).or_else(|| {
+        let first = of_locales.next()?;
+        of_locales.next().is_none().then_some(first)
+    })
+}
+
+/// Returns a name as it is compared.
+fn plain(name: &str) -> String {
+    name.chars().filter(|c| !matches!(c, ' ' | '-' | '_' | '.')).flat_map(char::to_lowercase).collect()
+}
+
+/// Returns the diagnostic for a first line that does not name both columns.
+fn without_columns(script: &str, names: &[String]) -> Diagnostic {
+    let file = column(names, &FILES);
+    let missing = match (file, text(names, file.unwrap_or(usize::MAX))) {
+        (Some(_), None) => Some("text"),
+        (None, Some(_)) => Some("file"),
+        _ => None,
+    };
+    let message = match missing {
+        Some(name) => format!("the first line has no column `{name}`"),
+        None => "the first line does not name the columns".to_owned(),
+    };
+    let end = script.lines().next().map_or(0, str::len);
+    let mut diagnostic = Diagnostic::at(Code::ForeignSyntax, Span::new(0, end), message);
+    if missing.is_some() {
+        let shown: Vec<String> = names.iter().map(|name| escape::quoted(name).to_string()).collect();
+        diagnostic = diagnostic.note(format!("its columns: {}", shown.join(", ")));
+    }
+    diagnostic.help("name the columns `file` and `text`; other columns are ignored")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_of_other_tools() {
+        for (head, file, text) in [
+            ("file,text", 0, 1),
+            ("text,FILE", 1, 0),
+            ("Character,Line ID,Dialogue,Audio File", 3, 2),
+            ("Filename;Transcript;Notes", 0, 1),
+            ("wav\tsentence", 0, 1),
+            ("client_id\tpath\tsentence\tlocale", 1, 2),
+            ("id|text|speaker", 0, 1),
+            ("key,en-us,note", 0, 1),
+            ("key,recording,text_en-us", 1, 2),
+            ("language,id,text,file,node", 3, 2),
+            ("VO_Filename,Text,Source", 0, 1),
+        ] {
+            let columns = find(&format!("{head}\n")).map(|columns| (columns.file, columns.text));
+            assert_eq!(columns, Ok((file, text)), "{head}");
+        }
+        for (head, message) in [
+            ("name,words", "the first line does not name the columns"),
+            ("file;words", "the first line has no column `text`"),
+            ("who,text", "the first line has no column `file`"),
+            ("key,en-us,de-de", "the first line has no column `text`"),
+            ("text", "the first line has no column `file`"),
+            ("source", "the first line has no column `file`"),
+        ] {
+            assert_eq!(find(head).map_err(|diagnostic| diagnostic.message), Err(message.to_owned()), "{head}");
+        }
+    }
+}
