@@ -30,8 +30,8 @@ fn texts_change_the_face_at_their_words() {
     let text = r#""text_en-us": "{anger 2.2} abcde fghij {anger 6, joy 1} klmno pqrst|{calm} Bye.""#;
     assert_eq!(
         curves(text, ""),
-        ["anger 0:0 4:2.2 10:2.2 14:6 20:6 24:0", "joy 10:0 14:1 20:1 24:0"],
-        "ramps of 0.4 s: 4 frames"
+        ["anger 0:2.2 10:2.2 14:6 20:6 24:0", "joy 10:0 14:1 20:1 24:0"],
+        "ramps of 0.4 s: 4 frames, but the first face is there"
     );
     let step = "[emotions]\nover = 0\n";
     assert_eq!(curves(text, step)[1], "joy 9:0 10:1 19:1 20:0");
@@ -46,9 +46,9 @@ fn texts_change_the_face_at_their_words() {
 fn the_emotions_of_the_voice_count() {
     let texts = r#""text_de-de": "{anger 1} a|b", "text_en-us": "{joy 1} a|b""#;
     let first = |settings| curves(texts, settings).remove(0);
-    assert_eq!(first("default-locale = \"en-us\"\n[lints]\nemotion-locales = \"allow\"\n"), "joy 0:0 4:1");
+    assert_eq!(first("default-locale = \"en-us\"\n[lints]\nemotion-locales = \"allow\"\n"), "joy 0:1");
     let voice = "default-locale = \"en-us\"\n[lints]\nemotion-locales = \"allow\"\n[audio]\nlocale = \"de-de\"\n";
-    assert_eq!(first(voice), "anger 0:0 4:1");
+    assert_eq!(first(voice), "anger 0:1");
 }
 
 #[test]
@@ -69,10 +69,45 @@ fn a_face_changes_when_the_word_is_said() {
     };
     let by_letters = ["anger 4:0 5:2 19:2 20:0", "fear 29:0 30:4", "joy 0:1 4:1 5:0", "sadness 19:0 20:3 29:3 30:0"];
     assert_eq!(curves(None), by_letters);
-    // At 1.65 s. A word beyond the end of the clip has no effect.
-    let by_times = ["anger 15:0 16:2 19:2 20:0", "joy 0:1 15:1 16:0", "sadness 19:0 20:3"];
+    // At 1.65 s, and to the end of the last word. A word beyond the end of the clip has no effect.
+    let by_times = ["anger 15:0 16:2 18:2 19:0", "joy 0:1 15:1 16:0", "sadness 19:0 20:3"];
     assert_eq!(curves(Some(WordTimes::new(text, &words))), by_times);
     assert_eq!(curves(Some(WordTimes::new("another text", &words))), by_letters, "from a different text");
+}
+
+/// An emotion is added to a text after `lipz sync`: its word is spoken at the same time as before.
+#[test]
+fn words_keep_their_times_when_a_text_is_edited() {
+    let text = "No. I told you to leave.|Never.";
+    let word = |word: &str, start_ms| {
+        let at = text.find(word).unwrap();
+        WordTime { range: at..at + word.len(), start_ms, end_ms: start_ms + 100, is_doubtful: false }
+    };
+    let words = [("No", 0), ("I", 500), ("told", 787), ("you", 900), ("to", 1_000), ("leave", 1_100), ("Never", 2_500)];
+    let words: Vec<WordTime> = words.into_iter().map(|(text, ms)| word(text, ms)).collect();
+    let times = WordTimes::new(text, &words);
+    let check = |text: &str| {
+        let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", "text_en-us": "{text}" }}"#);
+        let options = options("default-locale = \"en-us\"\n[emotions]\nover = 0\n").word_times([("a", times.clone())]);
+        let input = [Input::from_bytes("a", file)];
+        let compiled = Compiler::new(options).compile(&input);
+        let found = compiled.reports.iter().flat_map(|report| &report.diagnostics).map(ToString::to_string);
+        let found: Vec<String> = found.collect();
+        let bytes = compiled.bank.unwrap();
+        let bank = Bank::open(&bytes).unwrap().verify().unwrap();
+        let clip = bank.clip_by_key("a").unwrap();
+        let curves = clip.curves().map(|curve| format!("{} {curve}", curve.name()));
+        (curves.collect::<Vec<_>>().join("; "), found.join("; "))
+    };
+    let at_told = ("anger 6:0 7:6".to_owned(), String::new());
+    assert_eq!(check("No. I {anger 6} told you to leave.|Never."), at_told);
+    assert_eq!(check("No! I {anger 6}told you, to leave!|{louder}Never."), at_told, "notes and marks");
+    assert_eq!(check("No. I {anger 6} told you to go away.|Never."), at_told, "other words");
+    let (curves, found) = check("No. I {anger 6} ordered you to leave.|Never.");
+    // Between `I`, which ends at 0.6 s, and `you`.
+    assert_eq!(curves, "anger 5:0 6:6");
+    assert!(found.contains("LZ1815") && found.contains("the time of `ordered` is unknown"), "{found}");
+    assert_eq!(check("{anger 6} Not I told you to leave.|{joy 1} Never.").1, "", "the start of a segment is known");
 }
 
 #[test]
@@ -87,12 +122,12 @@ fn events_change_the_face_at_their_segments() {
 #[test]
 fn words_have_the_usual_value() {
     let old = r#""events": "feels sad|amy feels happy", "text_en-us": "{sad} a|{louder} b""#;
-    assert_eq!(curves(old, ""), ["amy.joy 20:0 24:5", "sadness 0:0 4:5"]);
-    assert_eq!(curves(old, "[emotions]\nvalue = 4\n"), ["amy.joy 20:0 24:4", "sadness 0:0 4:4"]);
+    assert_eq!(curves(old, ""), ["amy.joy 20:0 24:5", "sadness 0:5"]);
+    assert_eq!(curves(old, "[emotions]\nvalue = 4\n"), ["amy.joy 20:0 24:4", "sadness 0:4"]);
     let values = "[emotions]\ncurves = \"values\"\n";
     assert_eq!(curves(old, values), [""; 0]);
     let one_value = r#""events": "feels sad|feels joy 1""#;
-    assert_eq!(curves(one_value, values), ["joy 20:0 24:1", "sadness 0:0 4:5 20:5 24:0"]);
+    assert_eq!(curves(one_value, values), ["joy 20:0 24:1", "sadness 0:5 20:5 24:0"]);
 }
 
 /// The examples of the specification move faces without any settings.
@@ -118,24 +153,26 @@ fn other_syntax_moves_no_face() {
 #[test]
 fn presets_have_values_and_projects_have_their_own() {
     let first = |blend: &str, settings: &str| curves(&format!(r#""text_en-us": "{{{blend}}} a|b""#), settings);
-    assert_eq!(first("evil 2", ""), ["anger 0:0 4:2", "joy 0:0 4:2"]);
-    assert_eq!(first("suspicious 4", ""), ["anger 0:0 4:2", "perplexed 0:0 4:4"]);
-    assert_eq!(first("sad 7", ""), ["sadness 0:0 4:7"]);
+    assert_eq!(first("evil 2", ""), ["anger 0:2", "joy 0:2"]);
+    assert_eq!(first("suspicious 4", ""), ["anger 0:2", "perplexed 0:4"]);
+    assert_eq!(first("sad 7", ""), ["sadness 0:7"]);
     let own = "[emotions]\nsmug = \"joy 2 + disgust 1\"\nsad = \"sadness 3\"\n";
-    assert_eq!(first("smug", own), ["disgust 0:0 4:1", "joy 0:0 4:2"]);
-    assert_eq!(first("sad", own), ["sadness 0:0 4:3"]);
+    assert_eq!(first("smug", own), ["disgust 0:1", "joy 0:2"]);
+    assert_eq!(first("sad", own), ["sadness 0:3"]);
     assert_eq!(first("take 3", own), [""; 0], "a note");
 }
 
 #[test]
 fn curves_of_the_file_win() {
     let file = r#""text_en-us": "{anger 2, joy 2} a|b", "curves": { "joy": "0:1", "jawOpen": "0:0.5" }"#;
-    assert_eq!(curves(file, ""), ["anger 0:0 4:2", "jawOpen 0:0.5", "joy 0:1"]);
+    assert_eq!(curves(file, ""), ["anger 0:2", "jawOpen 0:0.5", "joy 0:1"]);
 }
 
 #[test]
 fn programs_read_emotions_at_a_time() {
-    let file = format!(r#"{{ "fps": 10, "visemes": "{VISEMES}", "text_en-us": "{{anger 6, joy 2}} a|{{calm}} b" }}"#);
+    let file = format!(
+        r#"{{ "fps": 10, "visemes": "{VISEMES}", "text_en-us": "{{anger 6, joy 2 over 0.4s}} a|{{calm}} b" }}"#
+    );
     let bytes = Compiler::default().compile(&[Input::from_bytes("a", file)]).into_bank().unwrap();
     let bank = Bank::open(&bytes).unwrap().verify().unwrap();
     let clip = bank.clip_by_key("a").unwrap();

@@ -76,11 +76,16 @@ fn each_word_and_each_pause_has_a_pose() {
         curves.iter().find_map(|curve| curve.strip_prefix("pose ")).unwrap_or_default().to_owned()
     };
     let words = format!(r#""text_en-us": "{text}""#);
-    // One letter, three and two of ten in 40 frames; then two and three of eight. The rest at the end is not a pose.
-    assert_eq!(pose(&words, options(WORDS)), "0:1 4:1 16:1 24:1 40:1 50:1 65:1");
+    // One letter, three and two of ten in 40 frames; then two and three of eight in the 28 frames that are spoken. The
+    // rest at the end is not a pose.
+    assert_eq!(pose(&words, options(WORDS)), "0:1 4:1 16:1 24:1 40:1 47:1 58:1");
     let heard = |range, start_ms, end_ms| WordTime { range, start_ms, end_ms, is_doubtful: false };
     let times = WordTimes::new(text, &[heard(2..5, 300, 500), heard(9..13, 1000, 1400)]);
-    assert_eq!(pose(&words, options(WORDS).word_times([("a", times)])), "0:1 6:1 16:1 20:1 40:1 50:1 65:1");
+    assert_eq!(
+        pose(&words, options(WORDS).word_times([("a", times)])),
+        "0:1 6:1 10:1 20:1 40:1 47:1 58:1",
+        "`so` is between the others"
+    );
     assert_eq!(pose(&words, options("default-locale = \"en-us\"\n")), "", "they are not enabled");
     assert_eq!(pose(r#""text_en-us": "...|{louder}""#, options(WORDS)), "", "there are no spoken words");
 }
@@ -95,8 +100,8 @@ fn poses_follow_the_mouth() {
         let clip = bank.clip_by_key("a").unwrap();
         clip.curve("pose").map(|curve| curve.to_string()).unwrap_or_default()
     };
-    // The third of four words would be in the pause, from 8 to 15. A rest of two frames does not count.
-    assert_eq!(pose("--MAEO--AEMA-------MAEOM", "ab cd ef gh"), "0:1 6:1 12:1 19:1");
+    // The words share the 13 frames that are not rest. A rest of two frames has no pose.
+    assert_eq!(pose("--MAEO--AEMA-------MAEOM", "ab cd ef gh"), "2:1 5:1 11:1 12:1 21:1");
     assert_eq!(pose("MAEOMAEO", "ab"), "0:1");
     assert_eq!(pose("MAEOMAEOMAEOMAEOMAEOMAEOMAEOMAEO", "はいそうです"), "0:1 8:1 16:1 24:1");
 }

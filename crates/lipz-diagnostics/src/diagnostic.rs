@@ -32,7 +32,26 @@ pub struct Label {
     pub text: String,
 }
 
-/// A change of the source that certainly matches the author's intent.
+/// How certain it is that a change matches the author's intent, in the terms of rustc.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Applicability {
+    /// It certainly does, so `lipz check --fix` applies it.
+    MachineApplicable,
+    /// It probably does ("did you mean"), so it is only offered.
+    MaybeIncorrect,
+}
+
+impl Applicability {
+    /// Returns its name in documents: `machine-applicable` or `maybe-incorrect`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Applicability::MachineApplicable => "machine-applicable",
+            Applicability::MaybeIncorrect => "maybe-incorrect",
+        }
+    }
+}
+
+/// A change of the source that solves a problem.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Fix {
@@ -40,6 +59,8 @@ pub struct Fix {
     pub span: Span,
     /// The replacement.
     pub replacement: String,
+    /// Whether it certainly matches the author's intent.
+    pub applicability: Applicability,
 }
 
 /// One diagnostic in one file.
@@ -60,7 +81,7 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// Advice on what to do.
     pub help: Option<String>,
-    /// The change that solves the problem, if one is certain.
+    /// The change that solves the problem, if one is certain or probable.
     pub fix: Option<Fix>,
     /// How many hidden diagnostics of its code and file it stands for; 0 if it stands for itself. See
     /// [`bound`](crate::bound).
@@ -160,9 +181,17 @@ impl Diagnostic {
         self
     }
 
+    /// Adds a change that probably matches the author's intent. It is offered, but not applied by itself.
+    #[must_use]
+    pub fn suggest(mut self, span: Span, replacement: impl Into<String>) -> Self {
+        self.fix = Some(Fix { applicability: Applicability::MaybeIncorrect, ..Fix::new(span, replacement) });
+        self
+    }
+
     /// Returns the certain changes: its own, or those of the diagnostics that it stands for.
     pub fn fixes(&self) -> impl Iterator<Item = Fix> {
-        self.fix.iter().cloned().chain(self.rest_fixes.iter().flat_map(|fixes| fixes.iter()))
+        let own = self.fix.iter().filter(|fix| fix.is_certain()).cloned();
+        own.chain(self.rest_fixes.iter().flat_map(|fixes| fixes.iter()))
     }
 
     /// Removes changes that turn out to be uncertain.

@@ -1,6 +1,6 @@
 //! Applies fixes: a source text and its replacements → the new text.
 
-use crate::{Fix, Span};
+use crate::{Applicability, Fix, Span};
 
 /// The result of [`Fix::apply_all`].
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -13,9 +13,14 @@ pub struct FixedText {
 }
 
 impl Fix {
-    /// Returns a change that replaces `span` by `replacement`.
+    /// Returns a certain change that replaces `span` by `replacement`.
     pub fn new(span: Span, replacement: impl Into<String>) -> Fix {
-        Fix { span, replacement: replacement.into() }
+        Fix { span, replacement: replacement.into(), applicability: Applicability::MachineApplicable }
+    }
+
+    /// Whether it certainly matches the author's intent, so that tools may apply it without asking.
+    pub fn is_certain(&self) -> bool {
+        self.applicability == Applicability::MachineApplicable
     }
 
     /// Applies `fixes` to the text that their spans refer to. If fixes overlap, only the one that starts first is

@@ -45,7 +45,7 @@ pub mod suggest;
 
 pub use baseline::Baseline;
 pub use code::{Code, UnknownCode};
-pub use diagnostic::{Diagnostic, Fix, Label, Severity};
+pub use diagnostic::{Applicability, Diagnostic, Fix, Label, Severity};
 pub use error::DiagnosticsError;
 pub use fix::FixedText;
 pub use levels::Levels;

@@ -48,6 +48,7 @@ fn touches(diagnostic: &Diagnostic, shift: usize, range: &Range<usize>) -> bool 
 }
 
 fn quick_fix(document: &Document, index: usize, diagnostic: &Diagnostic) -> Option<CodeAction> {
+    // "Did you mean" is offered as well, but is not what "fix all" applies.
     let fix = diagnostic.fix.as_ref()?;
     let help = diagnostic.help.as_deref().and_then(|help| help.lines().next());
     let range = convert::range(&document.rope, fix.span, document.mark_bytes());
@@ -56,7 +57,7 @@ fn quick_fix(document: &Document, index: usize, diagnostic: &Diagnostic) -> Opti
         kind: Some(CodeActionKind::QUICKFIX),
         diagnostics: convert::of_document(document).get(index).map(|shown| vec![shown.clone()]),
         edit: Some(edit(document, TextEdit { range, new_text: fix.replacement.clone() })),
-        is_preferred: Some(true),
+        is_preferred: Some(fix.is_certain()),
         ..CodeAction::default()
     })
 }
@@ -136,6 +137,21 @@ mod tests {
         assert_eq!(applied(&document, &all[0]), "{\"fps\": 24, \"visemes\": \"MAEO\"}");
         assert_eq!(of(0..34, None).len(), 4, "three fixes, and all");
         assert_eq!(of(0..34, Some(&[CodeActionKind::REFACTOR])).len(), 0);
+    }
+
+    #[test]
+    fn what_was_probably_meant_is_offered_and_not_applied_with_all() {
+        let text = "{\"events\": \"feels anrgy, amy feel sad\", \"visems\": \"\", \"text_en-us\": \"{angr 2} a\"}";
+        let (document, nobody) = (document(text), KnownProject::default());
+        let found = actions(&document, &nobody, 0..text.len(), None);
+        let mut fixed: Vec<String> = found.iter().map(|action| applied(&document, action)).collect();
+        fixed.sort();
+        let mut expected = [("amy feel sad", "amy feels sad"), ("visems", "visemes"), ("angr 2", "anger 2")]
+            .map(|(from, to)| text.replace(from, to));
+        expected.sort();
+        assert_eq!(fixed, expected);
+        let CodeActionOrCommand::CodeAction(first) = &found[0] else { unreachable!() };
+        assert_eq!(first.is_preferred, Some(false));
     }
 
     #[test]

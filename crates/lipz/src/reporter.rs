@@ -219,7 +219,7 @@ fn unprintable(error: &io::Error) -> Report {
 /// Whether `lipz check --fix` would fix something. It works only on Lipz files that have names.
 fn has_fixes(report: &Report) -> bool {
     let is_lipz = Path::new(&report.source.path).extension().is_some_and(|extension| extension == "lipz");
-    is_lipz && report.diagnostics.iter().any(|diagnostic| diagnostic.fix.is_some())
+    is_lipz && report.diagnostics.iter().any(|diagnostic| diagnostic.fixes().next().is_some())
 }
 
 /// Points people at a terminal to the page of a code. Build logs do not get this hint.

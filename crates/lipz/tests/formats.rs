@@ -67,7 +67,10 @@ fn all_formats_have_all_diagnostics() {
 
     let concise = bad_files("concise");
     assert_eq!(concise.lines().count(), diagnostics.len());
-    let fixable = diagnostics.iter().filter(|found| !found["fix"].is_null()).count();
+    let fixes: Vec<&str> = diagnostics.iter().filter_map(|found| found["fix"]["applicability"].as_str()).collect();
+    let count = |applicability| fixes.iter().filter(|one| **one == applicability).count();
+    let (fixable, offered) = (count("machine-applicable"), count("maybe-incorrect"));
+    assert!(offered > 10 && fixable + offered == fixes.len(), "{fixable} and {offered} of {}", fixes.len());
     assert_eq!(concise.lines().filter(|line| line.ends_with(" [fixable]")).count(), fixable);
 
     let junit = bad_files("junit");

@@ -295,3 +295,45 @@ fn conversations_that_break_off_end_the_server() {
     editor.send_bytes(b"Content-Length: 99999999999999999999\r\n\r\n");
     assert_eq!(editor.exit_code(), 2);
 }
+
+/// Editors take long to show thousands of diagnostics again that have not changed.
+#[test]
+fn only_diagnostics_that_changed_are_sent() {
+    let scene = tempfile::tempdir().unwrap();
+    let file = |name: &str| scene.path().join(format!("voices/{name}.lipz"));
+    fs::create_dir(scene.path().join("voices")).unwrap();
+    fs::write(scene.path().join("lipz.toml"), "sources = [\"voices\"]\n").unwrap();
+    let wrong = r#"{ "fps": 24, "visemes": "MA", "viseme_type": "blair", "events": "feels anrgy" }"#;
+    (0..50).for_each(|number| fs::write(file(&format!("clip{number}")), wrong).unwrap());
+    let mut editor = Editor::in_folder(scene.path());
+    editor.open(&file("clip0"), wrong);
+    for number in 1..50 {
+        // In any order.
+        editor.diagnostics_of(&file(&format!("clip{number}")));
+    }
+    // A file is mended, and all are checked.
+    fs::write(file("clip7"), wrong.replace("anrgy", "angry")).unwrap();
+    editor.tell("textDocument/didSave", &json!({ "textDocument": { "uri": uri(&file("clip0")) } }));
+    let sent = editor.published_until(&file("clip7"));
+    assert_eq!(sent.iter().filter(|uri| !uri.ends_with("clip0.lipz")).count(), 1, "{sent:?}");
+    assert_eq!(editor.end(), 0);
+}
+
+/// Half of a character is replaced, which JSON writes as `\ude01`: both halves are text again.
+#[test]
+fn halves_of_characters_are_taken() {
+    let mut editor = Editor::start();
+    editor.ask("initialize", &json!({}));
+    let path = Path::new("/nowhere/a.lipz");
+    editor.open(path, "{ \"note\": \"\u{1f600}\" }");
+    let change = r#"{"jsonrpc":"2.0","method":"textDocument/didChange","params":{"textDocument":{"uri":"file:///nowhere/a.lipz","version":2},"contentChanges":[{"range":{"start":{"line":0,"character":12},"end":{"line":0,"character":13}},"text":"\ude01"}]}}"#;
+    editor.send_bytes(format!("Content-Length: {}\r\n\r\n{change}", change.len()).as_bytes());
+    let asked = json!({ "textDocument": { "uri": uri(path) }, "options": { "tabSize": 2, "insertSpaces": true } });
+    let answer = editor.ask("textDocument/formatting", &asked);
+    assert!(answer["result"][0]["newText"].is_string(), "{answer}");
+    // A request with half a character has its answer, too.
+    let request = r#"{"jsonrpc":"2.0","id":"half","method":"textDocument/hover","params":{"textDocument":{"uri":"\ud83d"},"position":{"line":0,"character":0}}}"#;
+    editor.send_bytes(format!("Content-Length: {}\r\n\r\n{request}", request.len()).as_bytes());
+    editor.wait(|message| message["id"] == "half");
+    assert_eq!(editor.ask("shutdown", &Value::Null)["result"], Value::Null);
+}

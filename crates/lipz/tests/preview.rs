@@ -437,8 +437,11 @@ fn read_only_and_banks_are_not_written() {
 #[test]
 fn a_change_that_is_too_long_is_refused_with_a_word() {
     let preview = Running::start(&project(), &["voices"]);
+    let (host, token) = (preview.host(), &preview.token);
     for length in [u64::from(u32::MAX), u64::MAX / 2] {
-        let answer = preview.say(&format!("POST / HTTP/1.1\r\nContent-Length: {length}\r\n\r\n{{"));
+        let answer = preview.say(&format!(
+            "POST /{token}/api/save HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nContent-Length: {length}\r\n\r\n{{"
+        ));
         assert_eq!((answer.status, answer.head.contains("Content Too Large")), (413, true));
         assert_eq!(String::from_utf8(answer.body).unwrap(), "The change exceeds the size limit of a Lipz file.\n");
     }
@@ -455,4 +458,107 @@ fn what_cannot_be_served_is_told() {
     assert_eq!(lipz(scene.path(), ["preview", "-"]).code, 2);
     let missing = lipz(scene.path(), ["preview", "missing.lipzbank"]);
     assert_eq!(missing.code, 2, "{}", missing.stderr);
+}
+
+#[test]
+fn keys_with_spaces_and_signs_are_kept_apart() {
+    let scene = Scene::new();
+    for key in ["a b", "a+b", "ä&c"] {
+        let file = format!(r#"{{ "visemes": "MA", "fps": 24, "text_en-us": "{key}" }}"#);
+        scene.write(&format!("v/{key}.lipz"), file);
+    }
+    let preview = Running::start(&scene, &["v"]);
+    // As pages encode them, in both forms.
+    for (query, key) in [("a+b", "a b"), ("a%20b", "a b"), ("a%2Bb", "a+b"), ("%C3%A4%26c", "ä&c")] {
+        let clip = preview.get(&format!("api/clip?key={query}")).json();
+        assert_eq!(clip["key"], key);
+        assert_eq!(clip["elements"][1], json!(["text_en-us", key]), "{clip}");
+    }
+}
+
+/// A client without permission cannot make the server read a body, because the response comes before the body.
+#[test]
+fn bodies_of_others_are_not_read() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let mut stream = TcpStream::connect(("127.0.0.1", preview.port)).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+    stream.write_all(b"POST /wrong/x HTTP/1.1\r\nHost: x\r\nContent-Length: 400000000\r\n\r\n").unwrap();
+    let part = vec![0; 1 << 20];
+    // The server closes the connection long before all of it is sent.
+    let sent = (0..400).take_while(|_| stream.write_all(&part).is_ok()).count();
+    assert!(sent < 100, "{sent} MiB were taken");
+    let began = std::time::Instant::now();
+    let mut garbage = TcpStream::connect(("127.0.0.1", preview.port)).unwrap();
+    garbage.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+    garbage.write_all(b"\x16\x03\x01 no request").unwrap();
+    let _ = garbage.read_to_end(&mut Vec::new());
+    assert!(began.elapsed() < Duration::from_secs(5), "what is no request is not waited for");
+}
+
+/// A name of a recording may be a link to anything.
+#[cfg(unix)]
+#[test]
+fn only_audio_gets_into_a_page_and_nothing_is_written_through_links() {
+    let scene = project();
+    fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
+    scene.write("secret.txt", "root:x:0:0");
+    fs::create_dir_all(scene.path().join("recordings/act1")).unwrap();
+    let recording = scene.path().join("recordings/act1/mayor.wav");
+    std::os::unix::fs::symlink(scene.path().join("secret.txt"), &recording).unwrap();
+    let preview = Running::start(&scene, &["voices", "--audio", "recordings"]);
+    let answer = preview.get("api/sound?key=act1%2Fmayor");
+    assert_eq!(answer.status, 404);
+    assert!(String::from_utf8_lossy(&answer.body).contains("LZ1704"), "{}", String::from_utf8_lossy(&answer.body));
+    let export = ["preview", "voices", "--config", "root=voices", "--audio", "recordings", "-o", "site"];
+    let exported = lipz(scene.path(), export);
+    assert!(exported.code == 1 && exported.stderr.contains("LZ1704"), "{exported:?}");
+    assert!(exported.stdout.contains("1 clip, 0 recordings"), "{exported:?}");
+    assert!(!scene.path().join("site/data/sound-0.js").exists());
+    // A link to audio is right.
+    scene.write("elsewhere.wav", support::sound::wav(16_000, &[0; 8000]));
+    fs::remove_file(&recording).unwrap();
+    std::os::unix::fs::symlink(scene.path().join("elsewhere.wav"), &recording).unwrap();
+    assert!(lipz(scene.path(), export).stdout.contains("1 clip, 1 recording"));
+
+    let index = scene.path().join("site/index.html");
+    fs::remove_file(&index).unwrap();
+    std::os::unix::fs::symlink(scene.path().join("secret.txt"), &index).unwrap();
+    let refused = lipz(scene.path(), export);
+    assert!(refused.code == 2 && refused.stderr.contains("is a link"), "{refused:?}");
+    assert_eq!(fs::read_to_string(scene.path().join("secret.txt")).unwrap(), "root:x:0:0");
+}
+
+/// A pipe in place of a file would hold a request forever.
+#[cfg(unix)]
+#[test]
+fn a_file_that_became_a_pipe_is_refused() {
+    let scene = project();
+    let preview = Running::start(&scene, &["voices"]);
+    let path = scene.path().join("voices/act1/mayor.lipz");
+    fs::remove_file(&path).unwrap();
+    assert!(Command::new("mkfifo").arg(&path).status().unwrap().success());
+    let edit = change(MAYOR, &json!({ "visemes": "MAAAEE--|MAAEEO--" }));
+    let saved = preview.post("api/save", &edit).json();
+    assert_eq!(saved["result"], "refused", "{saved}");
+}
+
+#[test]
+fn a_retake_is_noticed() {
+    let scene = project();
+    fs::remove_file(scene.path().join("voices/act1/otto.lipz")).unwrap();
+    scene.write("recordings/act1/mayor.wav", support::sound::wav(16_000, &[0; 8000]));
+    let preview = Running::start(&scene, &["voices", "--config", "root=voices", "--audio", "recordings"]);
+    let settled = |mut version: u64| loop {
+        let next = preview.get("api/clips").json()["version"].as_u64().unwrap();
+        if next == version {
+            return version;
+        }
+        version = next;
+        std::thread::sleep(Duration::from_millis(1500));
+    };
+    let before = settled(u64::MAX);
+    scene.write("recordings/act1/mayor.wav", support::sound::wav(16_000, &[0; 4000]));
+    let changed = preview.get(&format!("api/changes?since={before}")).json()["version"].as_u64();
+    assert_ne!(changed, Some(before), "the page hears of it");
 }

@@ -355,3 +355,33 @@ fn engines_run_the_steps() {
         assert!(text.contains("touch build/sync.done") && !text.contains("lipzobj"), "{text}");
     }
 }
+
+/// Hand-edited visemes stay, and the record gets the times of words that were added since.
+#[test]
+fn kept_mouths_get_the_times_of_new_words() {
+    let project = || {
+        let scene = Scene::new();
+        scene.write(
+            "lipz.toml",
+            SETTINGS.replace("textgrids = \"grids\"\n", "").replace("lexicon = \"words.txt\"\n", ""),
+        );
+        scene.write("recordings/en/line.wav", voice(LINE, 1));
+        scene.write("voices/en/line.lipz", r#"{ "text_en-us": "Good evening, all." }"#);
+        scene.prepare(&["sync", "--quiet"]);
+        let file = fs::read_to_string(scene.path().join("voices/en/line.lipz")).unwrap();
+        let edited = file.replacen("\"-", "\"M", 1).replacen("evening", "old evening", 1);
+        assert_ne!(edited, file);
+        scene.write("voices/en/line.lipz", edited);
+        scene
+    };
+    let record = |scene: &Scene| fs::read_to_string(scene.path().join("voices/lipz-sync.txt")).unwrap();
+    let (at_once, sharded) = (project(), project());
+    let before = record(&at_once);
+    at_once.prepare(&["sync", "--quiet"]);
+    plan(&sharded, 1);
+    step(&sharded, 0, 1);
+    assert_eq!(merge(&sharded, 1).code, 0);
+    assert_eq!((made(&sharded), record(&sharded)), (made(&at_once), record(&at_once)));
+    let words = |record: &str| record.split_once("said:").unwrap().1.split(',').count();
+    assert_eq!((words(&before), words(&record(&at_once))), (3, 4));
+}

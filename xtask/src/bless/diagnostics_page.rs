@@ -35,11 +35,16 @@ const FOR_PROGRAMS: &str = r#"
 | `labels` | related positions, each with `span` and `text` |
 | `notes` | more facts, one line each |
 | `help` | suggested action, or `null` |
-| `fix` | a safe fix with `span` and `replacement`, or `null` |
+| `fix` | a fix with `span`, `replacement` and `applicability`, or `null` |
 
 A span goes from `start` to `end`, which is the position after its last character. Each position has
 a `line` and a `column`, counted from 1 in characters (Unicode scalar values), and an `offset_bytes`
 into the text, counted from 0. A byte order mark is not part of the text.
+
+The `applicability` of a fix is `"machine-applicable"` if the fix is certain, and
+`"maybe-incorrect"` if it is the suggestion of a "did you mean". `lipz check --fix` applies only
+certain fixes. Editors also offer the suggestions, and programs should ask before they apply one. In
+SARIF, `applicability` is in the `properties` of the fix.
 
 `--output-format sarif` prints the same diagnostics under the property names of SARIF 2.1.0. The
 help of its rules is the text of the sections below. `--output-format github` prints workflow

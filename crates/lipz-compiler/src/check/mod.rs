@@ -18,11 +18,11 @@ mod names;
 mod readability;
 mod segment_table;
 mod segments;
-mod share;
 mod texts;
 mod trigger;
 mod types;
 mod visemes;
+mod word_clock;
 
 pub(crate) use clean::CleanFiles;
 pub(crate) use clip_speech::ClipSpeech;

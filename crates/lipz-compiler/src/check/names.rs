@@ -7,6 +7,9 @@ use lipz_file::locale::{self, TextName};
 /// Names of elements in the format, except texts.
 const NAMES: [&str; 5] = ["fps", "visemes", "viseme_type", "events", "curves"];
 
+/// The form of the names of texts.
+const ANY_TEXT: &str = "text_ll-cc";
+
 /// Returns the diagnostic for a name that is not in the format.
 pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
     let name = element.name.text.as_ref();
@@ -15,12 +18,22 @@ pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
     } else {
         format!("{} is not an element of the format", escape::quoted(name))
     };
-    Diagnostic::at(Code::UnknownElement, element.name.span(), message)
-        .note("it is kept for unpacking; games do not see it")
-        .help(match suggestion(name) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None => "use one of fps, viseme_type, visemes, text_ll-cc, events, curves".to_owned(),
-        })
+    let found = Diagnostic::at(Code::UnknownElement, element.name.span(), message)
+        .note("it is kept for unpacking; games do not see it");
+    match suggestion(name) {
+        // Only the writer knows the locale.
+        Some(known) if known == ANY_TEXT => found.help(format!("did you mean `{known}`?")),
+        Some(known) => {
+            found.help(format!("did you mean `{known}`?")).suggest(element.name.span(), lipz_file::literal(&known))
+        }
+        None => found.help("use one of fps, viseme_type, visemes, text_ll-cc, events, curves"),
+    }
+}
+
+/// Returns a text as it is written within a string of a file, without quotes.
+pub(super) fn inside(text: &str) -> String {
+    let literal = lipz_file::literal(text);
+    literal.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).map(str::to_owned).unwrap_or(literal)
 }
 
 /// Returns the element that was probably meant by `name`.
@@ -32,5 +45,5 @@ fn suggestion(name: &str) -> Option<String> {
     if let Some(TextName::Canonical(tag) | TextName::Misspelt(tag)) = text {
         return Some(format!("text_{tag}"));
     }
-    suggest::nearest(name, NAMES.into_iter().chain(["text_ll-cc"])).map(str::to_owned)
+    suggest::nearest(name, NAMES.into_iter().chain([ANY_TEXT])).map(str::to_owned)
 }

@@ -69,6 +69,7 @@ codes! {
     UnknownAction "LZ0705" "unknown-action" Warning "the action of an event is not registered"
     NearEvent "LZ0706" "near-event" Warning "events are almost Character Event Syntax, but kept as text"
     OtherEvents "LZ0707" "other-events" Warning "events are not Character Event Syntax"
+    BrokenEvent "LZ0708" "broken-event" Warning "events start like Character Event Syntax, but are kept as text"
 
     "Keys and sources"
     KeyClash "LZ0801" "key-clash" Error "two keys differ only in case or Unicode normalisation"
@@ -198,6 +199,7 @@ codes! {
     NearEmotion "LZ1812" "near-emotion" Warning "braces contain an almost valid blend of emotions"
     CurveOutOfRange "LZ1813" "curve-out-of-range" Warning "a value of a curve is outside the range of a face"
     EmotionHidden "LZ1814" "emotion-hidden" Warning "an emotion does not move the face"
+    UntimedEmotion "LZ1815" "untimed-emotion" Warning "the time of the word after an emotion is unknown"
 
     "Translators' files"
     ExchangeSyntax "LZ1901" "exchange-syntax" Error "a translator's file does not follow its format"

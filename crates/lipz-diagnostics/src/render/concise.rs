@@ -24,7 +24,7 @@ pub fn concise(reports: &[Report]) -> String {
         let places = Places::new(report);
         for found in &report.diagnostics {
             lines.push_str(&places.prefix(&report.source.path, found));
-            let fixable = if found.fix.is_some() { " [fixable]" } else { "" };
+            let fixable = if found.fix.as_ref().is_some_and(crate::Fix::is_certain) { " [fixable]" } else { "" };
             let message = escape::text(&found.message);
             let _ = writeln!(lines, "{}[{}]: {message}{fixable}", found.severity, found.code);
         }

@@ -170,7 +170,7 @@ fn shown(renderer: &Renderer, source: &Source, places: &Places, diagnostic: &Dia
     };
     let path = escape::text(&source.path);
     let mut message = escape::text(&diagnostic.message);
-    if diagnostic.fix.is_some() {
+    if diagnostic.fix.as_ref().is_some_and(crate::Fix::is_certain) {
         message += " [fixable]";
     }
     let mut group = Group::with_title(title.primary_title(message).id(diagnostic.code.number()));

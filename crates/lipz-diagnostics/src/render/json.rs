@@ -117,6 +117,8 @@ struct OtherPlace<'r> {
 struct Fix<'r> {
     span: Span,
     replacement: &'r str,
+    /// Whether `lipz check --fix` applies it.
+    applicability: &'static str,
 }
 
 /// From the first character to the one after the last.
@@ -163,10 +165,11 @@ impl<'r> DiagnosticEntry<'r> {
             labels: diagnostic.labels.iter().map(other).collect(),
             notes: &diagnostic.notes,
             help: diagnostic.help.as_deref(),
-            fix: diagnostic
-                .fix
-                .as_ref()
-                .map(|fix| Fix { span: Span::new(places, fix.span), replacement: &fix.replacement }),
+            fix: diagnostic.fix.as_ref().map(|fix| Fix {
+                span: Span::new(places, fix.span),
+                replacement: &fix.replacement,
+                applicability: fix.applicability.name(),
+            }),
         }
     }
 }

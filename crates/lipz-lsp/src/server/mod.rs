@@ -89,6 +89,9 @@ struct Server<W> {
     homes: HashMap<String, PathBuf>,
     /// The files for which an editor shows diagnostics, by project.
     published: BTreeMap<PathBuf, BTreeSet<String>>,
+    /// The hash of the diagnostics that the editor shows for a file, by its URI. A project may have thousands of files,
+    /// and editors take long to show them all again.
+    sent: HashMap<String, u64>,
 }
 
 impl<W: Write> Server<W> {
@@ -102,6 +105,7 @@ impl<W: Write> Server<W> {
             projects: BTreeMap::new(),
             homes: HashMap::new(),
             published: BTreeMap::new(),
+            sent: HashMap::new(),
         }
     }
 

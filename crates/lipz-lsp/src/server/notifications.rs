@@ -88,6 +88,8 @@ impl<W: Write> Server<W> {
     fn close(&mut self, key: &str) -> io::Result<()> {
         let Some(document) = self.documents.remove(key) else { return Ok(()) };
         let home = self.homes.remove(key);
+        // Some editors forget the diagnostics of a file that is closed.
+        self.sent.remove(key);
         if document.path.is_none() {
             return self.publish(document.uri, Vec::new(), None);
         }

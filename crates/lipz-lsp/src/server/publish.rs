@@ -10,6 +10,7 @@ use lipz_diagnostics::{Diagnostic, Report};
 use lsp_types::notification::{Notification as _, PublishDiagnostics};
 use lsp_types::{Diagnostic as Shown, PublishDiagnosticsParams, Uri};
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -102,7 +103,15 @@ impl<W: Write> Server<W> {
         Ok(())
     }
 
+    /// Publishes the diagnostics of a file. Those of a file that is not open are only published if they have changed.
     pub(super) fn publish(&mut self, uri: Uri, diagnostics: Vec<Shown>, version: Option<i32>) -> io::Result<()> {
+        let mut hasher = DefaultHasher::new();
+        serde_json::to_string(&diagnostics).unwrap_or_default().hash(&mut hasher);
+        let hash = hasher.finish();
+        let before = self.sent.insert(uri.as_str().to_owned(), hash);
+        if version.is_none() && before == Some(hash) {
+            return Ok(());
+        }
         self.notify(PublishDiagnostics::METHOD, PublishDiagnosticsParams { uri, diagnostics, version })
     }
 }

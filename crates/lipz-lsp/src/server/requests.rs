@@ -58,13 +58,18 @@ impl<W: Write> Server<W> {
         }
     }
 
-    /// Returns an open Lipz file and its project; `None` for settings, which only have diagnostics.
+    /// Returns an open Lipz file and its project; `None` for settings, which only have diagnostics and their fixes.
     fn lipz_file(&self, uri: &Uri) -> Answer<Option<(&Document, &KnownProject)>> {
-        let key = uri.as_str();
-        let open = self.documents.get(key).zip(self.known(key));
-        let (document, known) = open.ok_or_else(|| format!("`{key}` is not open"))?;
+        let (document, known) = self.open_file(uri)?;
         let is_settings = document.path.as_deref().is_some_and(|path| path.ends_with(FILE_NAME));
         Ok((!is_settings).then_some((document, known)))
+    }
+
+    /// Returns an open file and its project.
+    fn open_file(&self, uri: &Uri) -> Answer<(&Document, &KnownProject)> {
+        let key = uri.as_str();
+        let open = self.documents.get(key).zip(self.known(key));
+        open.ok_or_else(|| format!("`{key}` is not open"))
     }
 
     fn completion(&self, params: &CompletionParams) -> Answer<Option<CompletionResponse>> {
@@ -93,7 +98,8 @@ impl<W: Write> Server<W> {
     }
 
     fn actions(&self, params: &CodeActionParams) -> Answer<Option<CodeActionResponse>> {
-        let Some((document, known)) = self.lipz_file(&params.text_document.uri)? else { return Ok(None) };
+        // Also those of settings.
+        let (document, known) = self.open_file(&params.text_document.uri)?;
         let range = place::bytes(&document.rope, params.range);
         Ok(Some(actions::actions(document, known, range, params.context.only.as_deref())))
     }

@@ -2,7 +2,7 @@
 
 use crate::job::grid::Grid;
 use crate::job::mouth::{self, HeardMouth};
-use crate::job::outcome::{JobOutcome, KeepReason, NewMouth};
+use crate::job::outcome::{JobOutcome, KeepReason, NewMouth, NewWordTimes};
 use crate::job::progress::{Progress, WatchedFile};
 use crate::job::reports::{push, push_report};
 use crate::job::review_list::ReviewList;
@@ -22,6 +22,7 @@ use lipz_speech::{AlignedPhone, Alignment, Recogniser, Script, Sound};
 use lipz_types::{Fps, VisemeType};
 use std::fs::File;
 use std::io::BufReader;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The purpose of analysing a recording.
@@ -86,8 +87,9 @@ impl LoadedJob<'_> {
             let visemes = self.clip.visemes.filter(|_| !is_current);
             self.diagnostics.extend(visemes.map(|visemes| kept_mouth(kept, visemes)));
             self.of_text.clear();
+            let words = self.missing_word_times(progress, reports);
             self.report(reports);
-            return Ok(JobOutcome::Kept(kept));
+            return Ok(JobOutcome::Kept(kept, words));
         }
         self.diagnostics.extend(no_script);
         self.make(progress, reports)
@@ -102,7 +104,7 @@ impl LoadedJob<'_> {
     fn current(&self) -> Option<&RecordLine> {
         let original_now = || self.original_now();
         let is_current = |line: &&RecordLine| {
-            // Older versions did not store the times of words, and the spaces between words may have changed.
+            // Older versions did not store the times of words, or stored them without the hashes of the words.
             let knows = |words: &WordTimes| {
                 words.is_empty() || self.text.is_some_and(|text| !words.of_text(&text.text).is_empty())
             };
@@ -125,6 +127,35 @@ impl LoadedJob<'_> {
             Some(_) => return None,
         };
         (has_mouth && !self.options.force).then_some(kept)
+    }
+
+    /// Returns the times of all words for the record, if visemes were made from this recording before, but words of the
+    /// text have changed since. As long as the visemes are kept, no other step finds these times.
+    fn missing_word_times(&mut self, progress: &Progress<'_>, reports: &mut Vec<Report>) -> Option<NewWordTimes> {
+        let text = &*self.text?.text;
+        let line = self.known.iter().rev().find(|line| line.words.is_some())?;
+        if line.made.sound != self.made.sound || line.is_corrected || self.grid.is_some() {
+            return None;
+        }
+        let times = line.words.as_ref()?.of_text(text);
+        let has_time = |range: &Range<usize>| {
+            let next = times.partition_point(|time| time.range.end <= range.start);
+            times.get(next).is_some_and(|time| time.range.start <= range.start)
+        };
+        let mut said = self.script.words.iter().filter(|word| !word.pronunciations.is_empty());
+        if said.all(|word| has_time(&word.range)) {
+            return None;
+        }
+        match self.hear(JobPurpose::Phones, progress, reports) {
+            Ok(heard) => {
+                let words = mouth::word_times(&heard, &self.script, text);
+                (!words.is_empty()).then_some(NewWordTimes { sound: self.made.sound, words })
+            }
+            Err(report) => {
+                reports.push(report);
+                None
+            }
+        }
     }
 
     /// Returns the TextGrid of the current visemes, if these are up to date with the recording.

@@ -2,6 +2,7 @@
 
 use super::review_list::ReviewList;
 use crate::record::{RecordLine, RecordedText};
+use lipz_compiler::WordTimes;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -9,8 +10,8 @@ use std::path::PathBuf;
 pub(crate) enum JobOutcome {
     /// The visemes are up to date.
     Unchanged(ReviewList),
-    /// The visemes were made or edited by hand, and stay.
-    Kept(KeepReason),
+    /// The visemes were made or edited by hand, and stay. If the record lacks times of words, they were found again.
+    Kept(KeepReason, Option<NewWordTimes>),
     /// The file gets new visemes.
     New(Box<NewMouth>),
     /// There are errors.
@@ -26,6 +27,14 @@ pub enum KeepReason {
     ByHand,
     /// They were made from a corrected TextGrid, and this run has no TextGrids.
     Corrected,
+}
+
+/// The times of the words in a recording, for the record.
+#[derive(Clone, Debug)]
+pub(crate) struct NewWordTimes {
+    /// The hash of the bytes of the recording.
+    pub(crate) sound: u64,
+    pub(crate) words: WordTimes,
 }
 
 /// A file to be written.

@@ -163,7 +163,7 @@ impl<'p> SyncRun<'p> {
         let done = work(&jobs, &options, known, &sources, &progress);
         let mut synced = SyncResults { reports: warnings, ..SyncResults::default() };
         let mut listed = ReviewLists::default();
-        let mut lines = Vec::new();
+        let (mut lines, mut new_words) = (Vec::new(), Vec::new());
         for (job, step, reports) in done {
             synced.reports.extend(reports);
             match step {
@@ -171,7 +171,10 @@ impl<'p> SyncRun<'p> {
                     synced.unchanged += 1;
                     listed.unchanged(&job.key, words);
                 }
-                JobOutcome::Kept(kept) => synced.kept.push((job.key.clone(), kept)),
+                JobOutcome::Kept(kept, words) => {
+                    synced.kept.push((job.key.clone(), kept));
+                    new_words.extend(words.map(|words| (&job.lipz_file, words)));
+                }
                 JobOutcome::Refused => synced.refused += 1,
                 JobOutcome::New(new) => {
                     synced.read_by_letters.extend(by_letters(job, &options, &new));
@@ -183,6 +186,7 @@ impl<'p> SyncRun<'p> {
             }
         }
         lines.into_iter().for_each(|(lipz_file, line, spoken)| record.set(lipz_file, line, spoken));
+        new_words.into_iter().for_each(|(lipz_file, words)| record.set_words(lipz_file, words.sound, words.words));
         synced.end(listed, &record, whole)
     }
 }

@@ -22,7 +22,7 @@ pub use word_times::{word_times, word_times_of};
 use crate::recordings::file_facts::unreadable;
 use crate::recordings::paths::shown;
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{replace_file, resolved_below};
+use lipz_compiler::{WordTimes, replace_file, resolved_below};
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -204,6 +204,15 @@ impl SyncRecord {
         self.lines.insert(name, vec![line]);
     }
 
+    /// Replaces the times of words in the line of a file that provides them, if it is about this recording.
+    pub(crate) fn set_words(&mut self, lipz_file: &Path, sound: u64, words: WordTimes) {
+        let name = self.name(lipz_file);
+        let lines = self.lines.get_mut(&name).into_iter().flatten();
+        if let Some(line) = lines.rev().find(|line| line.words.is_some()).filter(|line| line.made.sound == sound) {
+            line.words = Some(words);
+        }
+    }
+
     /// Replaces the file: one line per Lipz file, sorted by path.
     ///
     /// # Errors
@@ -256,7 +265,7 @@ mod tests {
         RecordLine { made: MADE, words: None, original: None, is_corrected: false, differences: None };
 
     fn b() -> RecordLine {
-        let words = Some("0badcafe:0-3@40-250,4-9@300-410?".parse().unwrap());
+        let words = Some("0badcafe:0-3#0001@40-250,4-9#beef@300-410?".parse().unwrap());
         let differences = Some("0badcafe:4-9@300-410".parse().unwrap());
         let original = Some(OriginalHashes { sound: 10, text: 11 });
         RecordLine { made: MouthHashes { mouth: 0, ..MADE }, words, original, is_corrected: true, differences }
@@ -283,7 +292,7 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         let zeros = "0".repeat(15);
         let expected = format!(
-            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b from:textgrid differs:0badcafe:4-9@300-410 said:0badcafe:0-3@40-250,4-9@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
+            "{zeros}1 {zeros}2 {zeros}3 {zeros}0 dub-of:{zeros}a,{zeros}b from:textgrid differs:0badcafe:4-9@300-410 said:0badcafe:0-3#0001@40-250,4-9#beef@300-410? a/x.lipz\n{zeros}1 {zeros}2 {zeros}3 ffffffffffffffff b c.lipz\n"
         );
         assert_eq!(text.strip_prefix(HEAD), Some(expected.as_str()));
     }

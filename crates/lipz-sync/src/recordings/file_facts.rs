@@ -30,6 +30,15 @@ impl FileFacts {
         let content_hash = File::open(path).and_then(content_hash).map_err(|error| unreadable(path, &error))?;
         Ok(FileFacts { length_us: length_us(path)?, content_hash })
     }
+
+    /// Returns the length of the recording at `path` in microseconds, without reading all of the file if its head states
+    /// the length.
+    ///
+    /// # Errors
+    /// If it cannot be read, or is not audio.
+    pub fn length_us(path: &Path) -> Result<u64, Report> {
+        length_us(path)
+    }
 }
 
 impl From<FileFacts> for lipz_bank::Recording {

@@ -1,7 +1,7 @@
 //! Merging of the visemes of all shards into the Lipz files.
 
 use super::hash_for_sync;
-use super::mouths::{MadeMouth, Mouths};
+use super::mouths::{KeptMouth, KeptWords, MadeMouth, Mouths};
 use crate::job::SyncResults;
 use crate::job::review_list::ReviewLists;
 use crate::job::write::{WriteGuard, write};
@@ -19,10 +19,14 @@ use std::path::Path;
 /// made. A file that already has its visemes is skipped, so that an interrupted merge can be repeated.
 pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &WriteGuard<'_>) -> SyncResults {
     let (mut synced, mut listed, mut made) = (SyncResults::default(), ReviewLists::default(), Vec::new());
+    let mut kept_words = Vec::new();
     for of_shard in mouths {
         synced.refused += of_shard.refused;
         synced.unchanged += of_shard.unchanged.len();
-        synced.kept.extend(of_shard.kept);
+        for KeptMouth { key, reason, words } in of_shard.kept {
+            synced.kept.push((key, reason));
+            kept_words.extend(words);
+        }
         synced.reports.extend(of_shard.reports.into_iter().filter_map(WireReport::into_report));
         of_shard.unchanged.into_iter().for_each(|(key, words)| listed.unchanged(&key, words));
         made.extend(of_shard.made);
@@ -46,6 +50,12 @@ pub fn merge(mouths: Vec<Mouths>, record: &mut SyncRecord, whole: &WriteGuard<'_
         }
     }
     lines.into_iter().for_each(|(lipz_file, line, spoken)| record.set(Path::new(&lipz_file), line, spoken));
+    for KeptWords { lipz_file, sound, words } in kept_words {
+        // Times of a recording that has changed since are not taken over.
+        if let Ok(words) = words.parse() {
+            record.set_words(Path::new(&lipz_file), sound, words);
+        }
+    }
     synced.end(listed, record, whole)
 }
 

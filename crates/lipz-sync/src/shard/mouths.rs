@@ -35,12 +35,32 @@ pub struct Mouths {
     pub(super) made: Vec<MadeMouth>,
     /// The keys of the clips whose visemes are up to date, and their words to check.
     pub(super) unchanged: Vec<(String, ReviewList)>,
-    pub(super) kept: Vec<(String, KeepReason)>,
+    pub(super) kept: Vec<KeptMouth>,
     /// The number of clips with errors.
     pub refused: usize,
     pub(super) reports: Vec<WireReport>,
     /// The hash of the document without this field.
     hash: ContentHash,
+}
+
+/// A clip whose visemes stay.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct KeptMouth {
+    pub(super) key: String,
+    pub(super) reason: KeepReason,
+    /// The new times of its words, if the record lacked some.
+    pub(super) words: Option<KeptWords>,
+}
+
+/// The times of words, for the record.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct KeptWords {
+    pub(super) lipz_file: String,
+    /// The hash of the bytes of the recording.
+    pub(super) sound: u64,
+    pub(super) words: String,
 }
 
 /// Visemes, and the file that gets them.

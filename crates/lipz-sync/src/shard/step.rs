@@ -1,7 +1,7 @@
 //! The step of a shard: the files that it reads for its clips, and the visemes that it makes.
 
 use super::hash_for_sync;
-use super::mouths::{MadeMouth, Mouths};
+use super::mouths::{KeptMouth, KeptWords, MadeMouth, Mouths};
 use crate::job::grid::place as grid_place;
 use crate::job::outcome::{JobOutcome, NewMouth};
 use crate::job::store::ClipStore;
@@ -95,7 +95,14 @@ pub fn mouths(
         mouths.reports.extend(reports.iter().map(WireReport::of));
         match step {
             JobOutcome::Unchanged(listed) => mouths.unchanged.push((job.key.clone(), listed)),
-            JobOutcome::Kept(kept) => mouths.kept.push((job.key.clone(), kept)),
+            JobOutcome::Kept(reason, words) => {
+                let words = words.map(|words| KeptWords {
+                    lipz_file: shown(&job.lipz_file),
+                    sound: words.sound,
+                    words: words.words.to_string(),
+                });
+                mouths.kept.push(KeptMouth { key: job.key.clone(), reason, words });
+            }
             JobOutcome::Refused => mouths.refused += 1,
             JobOutcome::New(new) => mouths.made.push(made_mouth(job, *new, options, record)),
         }

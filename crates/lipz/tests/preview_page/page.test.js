@@ -175,24 +175,169 @@ test("a project of one clip with errors has its texts", { timeout: TIMEOUT_MS },
   assert.equal(await page.value('document.querySelectorAll(\'[data-name="text_de-de"]\').length'), 2);
 });
 
-test("what is typed stays while files change", { timeout: TIMEOUT_MS }, async (t) => {
+test("what is typed counts from its first key, and stays while files change", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  const field = '[data-name="text_en-us"][data-at="0"]';
+  const isChanged = "preview.then(({ player }) => player.isChanged)";
+  await page.click(field);
+  await page.key("Home");
+  await page.type("Oh, ");
+  assert.equal(await page.value(isChanged), true, "a reload asks");
+  assert.equal(await page.value('document.getElementById("save").disabled'), false);
+  await project.write("voices/act1/otto.lipz", '{ "visemes": "MAEO--", "text_en-us": "Good morning.", "fps": 24, "viseme_type": "blair" }\n');
+  await page.until("preview.then(({ list }) => document.getElementById('list').textContent.includes('0.3 s'))");
+  const theirs = MAYOR.replace("MAAAEO", "MA|AAEO").replace("{louder} Mayor!", "{louder} Mayor!|Mayor.").replace("{louder} Meister!", "{louder} Meister!|Meister.").replace("points door", "points door|");
+  await project.write(FILE, theirs);
+  await page.until("preview.then(async ({ list }) => document.getElementById('list').textContent.includes('mayor'))");
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  const state = `(({ value, selectionStart }) => [value, selectionStart, document.activeElement.matches(${JSON.stringify(field)})])(document.querySelector(${JSON.stringify(field)}))`;
+  assert.deepEqual(await page.value(state), ["Oh, Mayor?", 4, true]);
+  await page.key("s", "control");
+  await page.until('!document.getElementById("conflict").hidden');
+  assert.equal(await project.read(FILE), theirs, "nobody's text is lost");
+  assert.ok((await page.value(text("yours"))).includes("Oh, Mayor?"));
+  await page.click("#drop");
+  await page.until('document.querySelectorAll("#texts tbody tr").length === 3');
+  assert.equal(await page.value(isChanged), false);
+  await page.click(field);
+  await page.key("End");
+  await page.type("?");
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  assert.ok((await project.read(FILE)).includes('"Mayor??'), "Ctrl+S saves what is being typed");
+  await page.type("x");
+  await page.key("Escape");
+  assert.equal(await page.value(isChanged), false, "Escape takes it back");
+});
+
+test("after saving, the page follows the file, and a conflict shows all that is overwritten", { timeout: TIMEOUT_MS }, async (t) => {
   const project = await Project.small();
   const page = await opened(t, project);
   const field = '[data-name="text_en-us"][data-at="0"]';
   await page.click(field);
-  await page.key("Home");
-  await page.type("Oh, ");
-  await project.write("voices/act1/otto.lipz", '{ "visemes": "MAEO--", "text_en-us": "Good morning.", "fps": 24, "viseme_type": "blair" }\n');
-  await page.until("preview.then(({ list }) => document.getElementById('list').textContent.includes('0.3 s'))");
-  // A row more, and the table is another one.
-  await project.write(FILE, MAYOR.replace("MAAAEO", "MA|AAEO").replace("{louder} Mayor!", "{louder} Mayor!|Mayor."));
-  await page.until('document.querySelectorAll("#texts tbody tr").length === 3');
-  const state = `(({ value, selectionStart }) => [value, selectionStart, document.activeElement.matches(${JSON.stringify(field)})])(document.querySelector(${JSON.stringify(field)}))`;
-  assert.deepEqual(await page.value(state), ["Oh, Mayor?", 4, true]);
-  assert.equal(await page.value("preview.then(({ player }) => player.isChanged)"), false, "typing is not done");
+  await page.key("a", "control");
+  await page.type("Well, my mayor?");
   await page.key("Enter");
-  const drawn = 'player.clip.segment(0).text(player.dialogue.locale("en-us")).text';
-  await page.until(`preview.then(async ({ player }) => (await player.settled, ${drawn} === "Oh, Mayor?"))`);
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const saved = await project.read(FILE);
+  assert.ok(saved.includes('"Well, my mayor?|'), saved);
+  assert.equal(await page.value("preview.then(({ player }) => player.isChanged)"), false, "aligned is not changed");
+  const theirs = saved.replace("Well, my mayor?", "Good morning?");
+  await project.write(FILE, theirs);
+  await page.until(`${text("subtitle")} === "Good morning?"`);
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("E");
+  await page.until('!document.getElementById("save").disabled');
+  await project.write(FILE, theirs.replace("Good morning?", "Good evening?"));
+  await page.key("s", "control");
+  await page.until('!document.getElementById("conflict").hidden');
+  assert.ok(!(await page.value(text("yours"))).includes("mayor?\""), "the text is saved, and no change of mine");
+  await page.click("#again");
+  await page.until('document.getElementById("conflict").hidden && !document.getElementById("save").disabled');
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const both = await project.read(FILE);
+  assert.ok(both.includes("Good evening?") && both.includes('"EAAAEO'), both);
+});
+
+test("a click on a shape goes there, and the keys of playback play", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.small();
+  const page = await opened(t, project);
+  const frames = "preview.then(async ({ player }) => (await player.settled, player.clip.frames))";
+  await page.click("#shapes .shape:nth-of-type(4)");
+  await page.until(`${time}.then((time) => time > 0.1)`);
+  assert.equal(await page.value('document.activeElement.id'), "shapes");
+  await page.key("l");
+  await page.until("preview.then(({ player }) => player.clock.playing)");
+  await page.key("k");
+  await page.key("o");
+  assert.equal(await page.value('document.getElementById("loop").ariaPressed'), "true");
+  assert.equal(await page.value(frames), "MAAAEO--MAAEEO------", "they type nothing");
+  await page.key("Home");
+  await page.key("L");
+  await page.until(`${frames}.then((frames) => frames === "LAAAEO--MAAEEO------")`);
+});
+
+test("a new segment divides all texts, and a saved file is right", { timeout: TIMEOUT_MS }, async (t) => {
+  const clip = '{ "visemes": "----MAEOMAEOMAEOMAEO----", "text_en-us": "Yes, I was {sad} there all along.", "text_de-de": "Ja, ich war die ganze Zeit da.", "text_fr-fr": "Oui, j\'étais là.", "events": "mara feels joy", "fps": 24, "viseme_type": "blair" }\n';
+  const project = await Project.make({ "lipz.toml": 'sources = ["voices"]\ndefault-locale = "en-us"\n', "voices/a.lipz": clip });
+  const page = await opened(t, project);
+  for (let frame = 0; frame < 12; frame++) await page.key("ArrowRight");
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("|");
+  await page.until("preview.then(async ({ player }) => (await player.settled, player.clip.segments.length === 2))");
+  assert.ok((await page.value(text("divided"))).includes("text_fr-fr"), "also of locales that are not shown");
+  assert.equal(await page.value('document.querySelectorAll("#texts textarea.review").length'), 4);
+  await page.click('[data-name="text_de-de"][data-at="1"]');
+  assert.equal(await page.value('document.querySelectorAll("#texts textarea.review").length'), 3, "it was looked at");
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const file = JSON.parse(await project.read("voices/a.lipz"));
+  assert.deepEqual(
+    [file["text_en-us"], file["text_de-de"], file["text_fr-fr"], file.events].map((text) => text.split("|").map((part) => part.trim())),
+    [["Yes, I was {sad} there", "all along."], ["Ja, ich war die", "ganze Zeit da."], ["Oui,", "j'étais là."], ["mara feels joy", ""]],
+  );
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("|");
+  await page.until("preview.then(async ({ player }) => (await player.settled, player.clip.segments.length === 1))");
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const again = JSON.parse(await project.read("voices/a.lipz"));
+  assert.deepEqual([again["text_en-us"], again.events], ["Yes, I was {sad} there all along.", "mara feels joy"]);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a new segment starts at a word of the recording", { timeout: TIMEOUT_MS }, async (t) => {
+  const project = await Project.make({ "lipz.toml": SETTINGS, "voices/bobby.lipz": '{ "text_en-us": "Bobby ripped the ledger." }\n', "recordings/bobby.wav": await readFile(BOBBY) });
+  assert.equal(spawnSync(process.env.LIPZ, ["sync"], { cwd: project.folder }).status, 0);
+  // An emotion that was added after the lip sync goes with its word.
+  const synced = await project.read("voices/bobby.lipz");
+  await project.write("voices/bobby.lipz", synced.replace("ripped", "{anger 6} ripped"));
+  const page = await opened(t, project);
+  assert.equal(await page.value('[...document.querySelectorAll("#words .word")].map(({ textContent }) => textContent).join()'), "Bobby,ripped,the,ledger", "words keep their times");
+  await page.value('preview.then(({ player }) => player.seek([...document.querySelectorAll("#words .word")][1].start + 0.02))');
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("|");
+  await page.until("preview.then(async ({ player }) => (await player.settled, player.clip.segments.length === 2))");
+  assert.equal(await page.value(text("divided")), "", "nothing to review");
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  const file = JSON.parse(await project.read("voices/bobby.lipz"));
+  assert.deepEqual(file["text_en-us"].split("|").map((part) => part.trim()), ["Bobby", "{anger 6} ripped the ledger."]);
+});
+
+test("a clip whose key has spaces is opened, played and saved", { timeout: TIMEOUT_MS }, async (t) => {
+  const clip = (name) => `{ "visemes": "MAEO", "text_en-us": "${name}", "fps": 24, "viseme_type": "blair" }\n`;
+  const project = await Project.make({ "lipz.toml": SETTINGS, "voices/a b.lipz": clip("with a space"), "voices/a+b.lipz": clip("with a sign") });
+  const page = await opened(t, project);
+  assert.equal(await page.value(text("subtitle")), "with a space");
+  await page.value('document.getElementById("shapes").focus()');
+  await page.key("E");
+  await page.until('!document.getElementById("save").disabled');
+  await page.key("s", "control");
+  await page.until('document.getElementById("save").disabled');
+  assert.ok((await project.read("voices/a b.lipz")).includes("EAEO"));
+  assert.equal(await project.read("voices/a+b.lipz"), clip("with a sign"));
+});
+
+test("a typed code is drawn at once in a clip of ten minutes", { timeout: TIMEOUT_MS }, async (t) => {
+  const line = Array.from({ length: 300 }, (_, at) => `Good evening, Otto ${at + 1}, how are you today?`).join("|");
+  const visemes = Array.from({ length: 300 }, () => "MAEO".repeat(12)).join("|");
+  const file = JSON.stringify({ visemes, "text_en-us": line, "text_de-de": line, fps: 24, viseme_type: "blair" });
+  const project = await Project.make({ "lipz.toml": SETTINGS, "voices/long.lipz": `${file}\n` });
+  const page = await opened(t, project);
+  await page.value('document.getElementById("shapes").focus()');
+  await page.value("(globalThis.began = performance.now(), globalThis.passed = undefined)");
+  await page.value(`(document.getElementById("shapes").addEventListener("keydown", () => {
+    globalThis.began = performance.now();
+    preview.then(({ player }) => setTimeout(() => player.settled.then(() => (globalThis.passed = performance.now() - globalThis.began))));
+  }, { capture: true, once: true }), true)`);
+  await page.key("E");
+  await page.until("globalThis.passed !== undefined");
+  t.diagnostic(`a code was drawn ${Math.round(await page.value("globalThis.passed"))} ms after its key`);
+  assert.ok((await page.value('document.querySelectorAll("#shapes > *").length')) < 2000, "shapes are made where they are seen");
 });
 
 test("codes are those of the file, whatever the bank has", { timeout: TIMEOUT_MS }, async (t) => {

@@ -18,6 +18,8 @@ pub(crate) struct Editor {
     messages: Receiver<Value>,
     requests: u32,
     version: u32,
+    /// The files whose diagnostics were published, as far as they were waited for.
+    published: Vec<String>,
 }
 
 /// Returns the URI of a file.
@@ -41,7 +43,7 @@ impl Editor {
                 }
             }
         });
-        Editor { server, input, messages, requests: 0, version: 1 }
+        Editor { server, input, messages, requests: 0, version: 1, published: Vec::new() }
     }
 
     /// Starts the server with an open folder.
@@ -105,6 +107,33 @@ impl Editor {
                 && are_meant(params["diagnostics"].as_array().unwrap())
         });
         message["params"]["diagnostics"].as_array().unwrap().clone()
+    }
+
+    /// Waits until the diagnostics of a file are published, in any order with those of others.
+    pub(crate) fn diagnostics_of(&mut self, path: &Path) {
+        let uri = uri(path);
+        while !self.published.contains(&uri) {
+            self.published_next();
+        }
+    }
+
+    /// Waits until the diagnostics of a file are published, and gives all files whose diagnostics were until then, and
+    /// shortly after.
+    pub(crate) fn published_until(&mut self, path: &Path) -> Vec<String> {
+        let uri = uri(path);
+        self.published.clear();
+        while !self.published.contains(&uri) {
+            self.published_next();
+        }
+        while let Ok(message) = self.messages.recv_timeout(Duration::from_millis(500)) {
+            self.published.extend(message["params"]["uri"].as_str().map(str::to_owned));
+        }
+        self.published.clone()
+    }
+
+    fn published_next(&mut self) {
+        let message = self.wait(|message| message["method"] == "textDocument/publishDiagnostics");
+        self.published.extend(message["params"]["uri"].as_str().map(str::to_owned));
     }
 
     /// Opens a file with this text.

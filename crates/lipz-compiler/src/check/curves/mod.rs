@@ -96,18 +96,14 @@ fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnos
         (Some(_), _) => (format!("{} is not a registered curve", escape::quoted(name)), near),
     };
     let diagnostic = Diagnostic::at(Code::UnknownCurve, curve.name.span(), message);
-    Some(
-        diagnostic
-            .note(
-                "the known curves are the emotions, the curves of docs/guides/faces.md, the 52 blend shapes \
+    let diagnostic = diagnostic.note(
+        "the known curves are the emotions, the curves of docs/guides/faces.md, the 52 blend shapes \
         of ARKit and the registered curves",
-            )
-            .help(match near {
-                Some(near) => format!(
-                    "did you mean {}? If not, add the curve to `curves` in `[registry]` of lipz.toml",
-                    escape::quoted(&format!("{who}{near}"))
-                ),
-                None => "add it to `curves` in `[registry]` of lipz.toml if your rig has it".to_owned(),
-            }),
-    )
+    );
+    let Some(near) = near.map(|near| format!("{who}{near}")) else {
+        return Some(diagnostic.help("add it to `curves` in `[registry]` of lipz.toml if your rig has it"));
+    };
+    let quoted = escape::quoted(&near);
+    let help = format!("did you mean {quoted}? If not, add the curve to `curves` in `[registry]` of lipz.toml");
+    Some(diagnostic.help(help).suggest(curve.name.span(), lipz_file::literal(&near)))
 }

@@ -1,5 +1,6 @@
 //! The names of emotions.
 
+use crate::check::names::inside;
 use crate::project::{KnownNames, Options};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::emotion::{Blend, Term};
@@ -51,12 +52,13 @@ impl<'o> AllowedNames<'o> {
 
     fn unknown(&self, term: &Term<'_>, span: Span) -> Diagnostic {
         let message = format!("{} is not a known emotion", escape::quoted(term.name.text));
-        Diagnostic::at(Code::UnknownEmotion, span, message).help(match self.nearest(term.name.text) {
-            Some(near) => format!("did you mean {}?", escape::quoted(near)),
+        let found = Diagnostic::at(Code::UnknownEmotion, span, message);
+        match self.nearest(term.name.text) {
+            Some(near) => found.help(format!("did you mean {}?", escape::quoted(near))).suggest(span, inside(near)),
             None => {
-                "use an emotion from docs/guides/faces.md, or define your own in [emotions] of lipz.toml".to_owned()
+                found.help("use an emotion from docs/guides/faces.md, or define your own in [emotions] of lipz.toml")
             }
-        })
+        }
     }
 
     fn without_attributes(&self, term: &Term<'_>, span: Span) -> Diagnostic {

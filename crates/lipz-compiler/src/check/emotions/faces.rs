@@ -2,10 +2,10 @@
 
 use super::keys::{self, BlendChange};
 use super::markup::Markup;
-use crate::check::share::share_of_segment;
+use crate::check::word_clock::WordClock;
 use crate::clip::ClipData;
+use crate::project::Options;
 use crate::project::options::Face;
-use crate::project::{Options, WordTime};
 use lipz_bank::Micros;
 use lipz_bank::curve::CurveValue;
 use lipz_bank::face::Emotion;
@@ -24,17 +24,25 @@ pub(super) type Changes = BTreeMap<Option<String>, Vec<BlendChange>>;
 pub(super) struct FaceBlend {
     face: Face,
     over_ms: u32,
+    /// Whether the file sets the duration of the change.
+    is_timed: bool,
 }
 
 impl FaceBlend {
     pub(super) fn new(blend: &Blend<'_>, options: &Options) -> FaceBlend {
-        FaceBlend { face: options.emotions.face(blend), over_ms: blend.over_ms.unwrap_or(options.emotions.over_ms) }
+        FaceBlend {
+            face: options.emotions.face(blend),
+            over_ms: blend.over_ms.unwrap_or(options.emotions.over_ms),
+            is_timed: blend.over_ms.is_some(),
+        }
     }
 
-    /// Returns the change that the blend causes from a frame on.
+    /// Returns the change that the blend causes from a frame on. A clip starts with its first faces, because the previous
+    /// line may have ended with them. They grow only if the file sets a duration.
     pub(super) fn change(&self, frame: u32, clip: &ClipData) -> BlendChange {
         let frames = |fps: lipz_bank::Fps| fps.frame_at(Micros(i64::from(self.over_ms) * 1000)).unwrap_or(0);
-        let over = if self.over_ms == 0 { 0 } else { clip.fps.map_or(0, frames).max(1) };
+        let is_there = self.over_ms == 0 || frame == 0 && !self.is_timed;
+        let over = if is_there { 0 } else { clip.fps.map_or(0, frames).max(1) };
         BlendChange { frame, face: self.face, over }
     }
 }
@@ -73,17 +81,17 @@ impl<'c> Faces<'c> {
         Faces { clip, options, changes: BTreeMap::new(), places: BTreeMap::new(), has_value: false, found: Vec::new() }
     }
 
-    /// Returns the frame of a mark. It is the start of the next word if the time of that word is known, and else the
-    /// mark's share of the segment by letters. A mark before the first word is valid from the start of the segment.
-    pub(super) fn at(&self, mark: &Markup<'_>, words: &[WordTime]) -> u32 {
-        let (start, end) = (self.clip.segment_start(mark.segment), self.clip.segment_start(mark.segment + 1));
-        let is_inside = 0 < mark.letters_before && mark.letters_before < mark.letters;
-        let next = words.get(words.partition_point(|word| word.range.start < mark.range.end)).filter(|_| is_inside);
-        if let Some((next, fps)) = next.zip(self.clip.fps) {
-            let frame = fps.frame_at(Micros(i64::from(next.start_ms) * 1000)).unwrap_or(0);
-            return frame.clamp(start, end);
+    /// Returns the frame of a mark. It is the start of the next word, which the clock estimates if the time of that word
+    /// is unknown. A mark before the first word is valid from the start of the segment.
+    pub(super) fn at(&self, mark: &Markup<'_>, clock: &WordClock<'_>) -> u32 {
+        if !mark.is_behind_word {
+            return self.clip.segment_start(mark.segment);
         }
-        share_of_segment(start..end, mark.letters_before, mark.letters)
+        let next = clock.next_letter(mark.segment, mark.range.end).and_then(|letter| clock.word_at(letter));
+        match next {
+            Some(word) => clock.frame_at(mark.segment, word.start_ms),
+            None => clock.share(mark.segment, mark.range.end),
+        }
     }
 
     /// Adds a change of a character's face at a frame, and the diagnostics about it.

@@ -1,6 +1,7 @@
 //! Emotions in the meta of a text.
 
 use super::allowed_names::AllowedNames;
+use crate::check::names::inside;
 use crate::project::Options;
 use crate::project::options::Face;
 use lipz_diagnostics::{Code, Diagnostic, escape};
@@ -16,9 +17,8 @@ pub(super) struct Markup<'t> {
     /// The offset in bytes of the contents of the braces.
     pub(super) start: usize,
     pub(super) blend: Blend<'t>,
-    /// Displayed letters and digits of the segment: the number before this blend, then the total.
-    pub(super) letters_before: usize,
-    pub(super) letters: usize,
+    /// Whether a word of the segment comes before it.
+    pub(super) is_behind_word: bool,
 }
 
 impl<'t> Markup<'t> {
@@ -29,27 +29,20 @@ impl<'t> Markup<'t> {
             return found;
         }
         for (segment, range) in text::segments(whole).enumerate() {
-            let first = found.len();
-            let (mut letters, mut end) = (0, range.start);
+            let (mut is_behind_word, mut end) = (false, range.start);
             for meta in text::meta_ranges(&whole[range.clone()]) {
                 let meta = range.start + meta.start..range.start + meta.end;
-                letters += letters_of(&whole[end..meta.start]);
+                is_behind_word |= whole[end..meta.start].contains(char::is_alphanumeric);
                 end = meta.end;
                 let inner = &whole[meta.start + 1..meta.end - 1];
                 if let Some(blend) = Blend::parse(inner, 0).filter(|blend| is_meant(blend, known)) {
                     let start = meta.start + 1;
-                    found.push(Markup { segment, range: meta, start, blend, letters_before: letters, letters: 0 });
+                    found.push(Markup { segment, range: meta, start, blend, is_behind_word });
                 }
             }
-            letters += letters_of(&whole[end..range.end]);
-            found[first..].iter_mut().for_each(|mark| mark.letters = letters);
         }
         found
     }
-}
-
-fn letters_of(text: &str) -> usize {
-    text.chars().filter(|c| c.is_alphanumeric()).count()
 }
 
 /// Whether meta means emotions and not another kind of note (`{take 3}`): either all of its names are known, or it has
@@ -84,7 +77,9 @@ pub(super) fn near_misses(string: &JsonString<'_>, known: &AllowedNames<'_>) -> 
             let message = format!("{} is nearly a blend of emotions, and is read as meta", escape::quoted(written));
             let note = near.note.map(|note| format!(" Put the note into its own braces: {{{}}}", escape::text(note)));
             let help = format!("did you mean `{{{}}}`?{}", near.meant, note.unwrap_or_default());
-            found.push(Diagnostic::at(Code::NearEmotion, string.span_of(range), message).help(help));
+            let rest = near.note.map(|note| format!(" {{{note}}}")).unwrap_or_default();
+            let (span, meant) = (string.span_of(range), format!("{{{}}}{rest}", near.meant));
+            found.push(Diagnostic::at(Code::NearEmotion, span, message).help(help).suggest(span, inside(&meant)));
         }
     }
     found

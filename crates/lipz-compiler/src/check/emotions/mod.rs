@@ -8,12 +8,13 @@ mod of_file;
 
 use super::ClipSpeech;
 use super::elements::Roles;
+use super::word_clock::WordClock;
 use crate::clip::{ClipData, Locales};
 use crate::project::Options;
 use crate::project::options::EmotionCurves;
 use allowed_names::AllowedNames;
 use faces::{Changes, FaceBlend, Faces, MOST};
-use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::emotion::{Blend, Term};
 use lipz_file::{JsonString, event, text};
 use markup::Markup;
@@ -45,24 +46,30 @@ pub(super) fn curves(
         }
     }
     let may_have_meta = !options.literal_braces && !clip.has_joined;
-    // The first text with emotions is the text of the voice.
-    let mut voice: Option<(&JsonString<'_>, Vec<Markup<'_>>)> = None;
-    for text in roles.texts_by_voice(options, spoken, locales).into_iter().filter(|_| may_have_meta) {
+    // The first text with emotions is the text of the voice. Only the first text of all is spoken.
+    let mut voice: Option<(&JsonString<'_>, Vec<Markup<'_>>, bool)> = None;
+    for (number, text) in roles.texts_by_voice(options, spoken, locales).into_iter().enumerate() {
+        if !may_have_meta {
+            break;
+        }
         diagnostics.extend(markup::near_misses(text.string, &known));
         let markup = Markup::all(&text.string.text, &known);
         match &voice {
             _ if markup.is_empty() => {}
-            None => voice = Some((text.string, markup)),
-            Some((_, of_voice)) => faces.found.extend(markup::difference(text.string, &markup, of_voice, options)),
+            None => voice = Some((text.string, markup, number == 0)),
+            Some((_, of_voice, _)) => faces.found.extend(markup::difference(text.string, &markup, of_voice, options)),
         }
     }
-    if let Some((string, markup)) = &voice {
-        let words = spoken.times.map(|times| times.of_text(&string.text)).unwrap_or_default();
+    if let Some((string, markup, is_spoken)) = &voice {
+        let clock = WordClock::new(clip, &string.text, options.literal_braces, spoken.times);
         for mark in markup {
             let span = |term: &Term<'_>| span_of(string, mark.start, term);
             known.faults(&mark.blend, None, &span, &mut faces.found);
             let whole = string.span_of(mark.range.clone());
-            faces.change(None, faces.at(mark, &words), &mark.blend, whole, &span);
+            if *is_spoken && spoken.times.is_some_and(|times| !times.is_empty()) {
+                faces.found.extend(untimed(string, mark, &clock));
+            }
+            faces.change(None, faces.at(mark, &clock), &mark.blend, whole, &span);
         }
     }
     if !faces.has_value && options.emotions.curves == EmotionCurves::Values {
@@ -73,6 +80,20 @@ pub(super) fn curves(
     let is_said = |diagnostic: &Diagnostic| clip.has_visemes || diagnostic.code != Code::EmotionHidden;
     diagnostics.extend(found.into_iter().filter(is_said));
     clip.curves.add_missing(curves);
+}
+
+/// Returns the diagnostic for an emotion at a word whose time is unknown, in a text with known times.
+fn untimed(string: &JsonString<'_>, mark: &Markup<'_>, clock: &WordClock<'_>) -> Option<Diagnostic> {
+    let letter = clock.next_letter(mark.segment, mark.range.end).filter(|_| mark.is_behind_word)?;
+    if clock.word_at(letter).is_some() {
+        return None;
+    }
+    let rest = &string.text[letter..];
+    let word = &rest[..rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len())];
+    let message = format!("the time of {} is unknown, so the start of the emotion is estimated", escape::quoted(word));
+    let note = "lipz-sync.txt has the times of other words of this text";
+    let found = Diagnostic::at(Code::UntimedEmotion, string.span_of(mark.range.clone()), message).note(note);
+    Some(found.help("run `lipz sync` to find the word in the recording"))
 }
 
 /// An emotion in the events of a segment.

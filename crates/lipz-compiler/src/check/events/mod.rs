@@ -1,6 +1,7 @@
 //! The event strings of a clip's segments. They are kept unchanged, and checked if they are Character Event Syntax or
 //! nearly so.
 
+mod broken;
 mod names;
 mod near_miss;
 
@@ -49,6 +50,8 @@ enum Fault<'s> {
     UnregisteredName(UnregisteredName<'s>),
     /// A part that is nearly an event.
     NearMiss(NearMiss<'s>),
+    /// A part that is not an event, in a segment that starts like events.
+    Broken(Part<'s>),
     /// A part that is not an event.
     Other(Part<'s>),
 }
@@ -62,6 +65,9 @@ fn faults<'s>(segment: &'s str, known_names: &KnownNames, is_strict: bool) -> Ve
     let mut faults: Vec<Fault<'_>> = near_misses(segment, known_names).map(Fault::NearMiss).collect();
     if is_strict && faults.is_empty() {
         faults.extend(event::parts(segment).filter(|part| part.event().is_none()).map(Fault::Other));
+    }
+    if faults.is_empty() {
+        faults.extend(broken::broken(segment, known_names).map(Fault::Broken));
     }
     faults
 }
@@ -97,7 +103,10 @@ impl EventDiagnostics<'_> {
                 Fault::UnregisteredName(name) => {
                     self.add(name.code(), || name.diagnostic(span(name.word.range()), known_names));
                 }
-                Fault::NearMiss(event) => self.add(Code::NearEvent, || event.diagnostic(span(event.at.clone()))),
+                Fault::NearMiss(event) => {
+                    self.add(Code::NearEvent, || event.diagnostic(span(event.at.clone()), span(event.event.clone())));
+                }
+                Fault::Broken(part) => self.add(Code::BrokenEvent, || broken::diagnostic(part, span)),
                 Fault::Other(part) => self.add(Code::OtherEvents, || other_events(part, span)),
             }
         }

@@ -1,5 +1,6 @@
 //! Names in events, compared with the names that the project registers.
 
+use crate::check::names::inside;
 use crate::project::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{Event, Word};
@@ -159,12 +160,15 @@ impl UnregisteredName<'_> {
             Some(listed) => format!("the {known} are {listed}"),
             None => format!("there are no {known}"),
         });
-        diagnostic.help(match names.nearest(self.word.text) {
-            Some(name) => format!("did you mean {}?", escape::quoted(name)),
-            None => {
-                format!("add it to `{}` in `[registry]` of lipz.toml if your game supports it", lists.join("` or `"))
+        match names.nearest(self.word.text) {
+            Some(name) => {
+                diagnostic.help(format!("did you mean {}?", escape::quoted(name))).suggest(span, inside(name))
             }
-        })
+            None => {
+                let lists = lists.join("` or `");
+                diagnostic.help(format!("add it to `{lists}` in `[registry]` of lipz.toml if your game supports it"))
+            }
+        }
     }
 }
 

@@ -13,6 +13,7 @@ mod words;
 
 use super::ClipSpeech;
 use super::elements::Roles;
+use super::word_clock::WordClock;
 use crate::clip::{ClipData, Key, Locales};
 use crate::project::Options;
 use crate::project::options::GestureKeys;
@@ -73,9 +74,9 @@ fn of_words(
 ) -> Vec<Key> {
     let mut poses = Vec::new();
     if let Some(text) = roles.texts_by_voice(options, spoken, locales).first().filter(|_| !clip.has_joined) {
-        let times = spoken.times.map(|times| times.of_text(&text.string.text)).unwrap_or_default();
         let words = Words::of(&text.string.text, options.literal_braces);
-        let clock = Clock::new(clip, fps, times, &words);
+        let times = WordClock::new(clip, &text.string.text, options.literal_braces, spoken.times);
+        let clock = Clock::new(times, &clip.frames);
         if let Some(lists) = Lists::of(locales.tag(text.locale)) {
             said::of_lists(&words, lists, &clock, &options.gestures, to);
         }

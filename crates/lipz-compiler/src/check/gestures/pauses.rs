@@ -1,8 +1,8 @@
 //! The gestures of a listening face while its mouth rests for long.
 
-use super::clock::REST;
 use super::gesture::Gesture;
 use super::shapes::GestureKind;
+use crate::check::word_clock::REST;
 use crate::clip::ClipData;
 use lipz_bank::{Fps, Micros};
 

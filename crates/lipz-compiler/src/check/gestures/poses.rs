@@ -1,7 +1,8 @@
 //! The times when a head turns to another pose: at each word, and at each pause.
 
-use super::clock::{Clock, REST};
+use super::clock::Clock;
 use super::words::Words;
+use crate::check::word_clock::REST;
 use crate::clip::{ClipData, Key};
 use lipz_bank::curve::CurveValue;
 use lipz_bank::{Fps, Micros};
@@ -26,7 +27,7 @@ pub(super) fn of_words(words: &Words<'_>, clip: &ClipData, clock: &Clock<'_>, fp
     let mut turns: BTreeMap<u32, bool> = pauses.keys().map(|start| (*start, false)).collect();
     for word in &words.words {
         let start = clock.start(word, 0);
-        // A time that is a share of the segment may be in a pause, but the word cannot.
+        // If visemes were edited by hand, the time of a word may be in a pause, but the word cannot.
         let pause = pauses.range(..=start).next_back().filter(|(_, end)| start < **end);
         turns.insert(pause.map_or(start, |(_, end)| *end), true);
     }

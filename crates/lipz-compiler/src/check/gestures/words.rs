@@ -9,8 +9,6 @@ pub(super) struct SpokenWord<'t> {
     pub(super) segment: usize,
     /// Its offset in the text, in bytes.
     pub(super) start: usize,
-    /// Letters and digits before it in the segment.
-    pub(super) letters_before: usize,
     /// The characters before it, from the previous word or meta.
     before: &'t str,
     /// The characters after it, up to the next word or meta.
@@ -19,32 +17,29 @@ pub(super) struct SpokenWord<'t> {
     goes_on: bool,
 }
 
-/// The words of a text, and the number of letters in each segment.
+/// The words of a text.
 pub(super) struct Words<'t> {
     pub(super) words: Vec<SpokenWord<'t>>,
-    pub(super) letters: Vec<usize>,
 }
 
 impl<'t> Words<'t> {
     /// Returns the words of a text. Braces enclose meta, unless they are literal.
     pub(super) fn of(whole: &'t str, literal_braces: bool) -> Words<'t> {
-        let mut words = Words { words: Vec::new(), letters: Vec::new() };
-        for segment in text::segments(whole) {
-            words.letters.push(0);
+        let mut words = Words { words: Vec::new() };
+        for (number, segment) in text::segments(whole).enumerate() {
             let metas = if literal_braces { Vec::new() } else { text::meta_ranges(&whole[segment.clone()]) };
             let mut at = segment.start;
             for meta in metas {
-                words.piece(whole, at..segment.start + meta.start);
+                words.piece(whole, number, at..segment.start + meta.start);
                 at = segment.start + meta.end;
             }
-            words.piece(whole, at..segment.end);
+            words.piece(whole, number, at..segment.end);
         }
         words
     }
 
-    /// Adds the words in a displayed range.
-    fn piece(&mut self, whole: &'t str, range: Range<usize>) {
-        let segment = self.letters.len() - 1;
+    /// Adds the words in a displayed range of a segment.
+    fn piece(&mut self, whole: &'t str, segment: usize, range: Range<usize>) {
         let first = self.words.len();
         let mut end = range.start;
         let mut rest = &whole[range.clone()];
@@ -54,12 +49,9 @@ impl<'t> Words<'t> {
             let start = range.end - rest.len() + at;
             let before = &whole[end..start];
             (end, rest) = (start + length, &rest[at + length..]);
-            let letters = text.chars().filter(|c| c.is_alphanumeric()).count();
-            let letters_before = self.letters[segment];
-            self.letters[segment] += letters;
-            if letters > 0 {
+            if text.contains(char::is_alphanumeric) {
                 let (behind, goes_on) = ("", false);
-                self.words.push(SpokenWord { text, segment, start, letters_before, before, behind, goes_on });
+                self.words.push(SpokenWord { text, segment, start, before, behind, goes_on });
             }
         }
         let starts: Vec<usize> = self.words[first..].iter().map(|word| word.start).collect();
@@ -191,8 +183,6 @@ mod tests {
         );
         assert_eq!(words("बिल्कुल नहीं।|はい、そうです。"), [(0, "बिल्कुल"), (0, "नहीं"), (1, "はい"), (1, "そうです")]);
         assert_eq!(words(" |{meta}|..."), []);
-        let all = Words::of("ab {x} cd|efg", false);
-        assert_eq!((all.letters, all.words[1].letters_before), (vec![4, 3], 2));
     }
 
     #[test]

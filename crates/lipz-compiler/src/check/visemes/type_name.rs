@@ -27,7 +27,9 @@ fn unknown(name: &JsonString<'_>) -> Diagnostic {
         Some(known) if suggest::distance(&name.text, known) == Some(0) => {
             diagnostic.help(format!("write \"{known}\"")).fix(name.span(), format!("\"{known}\""))
         }
-        Some(known) => diagnostic.help(format!("did you mean \"{known}\"?")),
+        Some(known) => {
+            diagnostic.help(format!("did you mean \"{known}\"?")).suggest(name.span(), format!("\"{known}\""))
+        }
         None => diagnostic,
     }
 }

@@ -97,10 +97,13 @@ impl SettingsReader<'_> {
 
     fn unknown_babble_setting(&mut self, name: &str, value: &NamedValue<'_>) {
         let message = format!("{} is not a setting of a babble profile", escape::quoted(name));
-        let help = match nearest(name, SETTINGS) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None => format!("use one of {}; write a named profile as a table, [babble.NAME]", SETTINGS.join(", ")),
-        };
-        self.diagnostics.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
+        let found = Diagnostic::at(Code::UnknownSetting, span(&value.key), message);
+        self.diagnostics.push(match nearest(name, SETTINGS) {
+            Some(known) => found.help(format!("did you mean `{known}`?")).suggest(span(&value.key), known),
+            None => {
+                let names = SETTINGS.join(", ");
+                found.help(format!("use one of {names}; write a named profile as a table, [babble.NAME]"))
+            }
+        });
     }
 }

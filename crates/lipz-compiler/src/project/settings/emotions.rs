@@ -23,11 +23,9 @@ impl SettingsReader<'_> {
                 match CURVES.iter().find(|(known, _)| *known == text) {
                     Some((_, curves)) => self.settings.options.emotions.curves = *curves,
                     None => {
-                        let help = match suggest::nearest(text, CURVES.map(|(known, _)| known)) {
-                            Some(near) => format!("did you mean \"{near}\"?"),
-                            None => "write \"all\", \"values\" or \"off\"".to_owned(),
-                        };
-                        self.refuse(value, "is not a value of `curves`", &help);
+                        let near = suggest::nearest(text, CURVES.map(|(known, _)| known));
+                        let (what, otherwise) = ("is not a value of `curves`", "write \"all\", \"values\" or \"off\"");
+                        value.refuse_unknown::<()>(what, near, otherwise, &mut self.diagnostics);
                     }
                 }
             }

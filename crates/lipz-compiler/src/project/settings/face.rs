@@ -63,11 +63,9 @@ impl SettingsReader<'_> {
         match KEYS.iter().find(|(known, _)| *known == text) {
             Some((_, keys)) => self.settings.options.gestures.keys = *keys,
             None => {
-                let help = match nearest(text, KEYS.map(|(known, _)| known)) {
-                    Some(near) => format!("did you mean \"{near}\"?"),
-                    None => "write \"words\" for gestures that match the text, \"events\" or \"off\"".to_owned(),
-                };
-                self.refuse(value, "is not a value of `keys`", &help);
+                let near = nearest(text, KEYS.map(|(known, _)| known));
+                let otherwise = "write \"words\" for gestures that match the text, \"events\" or \"off\"";
+                value.refuse_unknown::<()>("is not a value of `keys`", near, otherwise, &mut self.diagnostics);
             }
         }
     }
@@ -96,16 +94,17 @@ impl SettingsReader<'_> {
     fn unknown_face_setting(&mut self, name: &str, value: &NamedValue<'_>) {
         let message = format!("{} is not a setting of a face profile", escape::quoted(name));
         let of_project = ["keys", "nods", "breath"];
-        let help = match nearest(name, SETTINGS.map(|setting| setting.name).into_iter().chain(of_project)) {
-            Some(known) if known == name => "write it in [face]; it applies to all characters".to_owned(),
-            Some(known) => format!("did you mean `{known}`?"),
-            None => {
-                "use a setting from docs/guides/faces.md, such as blink or head; write a named profile as a table, \
-                    [face.NAME]"
-                    .to_owned()
-            }
-        };
-        self.diagnostics.push(Diagnostic::at(Code::UnknownSetting, span(&value.key), message).help(help));
+        let found = Diagnostic::at(Code::UnknownSetting, span(&value.key), message);
+        self.diagnostics.push(
+            match nearest(name, SETTINGS.map(|setting| setting.name).into_iter().chain(of_project)) {
+                Some(known) if known == name => found.help("write it in [face]; it applies to all characters"),
+                Some(known) => found.help(format!("did you mean `{known}`?")).suggest(span(&value.key), known),
+                None => found.help(
+                    "use a setting from docs/guides/faces.md, such as blink or head; write a named profile as a table, \
+                    [face.NAME]",
+                ),
+            },
+        );
     }
 }
 

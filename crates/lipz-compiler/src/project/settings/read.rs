@@ -140,7 +140,7 @@ fn unknown_name(table: &str, key: &Spanned<DeString<'_>>, known: &[&'static str]
         others.flat_map(setting_names)
     };
     match nearest(name, known.iter().copied()).or_else(|| nearest(name, elsewhere())) {
-        Some(known) => diagnostic(&place).help(format!("did you mean `{known}`?")),
+        Some(known) => diagnostic(&place).help(format!("did you mean `{known}`?")).suggest(span(&key.span()), known),
         None => diagnostic(&place).help(match table {
             "" => format!("the settings and tables are {}", known.join(", ")),
             table => format!("the settings of [{table}] are {}", known.join(", ")),

@@ -118,21 +118,19 @@ impl SettingsReader<'_> {
         let selection = lint::Selection::named(name);
         if selection.is_none() {
             let message = format!("{} is not a lint", escape::quoted(name));
-            let help = match lint::suggestion(name) {
-                Some(known) => format!("did you mean `{known}`?"),
-                None => "write the name of the lint, or its code, which diagnostics show in brackets".to_owned(),
-            };
-            self.diagnostics.push(Diagnostic::at(Code::UnknownLint, span(&value.key), message).help(help));
+            let found = Diagnostic::at(Code::UnknownLint, span(&value.key), message);
+            self.diagnostics.push(match lint::suggestion(name) {
+                Some(known) => found.help(format!("did you mean `{known}`?")).suggest(span(&value.key), known),
+                None => found.help("write the name of the lint, or its code, which diagnostics show in brackets"),
+            });
         }
         let Some(text) = value.text(&mut self.diagnostics) else { return };
         let level = match lint::level(text) {
             Ok(level) => level,
             Err(meant) => {
-                let help = match meant {
-                    Some(known) => format!("did you mean \"{known}\"?"),
-                    None => "write \"allow\", \"warn\" or \"deny\"".to_owned(),
-                };
-                return self.refuse(value, "is not a level", &help);
+                let otherwise = "write \"allow\", \"warn\" or \"deny\"";
+                value.refuse_unknown::<()>("is not a level", meant, otherwise, &mut self.diagnostics);
+                return;
             }
         };
         match selection {

@@ -139,11 +139,8 @@ impl<'t> NamedValue<'t> {
         let text = self.text(diagnostics)?;
         let found = text.parse::<VisemeType>().ok();
         if found.is_none() {
-            let help = match nearest(text, VisemeType::ALL.map(VisemeType::name)) {
-                Some(known) => format!("did you mean \"{known}\"?"),
-                None => "write blair, toonboom or rms".to_owned(),
-            };
-            return self.refuse("is not a viseme type", &help, diagnostics);
+            let near = nearest(text, VisemeType::ALL.map(VisemeType::name));
+            return self.refuse_unknown("is not a viseme type", near, "write blair, toonboom or rms", diagnostics);
         }
         found
     }
@@ -196,6 +193,21 @@ impl<'t> NamedValue<'t> {
         };
         diagnostics.push(Diagnostic::at(Code::SettingValue, self.span(), format!("{shown} {what}")).help(help));
         None
+    }
+
+    /// Refuses an unknown word, with the known one that was probably meant, or else with other help.
+    pub(super) fn refuse_unknown<T>(
+        &self,
+        what: &str,
+        near: Option<&str>,
+        otherwise: &str,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Option<T> {
+        let Some(near) = near else { return self.refuse(what, otherwise, diagnostics) };
+        let refused = self.refuse(what, &format!("did you mean \"{near}\"?"), diagnostics);
+        let last = diagnostics.pop().map(|found| found.suggest(self.span(), format!("\"{near}\"")));
+        diagnostics.extend(last);
+        refused
     }
 
     pub(super) fn span(&self) -> Span {

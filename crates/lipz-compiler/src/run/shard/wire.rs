@@ -1,6 +1,6 @@
 //! Reports in an object, as JSON from which they can be restored exactly.
 
-use lipz_diagnostics::{Code, Diagnostic, Label, Report, Severity, Source, Span};
+use lipz_diagnostics::{Code, Diagnostic, Fix, Label, Report, Severity, Source, Span};
 use serde::{Deserialize, Serialize};
 
 /// A [`Report`] as a document from which it can be restored exactly.
@@ -23,6 +23,7 @@ struct WireDiagnostic {
     notes: Vec<String>,
     help: Option<String>,
     fix: Option<WireLabel>,
+    is_fix_certain: bool,
     rest: usize,
 }
 
@@ -70,6 +71,7 @@ impl WireDiagnostic {
             notes: diagnostic.notes.clone(),
             help: diagnostic.help.clone(),
             fix: diagnostic.fix.as_ref().map(|fix| WireLabel::new(fix.span, &fix.replacement)),
+            is_fix_certain: diagnostic.fix.as_ref().is_some_and(Fix::is_certain),
             rest: diagnostic.rest,
         }
     }
@@ -87,7 +89,11 @@ impl WireDiagnostic {
         diagnostic.notes.clone_from(&self.notes);
         diagnostic.help.clone_from(&self.help);
         if let Some(fix) = &self.fix {
-            diagnostic = diagnostic.fix(fix.span(text)?, &fix.2);
+            let span = fix.span(text)?;
+            diagnostic = match self.is_fix_certain {
+                true => diagnostic.fix(span, &fix.2),
+                false => diagnostic.suggest(span, &fix.2),
+            };
         }
         diagnostic.rest = self.rest;
         Some(diagnostic)
@@ -106,7 +112,9 @@ mod tests {
         error = error.note("n").help("h").fix(Span::new(11, 12), "");
         error.severity = Severity::Warning;
         error.rest = 3;
-        let report = Report::new(Source::new("a.lipz", text), vec![error, Diagnostic::new(Code::Usage, "whole")]);
+        let offered = error.clone().suggest(Span::new(2, 7), "g");
+        let whole = Diagnostic::new(Code::Usage, "whole");
+        let report = Report::new(Source::new("a.lipz", text), vec![error, offered, whole]);
         let json = serde_json::to_string(&WireReport::of(&report)).unwrap();
         let back: WireReport = serde_json::from_str(&json).unwrap();
         assert_eq!(back.into_report(), Some(report));

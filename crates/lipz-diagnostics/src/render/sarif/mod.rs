@@ -7,7 +7,7 @@ mod rule;
 
 use super::to_json;
 use crate::Report;
-use crate::{Code, Diagnostic, Fix as CertainFix};
+use crate::{Code, Diagnostic, Fix as OfferedFix};
 use location::{ArtifactChange, File, Location, Message};
 use rule::Rule;
 use serde::Serialize;
@@ -75,6 +75,13 @@ struct Fix {
     #[serde(skip_serializing_if = "Option::is_none")]
     description: Option<Message>,
     artifact_changes: [ArtifactChange; 1],
+    properties: FixProperties,
+}
+
+/// SARIF has no term for the certainty of a fix.
+#[derive(Serialize)]
+struct FixProperties {
+    applicability: &'static str,
 }
 
 /// Returns one SARIF 2.1.0 document with all diagnostics, even if there are none. `is_successful` states whether the
@@ -119,9 +126,10 @@ fn entries(report: &Report, codes: &[Code]) -> Vec<ResultEntry> {
 }
 
 fn entry(file: &File, diagnostic: &Diagnostic, codes: &[Code]) -> ResultEntry {
-    let fix = |fix: &CertainFix| Fix {
+    let fix = |fix: &OfferedFix| Fix {
         description: diagnostic.help.clone().map(Message::new),
         artifact_changes: [file.change(fix)],
+        properties: FixProperties { applicability: fix.applicability.name() },
     };
     ResultEntry {
         rule_id: diagnostic.code.number(),

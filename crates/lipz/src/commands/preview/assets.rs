@@ -19,6 +19,7 @@ macro_rules! assets {
 assets! {
     "page/clip.css"
     "page/difference.js"
+    "page/division.js"
     "page/editor.js"
     "page/edits.js"
     "page/exported.js"
@@ -32,6 +33,7 @@ assets! {
     "page/shapes.js"
     "page/sound.js"
     "page/source.js"
+    "page/split.js"
     "page/style.css"
     "page/texts.js"
     "page/tracks.js"

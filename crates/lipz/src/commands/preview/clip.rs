@@ -1,13 +1,13 @@
 //! One clip: its current file, and other data about it.
 
 use super::placed_diagnostic::{PlacedDiagnostic, placed};
+use super::project_file;
 use super::version::Version;
 use crate::console;
 use lipz_compiler::WordTime;
 use lipz_file::{Value, parse};
 use lipz_sync::PhoneTime;
 use serde::Serialize;
-use std::fs;
 
 /// A clip, as it is sent to the page.
 #[derive(Serialize)]
@@ -20,6 +20,8 @@ pub(super) struct ClipPage {
     /// The elements with strings, in file order.
     elements: Vec<(String, String)>,
     words: Vec<RecordedWord>,
+    /// The element with the text that has these words.
+    spoken: Option<String>,
     /// Only on a page without a server from which it could fetch them.
     #[serde(skip_serializing_if = "Option::is_none")]
     phones: Option<Vec<Phone>>,
@@ -31,6 +33,8 @@ pub(super) struct ClipPage {
 #[derive(Serialize)]
 struct RecordedWord {
     text: String,
+    /// Its position in the element, in UTF-16 code units, as scripts of pages count.
+    at: usize,
     start_ms: u32,
     end_ms: u32,
     is_doubtful: bool,
@@ -58,7 +62,7 @@ impl ClipPage {
             let has_clip = lipz_bank::Bank::open(&version.bank).is_ok_and(|bank| bank.clip_by_key(key).is_some());
             return has_clip.then(|| ClipPage::of_bank(version, key));
         };
-        let source = fs::read(path).ok().and_then(|bytes| String::from_utf8(bytes).ok());
+        let source = project_file::read(path).ok().and_then(|bytes| String::from_utf8(bytes).ok());
         let document = source.as_ref().and_then(|source| parse(source.as_bytes()).document);
         let strings =
             document.iter().flat_map(|document| &document.elements).filter_map(|element| match &element.value {
@@ -66,10 +70,12 @@ impl ClipPage {
                 Value::Number(_) | Value::Other(_) => None,
             });
         let elements: Vec<(String, String)> = strings.collect();
+        let (spoken, words) = words(version, key, &elements).unzip();
         Some(ClipPage {
             key: key.to_owned(),
             path: Some(console::path(path)),
-            words: words(version, key, &elements),
+            words: words.unwrap_or_default(),
+            spoken,
             phones: None,
             // A file that cannot be read completely cannot be edited.
             source: document.is_some().then(|| source.clone()).flatten(),
@@ -80,8 +86,8 @@ impl ClipPage {
     }
 
     /// Returns the clip for a page without a server.
-    pub(super) fn alone(self, heard: &[PhoneTime]) -> ClipPage {
-        ClipPage { source: None, phones: Some(phones(heard)), ..self }
+    pub(super) fn alone(self, heard: &[PhoneTime], has_sound: bool) -> ClipPage {
+        ClipPage { source: None, phones: Some(phones(heard)), has_sound, ..self }
     }
 
     fn of_bank(version: &Version, key: &str) -> ClipPage {
@@ -91,6 +97,7 @@ impl ClipPage {
             source: None,
             elements: Vec::new(),
             words: Vec::new(),
+            spoken: None,
             phones: None,
             has_sound: version.recordings.find(key).is_some(),
             diagnostics: Vec::new(),
@@ -98,16 +105,22 @@ impl ClipPage {
     }
 }
 
-/// Returns the words of the text that the visemes were made from. The word times identify this text.
-fn words(version: &Version, key: &str, elements: &[(String, String)]) -> Vec<RecordedWord> {
-    let Some(times) = version.words.get(key) else { return Vec::new() };
+/// Returns the element with the spoken text, and its words with times: the text that has most of the words which the lip
+/// sync found.
+fn words(version: &Version, key: &str, elements: &[(String, String)]) -> Option<(String, Vec<RecordedWord>)> {
+    let times = version.words.get(key)?;
     let of_text = |text: &String| {
+        let (mut at, mut units) = (0, 0);
         let word = |word: WordTime| {
             let WordTime { start_ms, end_ms, is_doubtful, range } = word;
-            Some(RecordedWord { text: text.get(range)?.to_owned(), start_ms, end_ms, is_doubtful })
+            units += text.get(at..range.start)?.encode_utf16().count();
+            at = range.start;
+            Some(RecordedWord { text: text.get(range)?.to_owned(), at: units, start_ms, end_ms, is_doubtful })
         };
         times.of_text(text).into_iter().filter_map(word).collect::<Vec<_>>()
     };
     let texts = elements.iter().filter(|(name, _)| lipz_file::locale::text_name(name).is_some());
-    texts.map(|(_, text)| of_text(text)).find(|words| !words.is_empty()).unwrap_or_default()
+    // Of equal ones, the first.
+    let all = texts.map(|(name, text)| (name.clone(), of_text(text))).rev();
+    all.max_by_key(|(_, words)| words.len()).filter(|(_, words)| !words.is_empty())
 }

@@ -1,6 +1,7 @@
 //! Changes of a clip: packed in memory for the page, or written to the Lipz file.
 
 use super::placed_diagnostic::{PlacedDiagnostic, elements_with_errors, placed};
+use super::project_file;
 use super::version::Version;
 use crate::interrupt;
 use crate::shared::rewrite_mode::diff;
@@ -13,7 +14,7 @@ use lipz_file::{Document, Element, JsonString, Value, parse};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::io;
 use std::path::Path;
 
 /// A request of the page.
@@ -64,8 +65,10 @@ impl DraftRequest {
             Ok(source) => source,
             Err(message) => return DraftAnswer::Refused { message },
         };
-        if let Some(conflict) = self.conflict(path, &source) {
-            return conflict;
+        match self.conflict(path, &source) {
+            Ok(None) => {}
+            Ok(Some(conflict)) => return conflict,
+            Err(error) => return DraftAnswer::Refused { message: format!("the file cannot be read: {error}") },
         }
         let PackedClip { has_errors, diagnostics, .. } = self.packed(version, &source);
         if has_errors {
@@ -75,7 +78,7 @@ impl DraftRequest {
         match written {
             Ok(()) => DraftAnswer::Saved { source },
             // The file may have changed in between.
-            Err(report) => self.conflict(path, &source).unwrap_or_else(|| {
+            Err(report) => self.conflict(path, &source).ok().flatten().unwrap_or_else(|| {
                 let messages = report.diagnostics.iter().map(|found| found.message.clone());
                 DraftAnswer::Refused { message: messages.collect::<Vec<_>>().join("; ") }
             }),
@@ -131,7 +134,7 @@ impl DraftRequest {
     /// Returns the unchanged original of the clip, if the clip is a dub.
     fn original(&self, version: &Version) -> Option<DraftRequest> {
         let key = version.options.get_voices().original_of(&self.key, |key| version.files.contains_key(key))?;
-        let source = String::from_utf8(fs::read(version.files.get(&key)?).ok()?).ok()?;
+        let source = String::from_utf8(project_file::read(version.files.get(&key)?).ok()?).ok()?;
         Some(DraftRequest { key, source, elements: BTreeMap::new() })
     }
 
@@ -162,14 +165,14 @@ impl DraftRequest {
     }
 
     /// Returns both versions of the file, if it has changed since the page read it.
-    fn conflict(&self, path: &Path, mine: &str) -> Option<DraftAnswer> {
-        let now = fs::read(path).ok()?;
+    fn conflict(&self, path: &Path, mine: &str) -> io::Result<Option<DraftAnswer>> {
+        let now = project_file::read(path)?;
         if now == self.source.as_bytes() {
-            return None;
+            return Ok(None);
         }
         let name = crate::console::path(path);
         let theirs = diff(&name, self.source.as_bytes(), &String::from_utf8_lossy(&now));
-        Some(DraftAnswer::Conflict { theirs, yours: diff(&name, self.source.as_bytes(), mine) })
+        Ok(Some(DraftAnswer::Conflict { theirs, yours: diff(&name, self.source.as_bytes(), mine) }))
     }
 }
 

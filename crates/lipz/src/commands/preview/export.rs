@@ -7,17 +7,20 @@ use super::assets::{self, Asset};
 use super::clip::ClipPage;
 use super::hearing::Phones;
 use super::listing::Listing;
+use super::project_file;
 use super::version::Version;
+use crate::console;
 use crate::interrupt::Files;
 use crate::shared::input_file::unreadable;
 use crate::shared::output_file::unwritable;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lipz_bank::Bank;
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{Code, Report};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The folder of the scripts with data.
@@ -31,11 +34,20 @@ pub(super) fn is_free(folder: &Path) -> bool {
     is_export || fs::read_dir(folder).map_or(!folder.exists(), |mut entries| entries.next().is_none())
 }
 
+/// The contents of an exported page.
+pub(super) struct ExportedPage {
+    /// The numbers of its clips and of its recordings.
+    pub(super) clips: usize,
+    pub(super) sounds: usize,
+    /// Recordings that are missing because they are not audio.
+    pub(super) left_out: Vec<Report>,
+}
+
 /// Writes the page and all its files into a folder, and removes files of an older export that are not needed. Returns
-/// the number of its clips and of its recordings, or the problem.
-pub(super) fn export(version: &Version, phones: &Phones, folder: &Path) -> Result<(usize, usize), Vec<Report>> {
+/// its contents, or the problem.
+pub(super) fn export(version: &Version, phones: &Phones, folder: &Path) -> Result<ExportedPage, Vec<Report>> {
     let mut export = PageExport { folder, files: Files::new(), written: BTreeSet::new() };
-    let (clips, sounds) = export
+    let counts = export
         .data(version, phones)
         .and_then(|counts| export.page().map(|()| counts))
         .map_err(|report| vec![report])?;
@@ -44,7 +56,7 @@ pub(super) fn export(version: &Version, phones: &Phones, folder: &Path) -> Resul
         return Err(unwritten);
     }
     export.tidy();
-    Ok((clips, sounds))
+    Ok(counts)
 }
 
 struct PageExport<'f> {
@@ -54,24 +66,32 @@ struct PageExport<'f> {
 }
 
 impl PageExport<'_> {
-    fn data(&mut self, version: &Version, phones: &Phones) -> Result<(usize, usize), Report> {
+    fn data(&mut self, version: &Version, phones: &Phones) -> Result<ExportedPage, Report> {
         let listing = Listing::new(version, true);
         self.script("clips", &listing)?;
         self.script("bank", &STANDARD.encode(version.bank.as_slice()))?;
         let wasm = assets::named("web/lipz.wasm").map_or(&[][..], |asset| asset.bytes);
         self.script("wasm", &STANDARD.encode(wasm))?;
-        let mut sounds = 0;
+        let (mut sounds, mut left_out) = (0, Vec::new());
         for (place, key) in listing.keys().enumerate() {
             let Some(clip) = ClipPage::new(version, key) else { continue };
             let heard = phones.get(key).map_or(&[][..], AsRef::as_ref);
-            self.script(&format!("clip-{place}"), &clip.alone(heard))?;
-            if let Some(path) = version.recordings.find(key) {
-                let bytes = fs::read(path).map_err(|error| unreadable(path, &error))?;
-                self.script(&format!("sound-{place}"), &STANDARD.encode(bytes))?;
-                sounds += 1;
+            let mut has_sound = false;
+            match version.recordings.find(key).map(|path| (path, project_file::open_recording(path))) {
+                Some((path, Ok(mut file))) => {
+                    let mut bytes = Vec::new();
+                    file.read_to_end(&mut bytes).map_err(|error| unreadable(path, &error))?;
+                    self.script(&format!("sound-{place}"), &STANDARD.encode(bytes))?;
+                    has_sound = true;
+                    sounds += 1;
+                }
+                Some((_, Err(report))) => left_out.push(report),
+                None => {}
             }
+            self.script(&format!("clip-{place}"), &clip.alone(heard, has_sound))?;
         }
-        Ok((Bank::open(&version.bank).map_or(0, |bank| bank.clips().count()), sounds))
+        let clips = Bank::open(&version.bank).map_or(0, |bank| bank.clips().count());
+        Ok(ExportedPage { clips, sounds, left_out })
     }
 
     /// Writes a script that passes a value to the page.
@@ -96,6 +116,13 @@ impl PageExport<'_> {
         let path = self.folder.join(path);
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+        }
+        // The folder itself may be a link. One in it would lead to a file that is not part of the page.
+        let inside = path.ancestors().take_while(|above| *above != self.folder);
+        if let Some(link) = inside.filter(|above| above.is_symlink()).last() {
+            let message = format!("`{}` is a link, and pages are not written through links", console::path(link));
+            let help = "remove the link, or name a different folder";
+            return Err(Report::failure(console::path(link), Code::OutputFailed, message, help));
         }
         self.files.replace(&path, bytes)?;
         self.written.insert(path);

@@ -63,10 +63,11 @@ impl Guard {
     }
 }
 
-/// Returns the decoded value of a query parameter.
+/// Returns the decoded value of a query parameter. Pages encode parameters as forms do, with `+` for a space.
 pub(super) fn parameter(query: &str, name: &str) -> Option<String> {
     let value = query.split('&').find_map(|pair| pair.strip_prefix(name)?.strip_prefix('='))?;
-    percent_decode_str(value).decode_utf8().ok().map(std::borrow::Cow::into_owned)
+    let value = value.replace('+', " ");
+    percent_decode_str(&value).decode_utf8().ok().map(std::borrow::Cow::into_owned)
 }
 
 #[cfg(test)]
@@ -103,6 +104,8 @@ mod tests {
     #[test]
     fn parameters_are_decoded() {
         assert_eq!(parameter("a=1&key=act1%2Fm%C3%A4r", "key").as_deref(), Some("act1/mär"));
+        assert_eq!(parameter("key=hello+there", "key").as_deref(), Some("hello there"));
+        assert_eq!(parameter("key=a%2Bb%20c", "key").as_deref(), Some("a+b c"));
         assert_eq!(parameter("monkey=1", "key"), None);
         assert_eq!(parameter("key=%ff", "key"), None);
     }

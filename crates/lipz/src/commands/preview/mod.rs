@@ -10,6 +10,7 @@ mod hearing;
 mod http;
 mod listing;
 mod placed_diagnostic;
+mod project_file;
 mod server;
 mod shared_version;
 mod version;
@@ -26,6 +27,7 @@ use crate::shared::sources::Sources;
 use crate::shared::stdio;
 use crate::{Outcome, console};
 use clap::Args;
+use export::ExportedPage;
 use lipz_compiler::Stack;
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::reports::have_errors;
@@ -139,7 +141,7 @@ impl PreviewArguments {
         loop {
             match self.project(reporter) {
                 Ok(project) => {
-                    scope = Scope::new(&project, &self.sources);
+                    scope = Scope::new(&project, &self.sources).with_recordings();
                     alarm.set(&scope).map_err(|report| reporter.fail(report))?;
                     let (version, inputs) = version::load(&project.settings, &mut remembered);
                     let single = self.sources.names_single_files();
@@ -220,15 +222,17 @@ fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Re
     let bar = console::progress_bar(version.files.len(), is_quiet);
     let (phones, unheard) = version.hearing.all(version, &|| bar.inc(1));
     bar.finish_and_clear();
-    reports.extend(unheard);
+    reports.extend_from_slice(&unheard);
     let outcome = Outcome::from_reports(&reports);
     reporter.add(reports);
     if outcome == Outcome::Failed || version.bank.is_empty() {
         let message = "the page is not written, because the bank could not be packed";
         return Err(reporter.usage(message, "fix the errors, or name different sources"));
     }
-    let (clips, sounds) =
+    let ExportedPage { clips, sounds, left_out } =
         export::export(version, &phones, folder).map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
+    let outcome = outcome.max(Outcome::from_reports(&left_out));
+    reporter.add(left_out.into_iter().filter(|report| !unheard.contains(report)).collect());
     let counts = format!("{}, {}", console::counted(clips, "clip"), console::counted(sounds, "recording"));
     reporter.summary(&format!("{}: {counts}\n", console::path(&folder.join("index.html"))))?;
     Ok(outcome)

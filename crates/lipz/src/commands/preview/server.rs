@@ -6,9 +6,9 @@ use super::draft::{DraftAnswer, DraftRequest};
 use super::guard::{Guard, parameter};
 use super::http::{Answer, Body, ReceivedRequest, Request};
 use super::listing::Listing;
+use super::project_file;
 use super::shared_version::SharedVersion;
 use serde::Serialize;
-use std::fs::File;
 use std::io;
 use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
@@ -17,6 +17,9 @@ use std::time::Duration;
 
 /// The time that a request waits for changes. Then the page repeats it.
 const PATIENCE: Duration = Duration::from_secs(25);
+
+/// The most connections at a time. Each page waits for changes on one of them.
+const MOST_CONNECTIONS: usize = 512;
 
 /// Headers that keep pages of other sites out, and allow ours no external content.
 const HEADERS: [(&str, &str); 7] = [
@@ -60,21 +63,28 @@ impl Preview {
     /// Answers requests until the process ends, each in its own thread, because some wait for changes.
     pub(super) fn run(self) {
         let preview = Arc::new(self);
+        let open = Arc::new(());
         for stream in preview.listener.incoming().filter_map(Result::ok) {
+            // Half requests of other programs must not use up the threads of this process.
+            let connection = Arc::clone(&open);
+            if Arc::strong_count(&connection) > MOST_CONNECTIONS {
+                continue;
+            }
             let preview = Arc::clone(&preview);
             // If no thread starts, the request is dropped, and so is a response that the page does not wait for.
-            let _ = thread::Builder::new().spawn(move || drop(preview.answer(stream)));
+            let _ = thread::Builder::new().spawn(move || {
+                drop(preview.answer(stream));
+                drop(connection);
+            });
         }
     }
 
     fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
-        let answer = match Request::read(&mut stream)? {
+        let answer = match Request::read(&mut stream, |head| self.guard.asked(head))? {
             ReceivedRequest::Nothing => return Ok(()),
             ReceivedRequest::TooLong => plain(413, "The change exceeds the size limit of a Lipz file."),
-            ReceivedRequest::Request(request) => match self.guard.asked(&request) {
-                Some((path, query)) => self.respond(&request, &path, &query),
-                None => plain(403, "Forbidden: open the address that `lipz preview` printed."),
-            },
+            ReceivedRequest::Refused => plain(403, "Forbidden: open the address that `lipz preview` printed."),
+            ReceivedRequest::Request(request, (path, query)) => self.respond(&request, &path, &query),
         };
         answer.send(&mut stream, &HEADERS)
     }
@@ -108,9 +118,9 @@ impl Preview {
                 Ok(heard) => json(200, &phones(&heard)),
                 Err(report) => plain(500, &report.to_string()),
             },
-            "api/sound" => match version.recordings.find(&key).map(File::open) {
+            "api/sound" => match version.recordings.find(&key).map(project_file::open_recording) {
                 Some(Ok(file)) => Answer { body: Body::File(file), ..bytes("application/octet-stream", Vec::new()) },
-                Some(Err(error)) => plain(404, &format!("The recording cannot be read: {error}.")),
+                Some(Err(report)) => plain(404, &report.to_string()),
                 None => plain(404, "The clip has no recording."),
             },
             _ => match assets::named(path) {

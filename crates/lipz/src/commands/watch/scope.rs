@@ -29,6 +29,12 @@ impl Scope {
         Scope { settings: project.settings.clone(), settings_file: arguments.settings_file() }
     }
 
+    /// Adds all recordings, for programs that play them, as if the bank contained data about them.
+    pub(crate) fn with_recordings(mut self) -> Scope {
+        self.settings.audio.in_bank = true;
+        self
+    }
+
     /// Returns the folders to watch, and whether to include their subfolders.
     pub(crate) fn folders(&self) -> BTreeMap<PathBuf, RecursiveMode> {
         let recordings = self.settings.audio.folder.iter().filter(|_| self.settings.audio.in_bank);

@@ -7,6 +7,7 @@
 mod values;
 
 use super::names::{Role, RoleNames};
+use crate::check::names::inside;
 use crate::project::KnownNames;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::event::{self, Part, Word};
@@ -18,6 +19,9 @@ const VERBS: [&str; 5] = ["feels", "sees", "stares", "points", "does"];
 /// The verb whose object is one of `STOPPED`.
 const STOPS: &str = "stops";
 const STOPPED: [&str; 2] = ["staring", "pointing"];
+/// Different forms of `STOPPED`.
+const STOPPED_OTHERWISE: [(&str, &str); 4] =
+    [("stare", "staring"), ("stares", "staring"), ("point", "pointing"), ("points", "pointing")];
 
 /// Forms of the verb in `looks away`, for eyes without a target.
 const LOOKS: [&str; 2] = ["looks", "look"];
@@ -42,6 +46,8 @@ const MOST_WORDS: usize = 5;
 pub(super) struct NearMiss<'t> {
     /// Its range, in bytes of the segment.
     pub(super) at: Range<usize>,
+    /// The range that the suggested event replaces, in bytes of the segment.
+    pub(super) event: Range<usize>,
     fault: EventFault<'t>,
 }
 
@@ -81,7 +87,8 @@ fn near_miss<'t>(part: Part<'t>, known_names: &KnownNames) -> Option<NearMiss<'t
     let words: Vec<Word<'t>> = part.words().take(MOST_WORDS + 1).collect();
     if words.is_empty() {
         let separator = part.start.checked_sub(1).unwrap_or(part.text.len());
-        return Some(NearMiss { at: separator..separator + 1, fault: EventFault::Nothing });
+        let at = separator..separator + 1;
+        return Some(NearMiss { event: at.clone(), at, fault: EventFault::Nothing });
     }
     // The verb is the first word, or the second if a character comes first.
     let speaker = EventReading { part, character: None, known_names };
@@ -130,9 +137,11 @@ impl<'t> EventReading<'t, '_> {
         }
     }
 
-    /// `stop staring`
+    /// `stop staring`, `stops stare`
     fn stops(self, written: Word<'t>, object: Word<'t>) -> Option<NearMiss<'t>> {
-        let stopped = STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped))?;
+        let otherwise = STOPPED_OTHERWISE.iter().find(|(other, _)| other.eq_ignore_ascii_case(object.text));
+        let otherwise = otherwise.map(|(_, stopped)| *stopped);
+        let stopped = otherwise.or_else(|| STOPPED.into_iter().find(|stopped| is_nearly(object.text, stopped)))?;
         Some(self.fault(written.start..object.range().end, EventFault::Verb, STOPS, stopped))
     }
 
@@ -169,8 +178,14 @@ impl<'t> EventReading<'t, '_> {
         let words = &self.part.text[at.start - self.part.start..at.end - self.part.start];
         let words_meant = self.character.map(|who| who.text).into_iter().chain([verb, object]);
         let meant = words_meant.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
-        NearMiss { at, fault: fault(words, meant) }
+        NearMiss { at, event: whole(self.part), fault: fault(words, meant) }
     }
+}
+
+/// Returns the range of a part in its segment, without the white space around it.
+fn whole(part: Part<'_>) -> Range<usize> {
+    let (first, last) = (part.words().next(), part.words().last());
+    first.zip(last).map_or(part.start..part.start, |(first, last)| first.start..last.range().end)
 }
 
 /// Returns the verb with an object that a word is or probably means.
@@ -188,7 +203,8 @@ fn is_nearly(word: &str, verb: &str) -> bool {
 }
 
 impl NearMiss<'_> {
-    pub(super) fn diagnostic(&self, span: Span) -> Diagnostic {
+    /// The diagnostic, with the places of the fault and of the event.
+    pub(super) fn diagnostic(&self, span: Span, event: Span) -> Diagnostic {
         let did_you_mean = |meant: &str| format!("did you mean {}?", escape::quoted(meant));
         let (message, help) = match &self.fault {
             EventFault::Verb(words, meant) => {
@@ -200,9 +216,15 @@ impl NearMiss<'_> {
             EventFault::Value(meant) => ("this value is not allowed in an event".to_owned(), did_you_mean(meant)),
             EventFault::Nothing => ("an event is missing next to this `,`".to_owned(), "remove the `,`".to_owned()),
         };
-        Diagnostic::at(Code::NearEvent, span, message)
+        let found = Diagnostic::at(Code::NearEvent, span, message)
             .note("the whole segment is kept as text; games do not see its events")
-            .help(help)
+            .help(help);
+        match &self.fault {
+            EventFault::Verb(_, meant) | EventFault::Extra(_, meant) | EventFault::Value(meant) => {
+                found.suggest(event, inside(meant))
+            }
+            EventFault::Nothing => found.suggest(event, ""),
+        }
     }
 }
 
@@ -239,6 +261,8 @@ mod tests {
             ("Feels  jealous", "Feels", "feels jealous"),
             ("amy Sees mayor", "Sees", "amy sees mayor"),
             ("stop staring", "stop staring", "stops staring"),
+            ("stops stare", "stops stare", "stops staring"),
+            ("amy stops points", "stops points", "amy stops pointing"),
             ("amy stops pionting", "stops pionting", "amy stops pointing"),
             ("feels very sad", "very", "feels sad"),
             ("points at butler", "at", "points butler"),

@@ -1,6 +1,6 @@
 //! Values that are wrong in events: decimal commas, `feels anger 2 and joy 3`, `nods four`.
 
-use super::{EventFault, EventReading, NearMiss, is_nearly};
+use super::{EventFault, EventReading, NearMiss, is_nearly, whole};
 use crate::check::events::names::{Role, RoleNames};
 use lipz_file::emotion::NearBlend;
 use lipz_file::event::{self, Word};
@@ -40,7 +40,8 @@ pub(super) fn decimal_comma(segment: &str) -> Option<NearMiss<'_>> {
     let is_number = |c: char| c.is_ascii_digit();
     let start = segment[..first].trim_end_matches(is_number).len();
     let end = segment.len() - segment[first + 1..].trim_start_matches(is_number).len();
-    Some(NearMiss { at: start..end, fault: EventFault::Value(with_points[start..end].to_owned()) })
+    let fault = EventFault::Value(with_points[start..end].to_owned());
+    Some(NearMiss { at: start..end, event: start..end, fault })
 }
 
 /// Whether a word is a whole number, with an optional sign.
@@ -60,7 +61,8 @@ impl<'t> EventReading<'t, '_> {
             words.first().filter(|first| *first != verb).map_or(String::new(), |who| format!("{} ", who.text));
         let behind = words.get(words.iter().position(|word| word == verb)? + 1)?.start;
         let at = if verb.text == FEELS[0] { behind } else { verb.start }..self.part.start + end;
-        Some(NearMiss { at, fault: EventFault::Value(format!("{character}feels {}", near.meant)) })
+        let fault = EventFault::Value(format!("{character}feels {}", near.meant));
+        Some(NearMiss { at, event: whole(self.part), fault })
     }
 
     /// Returns the fault of a gesture with a different spelling, or with a word that should be a number.

@@ -250,7 +250,7 @@ segment 1  1.250 s to 2.500 s  frames 30 to 59
   event  ring(3, x)  (other syntax)
   en-us  eight
 curves
-  sadness  0:0 9:5
+  sadness  0:5
 ";
         assert_eq!(shown(&bank(&json), 40), expected);
     }

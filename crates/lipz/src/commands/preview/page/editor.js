@@ -3,6 +3,7 @@
 import { VISEMES } from "../web/face.js";
 import { openDialogue } from "../web/lipz.js";
 import { showDifference } from "./difference.js";
+import { Division } from "./division.js";
 import { Edits } from "./edits.js";
 import { Mouth } from "./mouth.js";
 import { Shapes } from "./shapes.js";
@@ -19,17 +20,28 @@ export class Editor {
   #shapes;
   #texts;
   #locales = [];
+  #division = new Division();
+  /** Whether the file has changed without being shown here. */
+  #isBehind = false;
   /** The number of requested drafts. Only the last is drawn. */
   #asked = 0;
   /** Resolves when the last draft is drawn. */
   settled = Promise.resolve();
 
-  /** `does` has the callbacks for changes: `draw` the clip of a dialogue, `diagnose`, `step`, `frame` and `seek`. */
+  /**
+   * `does` has the callbacks for changes: `draw` the clip of a dialogue, `diagnose`, `step`, `frame`, `seek`, and
+   * `refresh`, to show the current file.
+   */
   constructor(tracks, does) {
     this.#does = does;
-    const change = (mouth, isDone) => isDone && this.#set("visemes", mouth.toString());
+    const change = (mouth, isDone) => isDone && this.#set(this.#division.of(this.#edits, mouth, this.#clip));
     this.#shapes = new Shapes(tracks, { change, step: does.step, frame: does.frame });
-    this.#texts = new Texts($("texts"), { change: (name, text) => this.#set(name, text), seek: does.seek });
+    this.#texts = new Texts($("texts"), {
+      change: (name, text) => this.#set({ [name]: text }),
+      seek: does.seek,
+      type: () => this.#typed(),
+      look: (name, segment) => this.#division.looked(name, segment) && this.#fill(),
+    });
     $("again").onclick = () => this.#solve(true);
     $("drop").onclick = () => this.#solve(false);
   }
@@ -48,7 +60,7 @@ export class Editor {
   }
 
   get isChanged() {
-    return this.#edits?.isChanged ?? false;
+    return (this.#edits?.isChanged ?? false) || this.#texts.isTyping;
   }
 
   get #isEditable() {
@@ -63,15 +75,18 @@ export class Editor {
   /** Starts over with a clip. */
   show(page) {
     this.#edits = new Edits(page);
+    this.#division = new Division();
+    this.#isBehind = false;
     $("conflict").hidden = true;
     this.#fill();
   }
 
-  /** Takes over the current file, unless it has unsaved changes. Returns whether it did. */
+  /** Takes over the current file, unless it has unsaved changes. Returns whether it has. */
   refresh(page) {
-    if (this.isChanged) return true;
-    if (this.#edits.isAs(page)) this.#edits.rebase(page);
-    else this.#edits = new Edits(page);
+    // The server compares the file with the one that the changes are based on.
+    this.#isBehind = this.isChanged;
+    if (this.#isBehind) return true;
+    this.#edits.rebase(page);
     this.#fill();
     return false;
   }
@@ -94,19 +109,23 @@ export class Editor {
   undo() {
     this.#edits.undo();
     this.#drafted();
+    this.#follow();
   }
 
   redo() {
     this.#edits.redo();
     this.#drafted();
+    this.#follow();
   }
 
-  /** Writes the changes into the file. */
+  /** Writes the changes into the file, including text that is being typed. */
   async save() {
+    this.#texts.commit();
     if (!this.isChanged || this.isReadOnly) return;
     await this.settled;
     const answer = await source.save(this.#edits.change);
     if (answer.result === "saved") {
+      this.#isBehind = false;
       this.#edits.rebase(await source.clip(this.key));
       this.#fill();
       return;
@@ -127,12 +146,27 @@ export class Editor {
     const page = await source.clip(this.key);
     if (isMine) this.#edits.rebase(page);
     else this.#edits = new Edits(page);
+    this.#isBehind = false;
     $("conflict").hidden = true;
     this.#drafted();
   }
 
-  #set(name, text) {
-    if (this.#edits.set(name, text)) this.#drafted();
+  #set(elements) {
+    if (this.#edits.set(elements)) this.#drafted();
+  }
+
+  /** Shows whether there are changes, after a key in a field. */
+  #typed() {
+    $("save").disabled = !this.isChanged;
+    document.body.classList.toggle("changed", this.isChanged);
+    this.#follow();
+  }
+
+  /** Shows the current file, if changes that kept it from being shown are undone. */
+  #follow() {
+    if (!this.#isBehind || this.isChanged) return;
+    this.#isBehind = false;
+    this.#does.refresh();
   }
 
   /** Draws the parts of the file that can be packed, if the bank does not have the clip. */
@@ -171,10 +205,14 @@ export class Editor {
     // In a file without visemes, type them here.
     $("shapes").hidden = visemes === undefined && !this.#isEditable;
     this.#shapes.show(mouth, this.#type, this.#isEditable);
-    const column = (tag) => ({ name: `text_${tag}`, label: tag, lang: tag, text: this.#edits.get(`text_${tag}`) });
+    const column = (tag) => {
+      const name = `text_${tag}`;
+      return { name, label: tag, lang: tag, text: this.#edits.get(name), review: this.#division.review(name) };
+    };
     const events = { name: "events", label: "Events", lang: "", text: this.#edits.get("events") };
     $("texts").hidden = this.#edits.page.path === null;
     this.#texts.show([...this.#locales.map(column), events], mouth.starts.length + 1, this.#isEditable);
+    this.#division.tell($("divided"));
     $("edits").hidden = !this.#isEditable;
     $("undo").disabled = !this.#edits.canUndo;
     $("redo").disabled = !this.#edits.canRedo;

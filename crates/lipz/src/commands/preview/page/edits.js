@@ -2,12 +2,14 @@
 
 /** The prefix of the names of text elements. */
 const TEXT = "text_";
+const DELIMITER = "|";
 
 export class Edits {
   #page;
   #inFile;
-  /** The texts of all elements: now, before each change, and after each undone change. */
+  /** The texts of all elements. */
   #now;
+  /** The changes before and after the current state, each as `{ before, after }` with the texts of its elements. */
   #done = [];
   #undone = [];
 
@@ -46,7 +48,7 @@ export class Edits {
 
   get #changed() {
     const names = Object.keys({ ...this.#inFile, ...this.#now });
-    const others = names.filter((name) => (this.#now[name] ?? "") !== (this.#inFile[name] ?? ""));
+    const others = names.filter((name) => !isSame(this.#now[name], this.#inFile[name]));
     return Object.fromEntries(others.map((name) => [name, this.#now[name] ?? ""]));
   }
 
@@ -57,50 +59,69 @@ export class Edits {
 
   /** The locales of its texts. */
   get locales() {
-    const names = Object.keys(this.#now).filter((name) => name.startsWith(TEXT));
-    return names.map((name) => name.slice(TEXT.length));
+    return this.#texts.map((name) => name.slice(TEXT.length));
   }
 
-  /** Sets the text of an element. Returns whether it has changed. */
-  set(name, text) {
-    if (text === this.get(name)) return false;
-    this.#done.push(this.#now);
+  /** The names of the elements with texts and events. */
+  get segmented() {
+    return [...this.#texts, "events"].filter((name) => this.#now[name] !== undefined);
+  }
+
+  get #texts() {
+    return Object.keys(this.#now).filter((name) => name.startsWith(TEXT));
+  }
+
+  /** Sets the texts of elements in one step. Returns whether any has changed. */
+  set(elements) {
+    const after = Object.fromEntries(Object.entries(elements).filter(([name, text]) => text !== this.get(name)));
+    const names = Object.keys(after);
+    if (names.length === 0) return false;
+    this.#done.push({ before: Object.fromEntries(names.map((name) => [name, this.#now[name]])), after });
     this.#undone = [];
-    this.#now = { ...this.#now, [name]: text };
+    this.#now = { ...this.#now, ...after };
     return true;
   }
 
   undo() {
     if (!this.canUndo) return;
-    this.#undone.push(this.#now);
-    this.#now = this.#done.pop();
+    const change = this.#done.pop();
+    this.#undone.push(change);
+    this.#now = { ...this.#now, ...change.before };
   }
 
   redo() {
     if (!this.canRedo) return;
-    this.#done.push(this.#now);
-    this.#now = this.#undone.pop();
+    const change = this.#undone.pop();
+    this.#done.push(change);
+    this.#now = { ...this.#now, ...change.after };
   }
 
-  /** Whether the file matches the page. */
-  isAs(page) {
-    const there = Object.entries(Object.fromEntries(page.elements));
-    return there.length === Object.keys(this.#now).length && there.every(([name, text]) => this.#now[name] === text);
-  }
-
-  /** Takes over the current file. Changes made here are kept and can be undone; everything else is as in the file. */
+  /**
+   * Takes over the current file. Elements with unsaved changes stay as they are here, and all others become as they are
+   * there. Changes of an element can be undone unless it was changed in the file as well.
+   */
   rebase(page) {
-    const states = [...this.#done, this.#now, ...this.#undone];
-    const names = Object.keys(Object.assign({}, ...states));
-    const touched = names.filter((name) => states.some((state) => state[name] !== states[0][name]));
+    const [now, base, unsaved] = [this.#now, this.#inFile, this.#changed];
     this.#take(page);
-    const keep = (state) => ({ ...this.#inFile, ...Object.fromEntries(touched.map((name) => [name, state[name]])) });
-    this.#now = keep(this.#now);
-    [this.#done, this.#undone] = [this.#done.map(keep), this.#undone.map(keep)];
+    // An own change that is in the file by now, possibly aligned, is saved.
+    const kept = Object.entries(unsaved).filter(([name, text]) => !isSame(text, this.#inFile[name]));
+    this.#now = { ...this.#inFile, ...Object.fromEntries(kept) };
+    const names = Object.keys({ ...base, ...this.#inFile });
+    const foreign = names.filter((name) => !isSame(now[name], this.#inFile[name]) && !isSame(base[name], this.#inFile[name]));
+    const rest = (texts) => Object.fromEntries(Object.entries(texts).filter(([name]) => !foreign.includes(name)));
+    const without = (changes) =>
+      changes.map(({ before, after }) => ({ before: rest(before), after: rest(after) })).filter(({ after }) => Object.keys(after).length > 0);
+    [this.#done, this.#undone] = [without(this.#done), without(this.#undone)];
   }
 
   #take(page) {
     this.#page = page;
     this.#inFile = Object.fromEntries(page.elements);
   }
+}
+
+/** Whether two texts of an element are the same. Spaces around segments only align them. */
+function isSame(one = "", other = "") {
+  const parts = (text) => text.split(DELIMITER).map((part) => part.trim()).join(DELIMITER);
+  return one === other || parts(one) === parts(other);
 }

@@ -1,6 +1,7 @@
 // The visemes of a Lipz file: codes, and separately the starts of segments. Every change returns a new object.
 
 const DELIMITER = "|";
+const REST = "-";
 
 export class Mouth {
   /** `codes` has one code per frame; `starts` has the first frame of each segment except the first. */
@@ -8,6 +9,8 @@ export class Mouth {
     this.codes = codes;
     this.starts = starts;
   }
+
+  #runs;
 
   /** Parses the element `visemes`. */
   static read(visemes) {
@@ -34,6 +37,10 @@ export class Mouth {
 
   /** Runs of one code: `{ code, start, end }`. */
   get runs() {
+    return (this.#runs ??= this.#found());
+  }
+
+  #found() {
     const runs = [];
     this.codes.forEach((code, frame) => {
       const last = runs.at(-1);
@@ -41,6 +48,14 @@ export class Mouth {
       else runs.push({ code, start: frame, end: frame + 1 });
     });
     return runs;
+  }
+
+  /** Returns the part of the spoken frames of a segment that comes before a frame; that of all frames if it rests. */
+  shareBefore(segment, frame) {
+    const [start, end] = [this.starts[segment - 1] ?? 0, this.starts[segment] ?? this.codes.length];
+    const spoken = (from, to) => this.codes.slice(from, to).filter((code) => code !== REST).length;
+    const all = spoken(start, end);
+    return all > 0 ? spoken(start, frame) / all : (frame - start) / Math.max(1, end - start);
   }
 
   /** Returns the visemes with a different code in a frame; after the last frame, with an additional one. */

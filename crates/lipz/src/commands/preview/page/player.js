@@ -33,6 +33,7 @@ export class Player {
     diagnose: (diagnostics) => this.#diagnose(diagnostics),
     step: () => this.#frames(1),
     frame: () => this.#clip?.frameAt(this.clock.time) ?? Infinity,
+    refresh: () => this.refresh(),
     seek: (segment) => this.seek(this.#clip?.startOfFrame(this.#clip.segment(segment)?.startFrame ?? 0) ?? 0),
   });
   /** The dialogue of the bank; undefined if nothing could be packed. */

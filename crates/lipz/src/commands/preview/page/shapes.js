@@ -3,6 +3,9 @@
 import { VISEMES } from "../web/face.js";
 import { made } from "./list.js";
 
+/** What is dragged by itself. A press anywhere else moves the playhead. */
+export const GRIP = "[data-grip]";
+
 const $ = (id) => document.getElementById(id);
 
 export class Shapes {
@@ -37,17 +40,19 @@ export class Shapes {
     const parts = [];
     const put = (element, start, end) => this.#tracks.place(element, start, end) && parts.push(element);
     for (const { code, start, end } of this.#mouth.runs) {
+      // Only visible ones are made, because a long clip has thousands.
+      if (!this.#tracks.sees(start, end)) continue;
       const shape = made("span", code === "-" ? "shape rest" : "shape", code);
       shape.title = `${VISEMES[this.#type]?.[code] ?? code}, ${end - start} frame${end - start === 1 ? "" : "s"}`;
       put(shape, start, end);
       if (start > 0 && this.#isEditable) put(handle("edge", start), start, start);
     }
-    this.#mouth.starts.forEach((start, index) => put(handle("bar", index + 1), start, start));
+    this.#mouth.starts.forEach((start, index) => this.#tracks.sees(start, start) && put(handle("bar", index + 1), start, start));
     $("shapes").replaceChildren(...parts);
   }
 
   #grab(event) {
-    const grip = event.target.closest("[data-grip]");
+    const grip = event.target.closest(GRIP);
     if (!grip || !this.#isEditable || event.button !== 0) return;
     event.preventDefault();
     $("shapes").focus();
@@ -72,7 +77,8 @@ export class Shapes {
   #key(event, step) {
     if (!this.#isEditable || event.ctrlKey || event.altKey || event.metaKey) return;
     const frame = this.#frame();
-    const code = [event.key, event.key.toUpperCase()].find((key) => Object.hasOwn(VISEMES[this.#type] ?? {}, key));
+    // Codes are capital letters, so that the letters of playback work here, too.
+    const code = Object.hasOwn(VISEMES[this.#type] ?? {}, event.key) ? event.key : undefined;
     const runs = this.#mouth.runs;
     const run = runs.find(({ start, end }) => start <= frame && frame < end);
     const isAtEnd = frame >= this.#mouth.codes.length;

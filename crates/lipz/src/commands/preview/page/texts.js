@@ -6,8 +6,7 @@ const DELIMITER = "|";
 
 export class Texts {
   #element;
-  #change;
-  #seek;
+  #does;
   /** The contents of the table: its columns, the parts of their texts, and the number of segments of the visemes. */
   #columns = [];
   #parts = [];
@@ -15,12 +14,35 @@ export class Texts {
   /** The structure of the table, which decides whether the existing one can be kept. */
   #outline;
 
-  /** `change` receives the name of an element and its new text, `seek` the target segment. */
-  constructor(element, { change, seek }) {
-    [this.#element, this.#change, this.#seek] = [element, change, seek];
+  /**
+   * `does` has the callbacks: `change` receives the name of an element and its new text, `seek` the target segment, and
+   * `look` the name of an element and the segment whose text the user looks at. `type` is called while the user types.
+   */
+  constructor(element, does) {
+    [this.#element, this.#does] = [element, does];
   }
 
-  /** Shows elements of a file with a row per segment of its visemes. `columns` are `{ name, label, lang, text }`. */
+  /** Whether a field has typed text that is not part of the clip yet. */
+  get isTyping() {
+    const field = this.#active;
+    return field !== undefined && !field.readOnly && plain(field.value) !== this.#part(field.dataset.place, field.dataset.at);
+  }
+
+  /** Takes over the text in the field that is typed into, which keeps the focus. */
+  commit() {
+    const { value, dataset } = this.#active ?? {};
+    if (this.isTyping) this.#typed(value, dataset.place, Number(dataset.at));
+  }
+
+  get #active() {
+    const field = document.activeElement;
+    return field?.matches("textarea") && this.#element.contains(field) ? field : undefined;
+  }
+
+  /**
+   * Shows elements of a file with a row per segment of its visemes. `columns` are `{ name, label, lang, text, review }`,
+   * where `review` has the segments to be reviewed.
+   */
   show(columns, count, isEditable) {
     [this.#columns, this.#count] = [columns, count];
     this.#parts = columns.map(({ text }) => (text ?? "").split(DELIMITER));
@@ -31,6 +53,9 @@ export class Texts {
     for (const field of this.#element.querySelectorAll("textarea")) {
       const { place, at } = field.dataset;
       field.placeholder = columns[place].text === undefined ? "—" : "";
+      const isDivided = columns[place].review?.has(Number(at)) ?? false;
+      field.classList.toggle("review", isDivided);
+      field.title = isDivided ? "Divided in proportion: check this text" : "";
       // Do not change a field while the user types in it.
       if (field !== document.activeElement || field.readOnly) field.value = this.#part(place, at);
     }
@@ -52,7 +77,7 @@ export class Texts {
       const row = body.insertRow();
       const button = made("button", "go", String(at + 1));
       Object.assign(button, { type: "button", ariaLabel: `Go to segment ${at + 1}` });
-      button.onclick = () => this.#seek(at);
+      button.onclick = () => this.#does.seek(at);
       row.insertCell().append(button);
       this.#columns.forEach((column, place) => row.insertCell().append(this.#field(column, place, at, isEditable)));
     }
@@ -72,29 +97,38 @@ export class Texts {
     Object.assign(field, { rows: 1, dir: "auto", lang, readOnly: !isEditable });
     field.ariaLabel = `${label}, segment ${at + 1}`;
     Object.assign(field.dataset, { name, place, at });
+    field.addEventListener("input", () => this.#does.type());
+    field.addEventListener("focus", () => this.#does.look(name, at));
     field.addEventListener("keydown", (event) => {
       if (event.key === "Escape") field.value = this.#part(place, at);
       else if (event.key !== "Enter") return;
       event.preventDefault();
       field.blur();
     });
-    field.addEventListener("blur", () => "gone" in field.dataset || this.#typed(field.value, place, at));
+    field.addEventListener("blur", () => {
+      if ("gone" in field.dataset) return;
+      this.#typed(field.value, place, at);
+      // Also if the text is as it was.
+      this.#does.type();
+    });
     return field;
   }
 
   #part(place, at) {
-    return (this.#parts[place][at] ?? "").trim();
+    return (this.#parts[place]?.[at] ?? "").trim();
   }
 
   #typed(text, place, at) {
-    // A `|` would start a new segment.
-    const value = text.replaceAll(DELIMITER, "").replace(/\s*\n\s*/g, " ").trim();
+    const value = plain(text);
     if (value === this.#part(place, at)) return;
     const parts = this.#parts[place];
     const whole = Array.from({ length: Math.max(this.#count, parts.length) }, (_, index) => parts[index] ?? "");
     whole[at] = value;
     // Emptied parts without a segment are removed.
     while (at >= this.#count && whole.length > this.#count && whole.at(-1).trim() === "") whole.pop();
-    this.#change(this.#columns[place].name, whole.join(DELIMITER));
+    this.#does.change(this.#columns[place].name, whole.join(DELIMITER));
   }
 }
+
+/** Returns typed text as a part of an element. A `|` would start a new segment. */
+const plain = (text) => text.replaceAll(DELIMITER, "").replace(/\s*\n\s*/g, " ").trim();

@@ -2,6 +2,7 @@
 
 import { onDrag } from "../web/demo/drag.js";
 import { made } from "./list.js";
+import { GRIP } from "./shapes.js";
 
 /** The most samples per column for its loudness: enough to show a syllable, few enough to draw at once. */
 const MOST_SAMPLES = 400;
@@ -19,8 +20,8 @@ export class Tracks {
   #time = 0;
 
   constructor(scrub) {
-    for (const id of ["wave", "words", "phones", "translation", "marks"]) {
-      onDrag($(id), (x) => this.timeAt(x), scrub);
+    for (const id of ["wave", "words", "phones", "shapes", "translation", "marks"]) {
+      onDrag($(id), (x) => this.timeAt(x), scrub, ({ target }) => target.closest(GRIP) !== null);
     }
     matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.#draw());
   }
@@ -96,6 +97,11 @@ export class Tracks {
     return right >= 0 && left <= this.#view.width;
   }
 
+  /** Whether any part of these frames is visible. */
+  sees(start, end) {
+    return this.#x(end) >= 0 && this.#x(start) <= this.#view.width;
+  }
+
   #x(frame) {
     return (frame - this.#view.first) * (this.#view.width / this.#view.count);
   }
@@ -106,6 +112,7 @@ export class Tracks {
     const rate = this.#clip.frameCount / this.#clip.duration;
     const blocks = (parent, items, of) => parent.replaceChildren(...items.map(of).filter(Boolean));
     const said = (text, className, { start_ms, end_ms }) => {
+      if (!this.sees((start_ms / 1000) * rate, (end_ms / 1000) * rate)) return undefined;
       const word = Object.assign(made("span", className, text), { start: start_ms / 1000, end: end_ms / 1000, dir: "auto" });
       word.title = text;
       return this.place(word, word.start * rate, word.end * rate) && word;
@@ -121,6 +128,7 @@ export class Tracks {
       return phone;
     });
     blocks($("translation"), this.#locale && this.#clip.frameCount > 0 ? this.#clip.segments : [], (segment) => {
+      if (!this.sees(segment.startFrame, segment.endFrame)) return undefined;
       const text = segment.text(this.#locale);
       const part = made("span", text?.isFallback ? "part fallback" : "part", text?.text ?? "");
       [part.dir, part.lang, part.title] = ["auto", text?.isFallback ? "" : this.#locale.tag, text?.text ?? ""];
