@@ -20,7 +20,7 @@ use clap::Args;
 use lipz_bank::VisemeType;
 use lipz_compiler::{Compiler, Input, Options, key};
 use lipz_diagnostics::reports::count;
-use lipz_diagnostics::{Report, Severity};
+use lipz_diagnostics::{Diagnostic, Report, Severity};
 use std::path::{Path, PathBuf};
 
 /// Convert Lipz files to a different viseme type, or write their curves.
@@ -112,16 +112,13 @@ impl Run for Convert {
         let results = compiler.each_file(&inputs, |input, bytes| {
             let converted = compiler.convert(bytes, viseme_type);
             let is_changed = converted.text.is_some();
-            let written = match converted.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error) {
+            let written = match converted.diagnostics.iter().any(Diagnostic::is_error) {
                 true => Ok(String::new()),
                 false => target.write(&files_to_write, input, bytes, converted.text.as_deref()),
             };
             let found = !converted.diagnostics.is_empty();
             let report = found.then(|| Report::from_bytes(input.name(), bytes, converted.diagnostics));
-            let (shown, unwritten) = match written {
-                Ok(shown) => (shown, None),
-                Err(report) => (String::new(), Some(report)),
-            };
+            let (shown, unwritten) = written.map_or_else(|report| (String::new(), Some(report)), |shown| (shown, None));
             (is_changed, shown, report.into_iter().chain(unwritten).collect::<Vec<_>>())
         });
         let unwritten = files_to_write.finish();
