@@ -88,7 +88,7 @@ fn gesture_command<'t>(words: &[Word<'t>]) -> Option<(Command<Word<'t>, Word<'t>
 }
 
 impl Event<'_> {
-    /// Returns the number of a gesture in thousandths; `None` if there is none.
+    /// Returns the number of a gesture in thousandths; `None` for events without a number.
     pub fn number(&self) -> Option<i32> {
         thousandths(self.command.amount()?.text).ok()
     }

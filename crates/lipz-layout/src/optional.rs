@@ -247,7 +247,7 @@ records! {
     LayerDubRecord: 24 {
         /// The id of the clip.
         clip_id: U64,
-        /// The id of the clip that is played for it, or of its original if it is a dub; 0 if there is none.
+        /// The id of the clip that is played for it, or of its original if it is a dub; otherwise 0.
         other_id: U64,
         /// Index of the voice in the layer's list.
         voice: U16,

@@ -201,7 +201,7 @@ impl RateRecord {
     }
 }
 
-/// Returns the frame rate of [`ClipRecord::rate`], without a check; `None` if there is none.
+/// Returns the frame rate of [`ClipRecord::rate`], without a check; `None` if the number does not have one.
 #[inline]
 #[allow(clippy::arithmetic_side_effects)] // constants
 pub fn stored_fps(rate: u16, records: &[RateRecord]) -> Option<StoredFps> {

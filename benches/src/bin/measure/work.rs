@@ -199,7 +199,7 @@ fn remembered(bank: &Path) -> (PathBuf, PathBuf) {
     (bank.with_extension("again.lipzbank"), bank.with_extension("cache"))
 }
 
-/// Makes the cache if there is none, then changes a file.
+/// Makes the cache if it does not exist, then changes a file.
 fn change_one_of_the_cache(folder: &Path, bank: &Path, threads: usize) -> Result<(), Failure> {
     if !remembered(bank).1.exists() {
         pack_again(folder, bank, threads, &mut Measurement::default())?;

@@ -16,7 +16,7 @@ pub(crate) struct FileMeta {
     /// The time of the last change to the file or its metadata. On Unix, unlike the modification time, programs cannot
     /// set it. On other systems, it is the modification time.
     changed_ns: u64,
-    /// The number of the file in its file system, which differs for a new file of the same name; 0 if there is none.
+    /// The inode number of the file on Unix, which tells a new file from the one that it replaces; 0 on other systems.
     number: u64,
 }
 

@@ -58,7 +58,7 @@ fn pseudo(text: &str) -> String {
 }
 
 /// Returns the length in bytes of the tag at the start of the text, such as `<b>`, `</color>` or `<sprite="x"
-/// name="y">`; 0 if there is none.
+/// name="y">`; 0 if the text does not start with a tag.
 fn tag(text: &str) -> usize {
     let is_tag = text[1..].starts_with(|c: char| c.is_ascii_alphabetic() || c == '/');
     let end = text[1..].find(['<', '>', '\n']).map(|end| end + 1);
@@ -66,7 +66,7 @@ fn tag(text: &str) -> usize {
 }
 
 /// Returns the length in bytes of the web or mail address at the start of the text, such as `https://…` or `www.…`; 0
-/// if there is none.
+/// if the text does not start with an address.
 fn address(text: &str) -> usize {
     let word = text.find(ends_word).map_or(text, |end| &text[..end]);
     let is_scheme = |scheme: &str| !scheme.is_empty() && scheme.chars().all(|c| c.is_ascii_alphanumeric());

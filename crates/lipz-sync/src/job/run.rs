@@ -128,7 +128,8 @@ pub(super) fn with_loaded<R>(
     work(loaded, reports)
 }
 
-/// Returns the Lipz file of a dub's original: its name, and its bytes, which are empty if there is none.
+/// Returns the name and the bytes of the Lipz file of a dub's original. Both are empty for other files, and the
+/// bytes also if the file cannot be read.
 fn original_file(job: &Job, place: &dyn ClipStore) -> (String, Vec<u8>) {
     let Some(original) = &job.original else { return Default::default() };
     (shown(&original.lipz_file), place.read(&original.lipz_file).unwrap_or_default())

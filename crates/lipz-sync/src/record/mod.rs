@@ -62,7 +62,7 @@ pub struct SyncRecord {
 
 impl SyncRecord {
     /// Returns the path of the record for Lipz files in `folder`: in it or the nearest parent folder that has one, or
-    /// in `folder` if there is none.
+    /// in `folder` if no folder has one.
     pub fn place(folder: &Path) -> PathBuf {
         let existing = folder.ancestors().map(|above| above.join(RECORD_NAME)).find(|path| path.is_file());
         existing.unwrap_or_else(|| folder.join(RECORD_NAME))

@@ -5,6 +5,7 @@
 pub(crate) mod approved;
 pub(crate) mod editor;
 pub(crate) mod forge;
+pub(crate) mod preview;
 pub(crate) mod sound;
 
 use similar::TextDiff;

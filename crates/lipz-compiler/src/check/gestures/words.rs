@@ -79,7 +79,7 @@ impl SpokenWord<'_> {
         self.goes_on && self.behind.chars().all(char::is_whitespace)
     }
 
-    /// Whether the text marks the word for stress: `I *told* you`.
+    /// Whether the word is emphasised by asterisks or underscores, as in `I *told* you`.
     pub(super) fn is_marked(&self) -> bool {
         self.before.ends_with(['*', '_'])
     }
@@ -193,16 +193,16 @@ mod tests {
     }
 
     /// Returns the words for which `is` is true.
-    fn those<'t>(words: &[SpokenWord<'t>], is: impl Fn(&SpokenWord<'t>) -> bool) -> Vec<&'t str> {
+    fn filtered<'t>(words: &[SpokenWord<'t>], is: impl Fn(&SpokenWord<'t>) -> bool) -> Vec<&'t str> {
         words.iter().filter(|word| is(word)).map(|word| word.text).collect()
     }
 
     #[test]
     fn stress() {
         let all = Words::of("I *told* you NOT to, I said!", false).words;
-        assert_eq!(those(&all, SpokenWord::is_marked), ["told"]);
-        assert_eq!(those(&all, SpokenWord::is_in_capitals), ["NOT"]);
-        assert_eq!(those(&all, |word| word.is_before(&['!'])), ["said"]);
-        assert_eq!(those(&all, SpokenWord::leads_on), ["you", "NOT", "I"]);
+        assert_eq!(filtered(&all, SpokenWord::is_marked), ["told"]);
+        assert_eq!(filtered(&all, SpokenWord::is_in_capitals), ["NOT"]);
+        assert_eq!(filtered(&all, |word| word.is_before(&['!'])), ["said"]);
+        assert_eq!(filtered(&all, SpokenWord::leads_on), ["you", "NOT", "I"]);
     }
 }

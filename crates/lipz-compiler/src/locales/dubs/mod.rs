@@ -32,7 +32,7 @@ pub(crate) struct Dub {
 }
 
 impl Dubs {
-    /// Creates these dubs, or an empty list if there are none.
+    /// Creates the dubs of these clips. Without any dub, the list of voices is empty, too.
     pub(crate) fn new(voices: Vec<String>, of: Vec<Option<Dub>>, others: Vec<(Dub, usize)>) -> Dubs {
         if of.iter().all(Option::is_none) { Dubs::default() } else { Dubs { voices, of, others } }
     }

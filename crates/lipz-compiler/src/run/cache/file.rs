@@ -28,7 +28,7 @@ pub(super) fn write(path: &Path, magic: Magic, stamps: &Stamps) -> Result<(), Re
     }
 }
 
-/// Returns the bytes of the cache at `path`; empty if there is none.
+/// Returns the bytes of the cache at `path`; empty if the cache does not exist.
 fn bytes(path: &Path, magic: Magic) -> Result<Vec<u8>, Report> {
     let mut bytes = Vec::new();
     let is_cache = match path.metadata() {

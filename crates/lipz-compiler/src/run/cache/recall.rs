@@ -147,7 +147,7 @@ impl<'b> Recall<'b> {
 }
 
 impl Recaller<'_, '_> {
-    /// Sets `clip` to the one in this slot; `None` if there is none, which leaves `clip` unusable.
+    /// Sets `clip` to the clip in this slot. Returns `None` if the slot has no usable clip; `clip` is then unusable.
     pub(super) fn clip(&mut self, slot: u32, clip: &mut ClipData) -> Option<()> {
         let recall = self.recall;
         let found = recall.bank.clip_at(slot)?;
