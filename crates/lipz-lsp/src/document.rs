@@ -47,7 +47,7 @@ impl Document {
         for change in changes {
             let (bytes, text) = match change.range {
                 Some(range) => self.with_halves(range, change.text),
-                None => (0..self.rope.len_bytes(), halves::joined(&change.text)),
+                None => (0..self.rope.len_bytes(), change.text),
             };
             let characters = self.rope.byte_to_char(bytes.start)..self.rope.byte_to_char(bytes.end);
             let at = characters.start;
@@ -73,8 +73,7 @@ impl Document {
         if low.is_some() {
             bytes.end += character(bytes.end).map_or(0, char::len_utf8);
         }
-        let has_halves = |text: &str| text.contains(halves::is_half);
-        if high.is_none() && low.is_none() && !has_halves(&text) {
+        if high.is_none() && low.is_none() && !text.contains(halves::is_half) {
             return (bytes, text);
         }
         // A half may stand next to the range since an earlier change.
@@ -83,8 +82,7 @@ impl Document {
         let after = character(bytes.end).filter(|after| low.is_none() && halves::is_half(*after));
         bytes.start -= before.map_or(0, char::len_utf8);
         bytes.end += after.map_or(0, char::len_utf8);
-        let parts = before.or(high).into_iter().chain(text.chars()).chain(low.or(after));
-        (bytes, halves::joined(&parts.collect::<String>()))
+        (bytes, halves::between(before.or(high), &text, low.or(after)))
     }
 
     /// Returns the length of the byte order mark in bytes. The parser's positions count from its end.
@@ -128,6 +126,7 @@ mod tests {
         document.change(3, vec![change(None, "{}"), change(Some((7, 0, 9, 9)), " ")]);
         assert_eq!((document.text.as_str(), document.version), ("{} ", 3));
     }
+
     /// The text of the editor, in UTF-16 units, is the same after any change of halves.
     #[test]
     fn halves_of_characters_are_replaced() {
@@ -145,5 +144,9 @@ mod tests {
         assert_eq!(document.text, "a\u{1f601}c");
         document.change(7, vec![change(Some((0, 1, 0, 3)), "\u{f000}")]);
         assert_eq!(document.text, "a\u{f000}c", "a character of an icon font");
+        for range in [None, Some((0, 0, 0, 3))] {
+            document.change(8, vec![change(range, "\u{f03d}\u{f601}")]);
+            assert_eq!(document.text, "\u{f03d}\u{f601}", "two characters of an icon font");
+        }
     }
 }

@@ -40,19 +40,24 @@ fn join(first: char, second: char) -> Option<char> {
     is_pair.then(|| char::from_u32(0x1_0000 + ((high - HIGH.start()) << 10) + (low - LOW.start()))).flatten()
 }
 
-/// Returns a text in which adjacent halves are characters.
-pub(crate) fn joined(text: &str) -> String {
-    let mut joined = String::with_capacity(text.len());
-    for character in text.chars() {
-        match joined.chars().next_back().and_then(|before| join(before, character)) {
-            Some(whole) => {
-                joined.pop();
-                joined.push(whole);
-            }
-            None => joined.push(character),
-        }
+/// Returns a text with the halves before and after it, which become characters with the halves at its ends. Halves
+/// within the text are left alone: JSON joins them, so they are characters of an icon font.
+pub(crate) fn between(before: Option<char>, text: &str, after: Option<char>) -> String {
+    let mut whole = String::from_iter(before);
+    let mut rest = text.chars();
+    rest.by_ref().take(1).for_each(|first| push(&mut whole, first));
+    whole.push_str(rest.as_str());
+    after.into_iter().for_each(|after| push(&mut whole, after));
+    whole
+}
+
+/// Adds a character, which is joined with a half before it.
+fn push(text: &mut String, character: char) {
+    let joined = text.chars().next_back().and_then(|before| join(before, character));
+    if joined.is_some() {
+        text.pop();
     }
-    joined
+    text.push(joined.unwrap_or(character));
 }
 
 /// Returns JSON whose lone halves are placeholders; `None` if it has none.
@@ -99,7 +104,12 @@ mod tests {
     #[test]
     fn two_halves_are_a_character() {
         let (high, low) = of('\u{1f600}').unwrap();
-        assert_eq!(joined(&format!("a{high}{low}b{low}")), format!("a\u{1f600}b{low}"));
+        assert_eq!(between(Some(high), &format!("{low}b{high}{low}c{high}"), Some(low)), {
+            format!("\u{1f600}b{high}{low}c\u{1f600}")
+        });
+        assert_eq!(between(Some(high), "", Some(low)), "\u{1f600}");
+        assert_eq!(between(Some(high), &low.to_string(), Some(low)), format!("\u{1f600}{low}"));
+        assert_eq!(between(None, &high.to_string(), Some(low)), "\u{1f600}");
         assert_eq!(of('a'), None);
     }
 }

@@ -112,11 +112,15 @@ fn a_project_whose_folders_cannot_be_created_is_not_begun() {
     scene.write("git/.gitignore/file", "");
     let before = tree(scene.path());
     for (arguments, code, message) in [
-        (["init", "game", "--audio", "../takes"], "LZ0904", "`game/../takes` cannot be created: not a directory"),
+        (
+            ["init", "game", "--audio", "../takes"],
+            "LZ0904",
+            "the folder `game/../takes` cannot be created, because `takes` is a file",
+        ),
         (
             ["init", "takes/game", "--audio", "takes"],
             "LZ0904",
-            "`takes/game/voices` cannot be created: not a directory",
+            "the folder `takes/game/voices` cannot be created, because `takes` is a file",
         ),
         (["init", "git", "--audio", "takes"], "LZ0001", "`git/.gitignore` is a folder"),
     ] {

@@ -146,6 +146,7 @@ fn devices_without_an_end_are_refused() {
         &["import", "texts", "zero.po", "--config", "sources=['voices']"],
         &["import", "subtitles", "zero.en-us.srt", "-o", "imported"],
         &["print", "babble", "zero.xml"],
+        &["check", "voices", "--baseline", "zero.csv"],
     ];
     for arguments in commands {
         let outcome = run(limit(as_nobody(&scene, arguments), libc::RLIMIT_AS, 1 << 30));

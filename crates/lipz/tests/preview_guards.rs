@@ -90,6 +90,15 @@ fn only_audio_gets_into_a_page_and_nothing_is_written_through_links() {
     let refused = lipz(scene.path(), export);
     assert!(refused.code == 2 && refused.stderr.contains("is a link"), "{refused:?}");
     assert_eq!(fs::read_to_string(scene.path().join("secret.txt")).unwrap(), "root:x:0:0");
+
+    // Nor is a folder created where a link leads.
+    fs::remove_file(&index).unwrap();
+    fs::create_dir(scene.path().join("other")).unwrap();
+    fs::remove_dir_all(scene.path().join("site/page")).unwrap();
+    std::os::unix::fs::symlink(scene.path().join("other"), scene.path().join("site/page")).unwrap();
+    let refused = lipz(scene.path(), export);
+    assert!(refused.code == 2 && refused.stderr.contains("`site/page` is a link"), "{refused:?}");
+    assert_eq!(fs::read_dir(scene.path().join("other")).unwrap().count(), 0);
 }
 
 #[test]

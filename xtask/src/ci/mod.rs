@@ -141,6 +141,7 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
         print!("{}", listing());
         return Ok(());
     }
+    step::this_program()?;
     let has_failed = AtomicBool::new(false);
     let mut printed = String::new();
     let (here, elsewhere) = std::thread::scope(|scope| {

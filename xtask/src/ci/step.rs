@@ -4,8 +4,23 @@ use crate::Failure;
 use crate::cargo;
 use crate::paths::workspace_root;
 use crate::tools::{IS_STEP, succeed};
+use std::io;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
+
+/// The path of this program.
+static PROGRAM: LazyLock<io::Result<PathBuf>> = LazyLock::new(std::env::current_exe);
+
+/// Returns the path of this program. Must be called before the first step, because the system forgets the path if Cargo
+/// replaces the file, as tests beside the steps do.
+///
+/// # Errors
+/// If the system does not know it.
+pub(super) fn this_program() -> Result<&'static Path, Failure> {
+    PROGRAM.as_deref().map_err(|error| format!("where is this program? {error}"))
+}
 
 /// The program of a step.
 pub(super) enum Program {
@@ -76,9 +91,7 @@ impl Step {
     fn command(&self) -> Result<Command, Failure> {
         let mut command = match self.program {
             Program::Cargo | Program::CargoWith(..) => cargo::command(),
-            Program::Task => {
-                Command::new(std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?)
-            }
+            Program::Task => Command::new(this_program()?),
         };
         if let Program::CargoWith(variable, value) = self.program {
             command.env(variable, value);

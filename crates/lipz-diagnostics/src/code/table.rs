@@ -118,7 +118,7 @@ codes! {
 
     "Subtitles"
     SubtitleSyntax "LZ1301" "subtitle-syntax" Error "a subtitle file does not follow its format"
-    SubtitleTimes "LZ1302" "subtitle-times" Warning "cues overlap or are out of order"
+    SubtitleTimes "LZ1302" "subtitle-times" Warning "cues overlap, are out of order, or count from a full hour"
     SubtitlePlace "LZ1303" "subtitle-place" Warning "a cue does not fit the segments of its clip"
     SubtitleText "LZ1304" "subtitle-text" Warning "a cue contains something that a Lipz text cannot store"
     SubtitleLoss "LZ1305" "subtitle-loss" Warning "a text does not fit into a subtitle file"

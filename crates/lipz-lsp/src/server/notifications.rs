@@ -88,11 +88,13 @@ impl<W: Write> Server<W> {
     fn close(&mut self, key: &str) -> io::Result<()> {
         let Some(document) = self.documents.remove(key) else { return Ok(()) };
         let home = self.homes.remove(key);
+        if document.path.is_none() {
+            self.publish(document.uri, Vec::new(), None)?;
+            self.sent.remove(key);
+            return Ok(());
+        }
         // Some editors forget the diagnostics of a file that is closed.
         self.sent.remove(key);
-        if document.path.is_none() {
-            return self.publish(document.uri, Vec::new(), None);
-        }
         // Unsaved changes are lost.
         home.iter().for_each(|home| self.runs.soon(home));
         Ok(())

@@ -103,7 +103,7 @@ impl<W: Write> Server<W> {
         Ok(())
     }
 
-    /// Publishes the diagnostics of a file. Those of a file that is not open are only published if they have changed.
+    /// Publishes the diagnostics of a file. Without a version, they are only sent if they have changed.
     pub(super) fn publish(&mut self, uri: Uri, diagnostics: Vec<Shown>, version: Option<i32>) -> io::Result<()> {
         let mut hasher = DefaultHasher::new();
         serde_json::to_string(&diagnostics).unwrap_or_default().hash(&mut hasher);

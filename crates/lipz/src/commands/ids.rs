@@ -5,10 +5,10 @@ use crate::commands::Run;
 use crate::reporter::Reporter;
 use crate::shared::bank_or_sources::packed;
 use crate::shared::dialogue_files::DialogueFiles;
-use crate::shared::output_file;
 use crate::shared::sources::Sources;
 use crate::shared::stack;
 use crate::shared::stdin_file::StdinFile;
+use crate::shared::{input_file, output_file};
 use crate::{Outcome, console};
 use clap::{Args, ValueEnum};
 use lipz_compiler::ids::{Language, generate};
@@ -16,7 +16,7 @@ use lipz_compiler::shard::SET_EXTENSION;
 use lipz_diagnostics::Report;
 use lipz_layout::{MAGIC, SET_MAGIC};
 use std::ffi::OsStr;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -144,7 +144,7 @@ fn write(source: &str, named: &DialogueFiles, arguments: &Ids, reporter: &mut Re
         return Ok(Outcome::Clean);
     };
     // Build systems compare file times: rewriting an unchanged file would recompile every file that includes it.
-    let is_there = fs::read(output).is_ok_and(|bytes| bytes == text.as_bytes());
+    let is_there = input_file::read(output).is_ok_and(|bytes| bytes == text.as_bytes());
     if !is_there {
         output_file::write(output, text.as_bytes(), reporter)?;
     }

@@ -25,7 +25,7 @@ impl AudioFlag {
         if !folder.is_dir() {
             let shown = console::path(folder);
             let what = if folder.exists() { "is not a folder" } else { "does not exist" };
-            let help = "check the spelling of the path, which `--audio` names";
+            let help = "check the spelling of the path after `--audio`";
             let message = format!("`{shown}` {what}");
             return Err(reporter.fail(Report::failure(shown, Code::UnreadableFile, message, help)));
         }

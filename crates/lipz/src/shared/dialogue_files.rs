@@ -96,7 +96,7 @@ impl DialogueFiles {
         }
         let name = escape::text(&self.name).into_owned();
         let message = format!("`{name}` repeats more texts and events than can be counted");
-        let help = "this bank was not made by lipz: pack it again from its sources";
+        let help = "pack the bank again from its sources with `lipz pack`";
         Err(reporter.fail(Report::failure(name, Code::BankDamaged, message, help)))
     }
 

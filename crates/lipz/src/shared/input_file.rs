@@ -24,13 +24,31 @@ pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
     if is_device(metadata.file_type()) {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is a device"));
     }
-    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len().min(MAX_BYTES)).unwrap_or_default());
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > MAX_BYTES {
-        let message = format!("it is longer than {} MiB", MAX_BYTES >> 20);
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    read_from(file, metadata.len())
+}
+
+/// Reads a stream to its end.
+///
+/// # Errors
+/// If it cannot be read, or is longer than [`MAX_BYTES`]. A stream is not read if the expected length already is.
+pub(crate) fn read_from(stream: impl Read, expected_bytes: u64) -> io::Result<Vec<u8>> {
+    let too_long = || io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {} MiB", MAX_BYTES >> 20));
+    let mut bytes = Vec::new();
+    if expected_bytes > MAX_BYTES
+        || bytes.try_reserve_exact(usize::try_from(expected_bytes).unwrap_or(usize::MAX)).is_err()
+    {
+        return Err(too_long());
     }
-    Ok(bytes)
+    stream.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_BYTES { Err(too_long()) } else { Ok(bytes) }
+}
+
+/// Reads a file of UTF-8.
+///
+/// # Errors
+/// Those of [`read`], and if it contains other bytes.
+pub(crate) fn read_text(path: &Path) -> io::Result<String> {
+    String::from_utf8(read(path)?).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()))
 }
 
 /// Returns the report about an unreadable file.

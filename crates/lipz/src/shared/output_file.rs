@@ -57,11 +57,13 @@ pub(crate) fn unwritable(folder: &Path, error: &io::Error) -> Report {
 
 /// Refuses a folder that cannot be created because it, or a folder above it, is a file.
 pub(crate) fn refuse_file(folder: &Path, reporter: &mut Reporter) -> Result<(), Abort> {
-    let whole = from_root(&env::current_dir().unwrap_or_default(), folder);
-    if whole.ancestors().find(|path| path.exists()).is_none_or(Path::is_dir) {
-        return Ok(());
-    }
-    Err(reporter.fail(unwritable(folder, &io::ErrorKind::NotADirectory.into())))
+    let current = env::current_dir().unwrap_or_default();
+    let whole = from_root(&current, folder);
+    let existing = whole.ancestors().find(|path| path.exists());
+    let Some(file) = existing.filter(|path| !path.is_dir()) else { return Ok(()) };
+    let (file, folder) = (console::path(file.strip_prefix(&current).unwrap_or(file)), console::path(folder));
+    let message = format!("the folder `{folder}` cannot be created, because `{file}` is a file");
+    Err(reporter.fail(Report::failure(file, Code::OutputFailed, message, "name a different folder, or move the file")))
 }
 
 /// Replaces the file at `path` completely, even if the run is interrupted. Reports errors.

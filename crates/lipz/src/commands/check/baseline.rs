@@ -3,7 +3,7 @@
 use crate::Abort;
 use crate::console::{self, counted};
 use crate::reporter::Reporter;
-use crate::shared::input_file::unreadable;
+use crate::shared::input_file;
 use crate::shared::inputs::RunResult;
 use crate::shared::output_file;
 use crate::shared::text_record::from_root;
@@ -11,7 +11,7 @@ use clap::Args;
 use lipz_diagnostics::{Baseline, Report, reports};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::{env, fs, io};
+use std::{env, io};
 
 /// The options of the baseline.
 #[derive(Args, Debug)]
@@ -31,10 +31,10 @@ impl BaselineFlags {
     pub(super) fn apply(&self, run: &mut RunResult<'_>, reporter: &mut Reporter) -> Result<String, Abort> {
         let Some(file) = &self.baseline else { return Ok(String::new()) };
         output_file::refuse_source(file, reporter)?;
-        let text = match fs::read_to_string(file) {
+        let text = match input_file::read_text(file) {
             Ok(text) => text,
             Err(error) if self.write_baseline && error.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(reporter.fail(unreadable(file, &error))),
+            Err(error) => return Err(reporter.fail(input_file::unreadable(file, &error))),
         };
         let names = BaselinePaths::new(file);
         let inputs: BTreeSet<String> = run.inputs.iter().map(|input| names.of(&input.name())).collect();

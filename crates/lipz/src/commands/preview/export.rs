@@ -114,15 +114,15 @@ impl PageExport<'_> {
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> Result<(), Report> {
         let path = self.folder.join(path);
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
-        }
         // The folder itself may be a link. One in it would lead to a file that is not part of the page.
         let inside = path.ancestors().take_while(|above| *above != self.folder);
         if let Some(link) = inside.filter(|above| above.is_symlink()).last() {
             let message = format!("`{}` is a link, and pages are not written through links", console::path(link));
             let help = "remove the link, or name a different folder";
             return Err(Report::failure(console::path(link), Code::OutputFailed, message, help));
+        }
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
         }
         self.files.replace(&path, bytes)?;
         self.written.insert(path);

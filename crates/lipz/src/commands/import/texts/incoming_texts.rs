@@ -6,6 +6,7 @@ use crate::shared::{input_file, patterns, stdio};
 use lipz_diagnostics::{Diagnostic, Report, Source};
 use lipz_texts::{Entry, ReadOptions, read};
 use std::ffi::OsStr;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The contents of the translation files.
@@ -40,7 +41,10 @@ impl IncomingTexts {
                 return Err(reporter.usage(message, tip));
             };
             let name = if is_standard { stdio::input_name() } else { console::path(&path) };
-            let bytes = if is_standard { stdio::read(input_file::MAX_BYTES) } else { input_file::read(&path) };
+            let bytes = match is_standard {
+                true => input_file::read_from(io::stdin().lock(), 0),
+                false => input_file::read(&path),
+            };
             let bytes = match bytes {
                 Ok(bytes) => bytes,
                 Err(error) => {

@@ -42,7 +42,9 @@ pub(crate) struct Options {
     #[arg(long, value_name = "NUMBER", value_parser = parse_rate, help_heading = SHAPES)]
     file_rate: Option<Rate>,
 
-    /// Tier of a TextGrid with the phones, or words=NAME, segments=NAME
+    /// Tier of a TextGrid with the phones, or ROLE=NAME
+    ///
+    /// The roles are `phones`, `visemes`, `words` and `segments`.
     #[arg(long = "tier", value_name = "NAME", help_heading = SHAPES)]
     tiers: Vec<TierChoice>,
 
