@@ -130,8 +130,13 @@ fn only_commands_that_read_standard_input_as_a_file_name_it() {
     }
     let scene = Scene::new();
     scene.write("voices/a.lipz", "{}");
-    for command in [&["preview"][..], &["sync", "--audio", "voices"], &["watch", "-o", "b.lipzbank"]] {
-        let refused = with_input(scene.path(), &[command, &["-"]].concat(), b"{}");
+    for (command, message) in [
+        (&["preview", "-"][..], "standard input cannot be previewed"),
+        (&["sync", "--audio", "voices", "-"], "visemes cannot be made from standard input"),
+        (&["watch", "-o", "b.lipzbank", "-"], "standard input and output cannot be watched"),
+    ] {
+        let refused = with_input(scene.path(), command, b"{}");
         assert_eq!(refused.status.code(), Some(2), "{command:?}: {refused:?}");
+        assert!(String::from_utf8_lossy(&refused.stderr).contains(message), "{command:?}: {refused:?}");
     }
 }

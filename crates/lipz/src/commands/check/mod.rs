@@ -234,3 +234,17 @@ fn with_recordings(settings: &Settings, inputs: &[Input], quiet: bool) -> Vec<Re
     bar.finish_and_clear();
     reports
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Command;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn images_are_checked_without_arguments_about_lipz_files() {
+        let command = Check::augment_args(Command::new("check"));
+        let all: BTreeSet<&str> = command.get_arguments().map(|argument| argument.get_id().as_str()).collect();
+        assert_eq!(&all - &BTreeSet::from(["fallout_heads", "quiet"]), ABOUT_LIPZ_FILES.into());
+    }
+}

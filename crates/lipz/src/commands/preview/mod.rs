@@ -30,6 +30,7 @@ use clap::Args;
 use export::ExportedPage;
 use lipz_compiler::Stack;
 use lipz_compiler::settings::Settings;
+use lipz_diagnostics::Report;
 use lipz_diagnostics::reports::have_errors;
 use lipz_sync::Recordings;
 use server::Preview;
@@ -232,7 +233,9 @@ fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Re
     let ExportedPage { clips, sounds, left_out } =
         export::export(version, &phones, folder).map_err(|reports| reporter.abort(reports, Outcome::Failed))?;
     let outcome = outcome.max(Outcome::from_reports(&left_out));
-    reporter.add(left_out.into_iter().filter(|report| !unheard.contains(report)).collect());
+    // A recording that cannot be read has been reported with its phones.
+    let is_reported = |report: &Report| unheard.iter().any(|known| known.source.path == report.source.path);
+    reporter.add(left_out.into_iter().filter(|report| !is_reported(report)).collect());
     let counts = format!("{}, {}", console::counted(clips, "clip"), console::counted(sounds, "recording"));
     reporter.summary(&format!("{}: {counts}\n", console::path(&folder.join("index.html"))))?;
     Ok(outcome)
