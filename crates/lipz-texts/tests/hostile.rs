@@ -26,6 +26,18 @@ fn entities_are_refused() {
     assert!(told(Format::Json, "[".repeat(200_000).as_bytes()).contains("LZ1901"));
 }
 
+/// The XML parser compares each attribute of a tag with all others, which took minutes for a megabyte.
+#[test]
+fn tags_with_many_attributes_are_refused() {
+    for attribute in ["a", "xmlns:a"] {
+        let attributes: String = (0..20_000).map(|number| format!(" {attribute}{number}='x'")).collect();
+        for format in [Format::Xliff, Format::Xliff12] {
+            let found = told(format, format!("<xliff version='1.2'><file{attributes}/></xliff>").as_bytes());
+            assert!(found.contains("a tag has more than 256 attributes"), "{found}");
+        }
+    }
+}
+
 /// Written by tools without support for marked segments. Without a diagnostic, the text would be lost.
 #[test]
 fn a_text_beside_marked_segments_is_told() {

@@ -201,6 +201,20 @@ fn slips_on_the_command_line() {
     assert!(read(scene.path(), "voices/shoe.lipz").contains("\"Ä {name}\""));
 }
 
+/// Tools repeat entries. The texts of the project are counted, not the entries.
+#[test]
+fn a_text_that_is_replaced_by_equal_entries_is_counted_once() {
+    let scene = project();
+    let entry = ("shoe", "Shoes, {name}!", "Treter, {name}!");
+    scene.write("de-de.po", po(&[entry; 300]));
+    let import = lipz(scene.path(), ["import", "texts", "de-de.po"]);
+    assert!(
+        import.stderr.contains("LZ1909") && import.stderr.contains(": 1 text of the project was replaced"),
+        "{import:?}"
+    );
+    assert!(read(scene.path(), "voices/shoe.lipz").contains("Treter"));
+}
+
 /// Source texts are edited in Lipz files. An edit of one in an exchange file is reported because it has no effect.
 #[test]
 fn source_texts_of_a_file_are_not_imported() {
