@@ -3,7 +3,7 @@
 import { VISEMES } from "../web/face.js";
 import { openDialogue } from "../web/lipz.js";
 import { showDifference } from "./difference.js";
-import { Division } from "./division.js";
+import { followed, listReview } from "./division.js";
 import { Edits } from "./edits.js";
 import { Mouth } from "./mouth.js";
 import { Shapes } from "./shapes.js";
@@ -20,7 +20,6 @@ export class Editor {
   #shapes;
   #texts;
   #locales = [];
-  #division = new Division();
   /** Whether the file has changed without being shown here. */
   #isBehind = false;
   /** The number of requested drafts. Only the last is drawn. */
@@ -34,13 +33,13 @@ export class Editor {
    */
   constructor(tracks, does) {
     this.#does = does;
-    const change = (mouth, isDone) => isDone && this.#set(this.#division.of(this.#edits, mouth, this.#clip));
+    const change = (mouth, isDone) => isDone && this.#set(followed(this.#edits, mouth, this.#clip));
     this.#shapes = new Shapes(tracks, { change, step: does.step, frame: does.frame });
     this.#texts = new Texts($("texts"), {
-      change: (name, text) => this.#set({ [name]: text }),
+      change: (name, text) => this.#set({ elements: { [name]: text } }),
       seek: does.seek,
       type: () => this.#typed(),
-      look: (name, segment) => this.#division.looked(name, segment) && this.#fill(),
+      look: (name, segment) => this.#edits.looked(name, segment) && this.#fill(),
     });
     $("again").onclick = () => this.#solve(true);
     $("drop").onclick = () => this.#solve(false);
@@ -75,7 +74,6 @@ export class Editor {
   /** Starts over with a clip. */
   show(page) {
     this.#edits = new Edits(page);
-    this.#division = new Division();
     this.#isBehind = false;
     $("conflict").hidden = true;
     this.#fill();
@@ -151,8 +149,8 @@ export class Editor {
     this.#drafted();
   }
 
-  #set(elements) {
-    if (this.#edits.set(elements)) this.#drafted();
+  #set({ elements, review }) {
+    if (this.#edits.set(elements, review)) this.#drafted();
   }
 
   /** Shows whether there are changes, after a key in a field. */
@@ -207,12 +205,12 @@ export class Editor {
     this.#shapes.show(mouth, this.#type, this.#isEditable);
     const column = (tag) => {
       const name = `text_${tag}`;
-      return { name, label: tag, lang: tag, text: this.#edits.get(name), review: this.#division.review(name) };
+      return { name, label: tag, lang: tag, text: this.#edits.get(name), review: this.#edits.review[name] };
     };
     const events = { name: "events", label: "Events", lang: "", text: this.#edits.get("events") };
     $("texts").hidden = this.#edits.page.path === null;
     this.#texts.show([...this.#locales.map(column), events], mouth.starts.length + 1, this.#isEditable);
-    this.#division.tell($("divided"));
+    listReview($("divided"), this.#edits.review);
     $("edits").hidden = !this.#isEditable;
     $("undo").disabled = !this.#edits.canUndo;
     $("redo").disabled = !this.#edits.canRedo;

@@ -9,7 +9,12 @@ export class Edits {
   #inFile;
   /** The texts of all elements. */
   #now;
-  /** The changes before and after the current state, each as `{ before, after }` with the texts of its elements. */
+  /** The segments whose texts a person should review, by the name of their element. */
+  #review = {};
+  /**
+   * The changes before and after the current state, each as `{ before, after, reviews }` with the texts of its elements,
+   * and the segments to review before and after it.
+   */
   #done = [];
   #undone = [];
 
@@ -71,13 +76,26 @@ export class Edits {
     return Object.keys(this.#now).filter((name) => name.startsWith(TEXT));
   }
 
-  /** Sets the texts of elements in one step. Returns whether any has changed. */
-  set(elements) {
+  get review() {
+    return this.#review;
+  }
+
+  /** Takes note that a person looks at a text. Returns whether it was to be reviewed. */
+  looked(name, segment) {
+    if (!this.#review[name]?.includes(segment)) return false;
+    this.#review = { ...this.#review, [name]: this.#review[name].filter((other) => other !== segment) };
+    return true;
+  }
+
+  /** Sets the texts of elements and the segments to review in one step. Returns whether any text has changed. */
+  set(elements, review = this.#review) {
     const after = Object.fromEntries(Object.entries(elements).filter(([name, text]) => text !== this.get(name)));
     const names = Object.keys(after);
     if (names.length === 0) return false;
-    this.#done.push({ before: Object.fromEntries(names.map((name) => [name, this.#now[name]])), after });
+    const before = Object.fromEntries(names.map((name) => [name, this.#now[name]]));
+    this.#done.push({ before, after, reviews: { before: this.#review, after: review } });
     this.#undone = [];
+    this.#review = review;
     this.#now = { ...this.#now, ...after };
     return true;
   }
@@ -87,6 +105,7 @@ export class Edits {
     const change = this.#done.pop();
     this.#undone.push(change);
     this.#now = { ...this.#now, ...change.before };
+    this.#review = change.reviews.before;
   }
 
   redo() {
@@ -94,6 +113,7 @@ export class Edits {
     const change = this.#undone.pop();
     this.#done.push(change);
     this.#now = { ...this.#now, ...change.after };
+    this.#review = change.reviews.after;
   }
 
   /**
@@ -110,7 +130,7 @@ export class Edits {
     const foreign = names.filter((name) => !isSame(now[name], this.#inFile[name]) && !isSame(base[name], this.#inFile[name]));
     const rest = (texts) => Object.fromEntries(Object.entries(texts).filter(([name]) => !foreign.includes(name)));
     const without = (changes) =>
-      changes.map(({ before, after }) => ({ before: rest(before), after: rest(after) })).filter(({ after }) => Object.keys(after).length > 0);
+      changes.map((change) => ({ ...change, before: rest(change.before), after: rest(change.after) })).filter(({ after }) => Object.keys(after).length > 0);
     [this.#done, this.#undone] = [without(this.#done), without(this.#undone)];
   }
 

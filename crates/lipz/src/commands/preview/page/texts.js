@@ -53,7 +53,7 @@ export class Texts {
     for (const field of this.#element.querySelectorAll("textarea")) {
       const { place, at } = field.dataset;
       field.placeholder = columns[place].text === undefined ? "—" : "";
-      const isDivided = columns[place].review?.has(Number(at)) ?? false;
+      const isDivided = columns[place].review?.includes(Number(at)) ?? false;
       field.classList.toggle("review", isDivided);
       field.title = isDivided ? "Divided in proportion: check this text" : "";
       // Do not change a field while the user types in it.
