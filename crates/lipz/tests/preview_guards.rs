@@ -110,6 +110,9 @@ fn what_cannot_be_served_is_told() {
     assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.contains("name a different port"), "{}", outcome.stderr);
     assert_eq!(lipz(scene.path(), ["preview", "-"]).code, 2);
+    scene.write("notes.txt", "");
+    let file = lipz(scene.path(), ["preview", "voices", "-o", "notes.txt/site"]);
+    assert!(file.code == 2 && file.stderr.contains("because `notes.txt` is a file"), "{file:?}");
     let missing = lipz(scene.path(), ["preview", "missing.lipzbank"]);
     assert_eq!(missing.code, 2, "{}", missing.stderr);
 }

@@ -22,6 +22,7 @@ use crate::reporter::{Abort, Reporter};
 use crate::shared::audio_flag::AudioFlag;
 use crate::shared::bank_or_sources::names_lipz_files;
 use crate::shared::dialogue_files::DialogueFiles;
+use crate::shared::output_file;
 use crate::shared::settings_file::Project;
 use crate::shared::sources::Sources;
 use crate::shared::stdio;
@@ -215,6 +216,7 @@ fn whole(named: &DialogueFiles, reporter: &mut Reporter) -> Result<Vec<u8>, Abor
 /// Writes the page into a folder, and reports diagnostics. It lists files with errors, but its bank does not contain
 /// them.
 fn export_to(folder: &Path, version: &Version, is_quiet: bool, reporter: &mut Reporter) -> CommandResult {
+    output_file::refuse_file(folder, reporter)?;
     if !export::is_free(folder) {
         let message = format!("`{}` contains files that do not belong to an exported page", console::path(folder));
         return Err(reporter.usage(message, "name a folder that is empty or does not exist"));
