@@ -46,7 +46,8 @@ class EventEmitter {
     return { dispose: () => this.#listeners.delete(bound) };
   };
   async fire(event) {
-    for (const listener of this.#listeners) await listener(event);
+    // Of a copy, because a listener that waits for the next event is added during this one.
+    for (const listener of [...this.#listeners]) await listener(event);
   }
   dispose() {
     this.#listeners.clear();
@@ -187,7 +188,11 @@ class Editor {
   /** Waits until what is wrong with a document is such. */
   async diagnosed(document, isMeant) {
     const found = () => this.diagnostics.get(document.uri.toString());
-    while (!found() || !isMeant(found())) await new Promise((resolve) => this.#told.event(resolve));
+    while (!found() || !isMeant(found())) {
+      let listener;
+      await new Promise((resolve) => (listener = this.#told.event(resolve)));
+      listener.dispose();
+    }
     return found();
   }
 }
