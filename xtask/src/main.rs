@@ -6,6 +6,7 @@ mod capi;
 mod cargo;
 mod ci;
 mod deny;
+mod dist;
 mod edges;
 mod editors;
 mod features;
@@ -16,6 +17,7 @@ mod packages;
 mod page;
 mod paths;
 mod recogniser;
+mod site;
 mod size;
 mod speech_dictionary;
 mod speech_model;
@@ -72,8 +74,12 @@ enum Task {
     Targets(targets::Settings),
     /// Compile all crates for Windows
     Windows,
-    /// Measure the reader's code on a Cortex-M, and prove that it cannot panic or allocate
-    Size,
+    /// Measure the reader's code on a Cortex-M, which must not panic or allocate, or the command
+    Size(size::Settings),
+    /// Build the published packages in target/dist-packages, and test them with --check
+    Dist(dist::Settings),
+    /// Build the documentation site in target/site/html, and check its links
+    Site,
     /// Package every crate as for publishing, and check its contents
     Packages,
     /// Build and run the published reader with the oldest supported compiler
@@ -124,12 +130,14 @@ fn main() -> ExitCode {
         Task::Features => features::run(),
         Task::Targets(settings) => targets::run(&settings),
         Task::Windows => windows::run(),
-        Task::Size => size::run(),
+        Task::Size(settings) => size::run(&settings),
         Task::SpeechNumbers => speech_numbers::run(),
         Task::SpeechUnits => speech_units::run(),
         Task::Recogniser => recogniser::run(),
         Task::SpeechScore => speech_score::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
+        Task::Dist(settings) => dist::run(&settings),
+        Task::Site => site::run(),
         Task::Packages => packages::run(),
         Task::Msrv => msrv::run(),
         Task::SpeechModel => speech_model::run(),

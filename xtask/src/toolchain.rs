@@ -59,8 +59,13 @@ impl Toolchain {
         printed(Command::new(self.program("rustc")).arg("--version")).unwrap_or_default()
     }
 
+    /// Whether this project's compiler has the target.
+    pub(crate) fn is_installed(&self) -> bool {
+        self.folder.is_none() && self.builds.is_none()
+    }
+
     /// Returns the folder for builds of this target, which is separate from that of the project's own compiler.
-    fn build_folder() -> PathBuf {
+    pub(crate) fn build_folder() -> PathBuf {
         workspace_root().join("target/machines")
     }
 
@@ -71,18 +76,25 @@ impl Toolchain {
 
     /// Returns `cargo <task>` for the target.
     pub(crate) fn cargo(&self, task: &str) -> Command {
-        let mut command = match self.folder {
-            None => cargo::command(),
+        self.cargo_with(None, task, self.target)
+    }
+
+    /// The same, run by a program that changes how cargo links, with the name of the target that it expects.
+    pub(crate) fn cargo_with(&self, runner: Option<&Path>, task: &str, target: &str) -> Command {
+        let mut command = match (&self.folder, runner) {
+            (None, None) => cargo::command(),
+            (None, Some(runner)) => Command::new(runner),
             // Rustup and `cargo run` have set these for the project's own compiler.
-            Some(_) => {
-                let mut command = Command::new(self.program("cargo"));
-                command.env_remove("LD_LIBRARY_PATH").env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO");
+            (Some(_), _) => {
+                let cargo = self.program("cargo");
+                let mut command = Command::new(runner.unwrap_or(&cargo));
+                command.env_remove("LD_LIBRARY_PATH").env_remove("RUSTUP_TOOLCHAIN").env("CARGO", &cargo);
                 command.env("RUSTC", self.program("rustc")).env("RUSTDOC", self.program("rustdoc"));
                 command
             }
         };
         let folder = Toolchain::build_folder();
-        command.arg(task).args(["--locked", "--target", self.target]);
+        command.arg(task).args(["--locked", "--target", target]);
         command.env("CARGO_TARGET_DIR", &folder).env("CARGO_BUILD_BUILD_DIR", &folder).current_dir(workspace_root());
         if let Some(library) = self.builds {
             command.env("RUSTC_BOOTSTRAP", "1");

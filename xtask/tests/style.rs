@@ -66,7 +66,9 @@ fn pages() -> Vec<(String, String)> {
     let root = root();
     let folders = ["docs", "crates", "examples", "packages", "editors", "fixtures", "xtask", "fuzz"];
     let mut paths: Vec<PathBuf> = folders.iter().flat_map(|folder| files(&root.join(folder), "md")).collect();
-    paths.extend(["README.md", "CHANGELOG.md", "CONTRIBUTING.md"].map(|name| root.join(name)));
+    paths.extend(
+        ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", "SECURITY.md"].map(|name| root.join(name)),
+    );
     // The guide shows examples of what not to write.
     paths.retain(|path| !path.ends_with("docs/STYLE.md"));
     let name = |path: &Path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/");

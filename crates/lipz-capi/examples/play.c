@@ -5,13 +5,18 @@
 
 #include <lipz.h>
 
-#include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#endif
 
 #define MOST_FILES 16
 
@@ -37,6 +42,31 @@ static int failed(const char *what, lipz_status status) {
 }
 
 /* Maps a whole file. Returns no bytes if that fails, or if the file is empty. */
+#ifdef _WIN32
+static lipz_bytes mapped(const char *path) {
+    lipz_bytes bytes = {NULL, 0};
+    LARGE_INTEGER size;
+    const HANDLE file = CreateFileA(path, GENERIC_READ, FILE_SHARE_READ, NULL, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, NULL);
+    if (file == INVALID_HANDLE_VALUE) {
+        return bytes;
+    }
+    if (GetFileSizeEx(file, &size) && size.QuadPart > 0) {
+        const HANDLE mapping = CreateFileMappingA(file, NULL, PAGE_READONLY, 0, 0, NULL);
+        if (mapping != NULL) {
+            bytes.data = MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0);
+            bytes.length_bytes = bytes.data == NULL ? 0 : (size_t)size.QuadPart;
+            /* The view keeps the mapping open. */
+            CloseHandle(mapping);
+        }
+    }
+    CloseHandle(file);
+    return bytes;
+}
+
+static void unmap(lipz_bytes bytes) {
+    UnmapViewOfFile(bytes.data);
+}
+#else
 static lipz_bytes mapped(const char *path) {
     lipz_bytes bytes = {NULL, 0};
     struct stat about;
@@ -53,6 +83,11 @@ static lipz_bytes mapped(const char *path) {
     }
     return bytes;
 }
+
+static void unmap(lipz_bytes bytes) {
+    munmap((void *)bytes.data, bytes.length_bytes);
+}
+#endif
 
 static void print_event(const lipz_event *event) {
     printf("* ");
@@ -138,7 +173,7 @@ int main(int count, char **arguments) {
     status = lipz_dialogue_open(&dialogue, files, contents, (size_t)file_count, 0, &problem);
     result = status == LIPZ_OK ? play(&dialogue, arguments[1], arguments[2]) : failed(arguments[3 + problem.file], status);
     for (number = 0; number < file_count; number++) {
-        munmap((void *)contents[number].data, contents[number].length_bytes);
+        unmap(contents[number]);
     }
     return result;
 }

@@ -156,7 +156,7 @@ fn the_commands_for_the_first_hour_lead_to_a_face() {
             let line = line.split(" #").next().unwrap();
             let mut words = shell_words(line);
             match words.remove(0).as_str() {
-                "cargo" => {}
+                "pip" => {}
                 "cd" => folder.push(&words[0]),
                 // A recording of speech.
                 "arecord" => {

@@ -4,8 +4,8 @@
 //! The libraries do not link if a panic is reachable (see `crates/lipz-capi/src/panic.rs`).
 
 mod cases;
-mod install;
-mod programs;
+pub(crate) mod install;
+pub(crate) mod programs;
 
 pub(crate) use cases::layouts;
 
@@ -24,7 +24,8 @@ pub(crate) fn run() -> Result<(), Failure> {
     let target = std::path::absolute(paths::target_folder()).map_err(|error| error.to_string())?;
     build(&target)?;
     let prefix = target.join("capi");
-    install::install(&target.join("library"), &prefix)?;
+    let names = install::Names::of("x86_64-unknown-linux-gnu");
+    install::install(&install::files(&target.join("library"), &names)?, &prefix)?;
     println!("installed below {}", prefix.display());
     match TOOLS.iter().find(|tool| !has_program(tool)) {
         Some(tool) => skip_rest(tool),
@@ -34,13 +35,12 @@ pub(crate) fn run() -> Result<(), Failure> {
 
 /// Builds the static and the shared library.
 fn build(target: &Path) -> Result<(), Failure> {
-    let soname = format!("link-arg=-Wl,-soname,{}", install::soname());
     succeed(
         cargo::command()
             .args(["rustc", "--package", "lipz-capi", "--lib", "--profile", "library", "--locked", "--quiet"])
             .args(["--features", "panic-handler", "--crate-type", "staticlib,cdylib", "--target-dir"])
             .arg(target)
-            .args(["--", "-C", &soname]),
+            .args(["--", "-C", &install::soname_argument()]),
         "the build of the libraries",
     )
 }

@@ -63,8 +63,12 @@ const RECOGNISER: &str = "the recogniser of lipz-speech, or `lipz import recogni
 /// The code that `accessibility` and `firefox` cover.
 const PAGE: &str = "the page of `lipz preview`";
 
+/// The packages that can be built and run on Linux.
+const DIST: &str = "dist --check --target x86_64-unknown-linux-gnu --target aarch64-unknown-linux-gnu \
+     --target x86_64-pc-windows-gnu";
+
 /// Builds and runs on this machine, in one folder.
-static HERE: [Step; 16] = [
+static HERE: [Step; 19] = [
     Step::cargo("format", "fmt --all --check"),
     Step::cargo("lints", "clippy --workspace --all-targets --locked -- -D warnings"),
     // Builds the rivals, including the C code of SQLite, and most crates again. `lints` covers the other benches.
@@ -99,6 +103,10 @@ static HERE: [Step; 16] = [
     // `cargo test` already runs the page in Chromium; these two add axe and another browser.
     Step::task("accessibility").slow(PAGE),
     Step { arguments: "firefox --main", ..Step::task("firefox").slow(PAGE) },
+    Step { arguments: DIST, ..Step::task("dist").slow("the packages, the profile `dist`, or a dependency") },
+    // With the program that the previous step has built.
+    Step { arguments: "size command", ..Step::task("size-command") }.slow("the profile `dist`, or a dependency"),
+    Step::task("site").slow("the pages in docs, or their links"),
 ];
 
 /// Builds for other machines, for C, with an old compiler or for speed, each in a separate folder.

@@ -1,9 +1,10 @@
-//! `cargo xtask size`: measures the reader's size in firmware, and proves that it can neither panic nor allocate.
+//! `cargo xtask size`, or `size reader`: measures the reader's size in firmware, and proves that it can neither panic nor allocate.
 //!
 //! firmware/size has an entry point for each query. A linker that drops unused code keeps only the parts of the reader
 //! that a program with these queries needs (`groups`), and the sections of the result are measured (`elf`).
 //! firmware/proof calls every public function. It is linked, but not measured.
 
+mod command;
 mod elf;
 mod groups;
 mod link;
@@ -20,7 +21,29 @@ use std::process::Command;
 const M4: &str = "thumbv7em-none-eabi";
 const M0: &str = "thumbv6m-none-eabi";
 
-pub(crate) fn run() -> Result<(), Failure> {
+/// The program to measure.
+#[derive(clap::Args, Debug)]
+pub(crate) struct Settings {
+    /// The reader in firmware, or the command as published
+    #[arg(value_enum, default_value_t)]
+    program: Program,
+}
+
+#[derive(clap::ValueEnum, Clone, Copy, Default, Debug)]
+enum Program {
+    #[default]
+    Reader,
+    Command,
+}
+
+pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    match settings.program {
+        Program::Reader => reader(),
+        Program::Command => command::run(),
+    }
+}
+
+fn reader() -> Result<(), Failure> {
     let toolchains = [M4, M0].map(|target| Toolchain::with_sources(target, Library::Core));
     let ([Some(m4), Some(m0)], Some(linker)) = (&toolchains, rust_lld()) else {
         return skip("the sources of Rust (`rustup component add rust-src`, or Debian's rust-web-src), and rust-lld");

@@ -1,6 +1,6 @@
 //! Statistics of frames whose states are known: how many frames each Gaussian explains, and their values.
 
-use super::score::exponentials;
+use super::score::exponentiate;
 use super::{DENSITIES, Model, STATES, STREAMS};
 use crate::Phone;
 use crate::features::cepstra::{COEFFICIENTS, NUMBERS};
@@ -55,7 +55,8 @@ impl Counts {
 
     /// Adds the values of a stream in a frame. Each Gaussian gets its share in the likelihood.
     fn add_frame(&mut self, model: &Model, book: usize, weights: usize, numbers: &[f32]) {
-        let (densities, _) = exponentials(model.densities(book, numbers));
+        let mut densities = model.densities(book, numbers);
+        exponentiate(&mut densities);
         let weights = weights * DENSITIES..(weights + 1) * DENSITIES;
         let parts = || densities.iter().zip(&model.weights[weights.clone()]).map(|(density, weight)| density * weight);
         let sum: f32 = parts().sum();

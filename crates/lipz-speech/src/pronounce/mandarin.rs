@@ -1,18 +1,17 @@
 //! Mandarin: Chinese characters with all their readings in pinyin, and pinyin itself.
 
 use super::variants::add;
-use super::{Origin, Pronunciation};
+use super::{Origin, Pronunciation, readings};
 use crate::Phone::{self, *};
 use crate::pronounce::variants::sequence;
-use pinyin::ToPinyinMulti;
 
 /// Returns all pronunciations of Chinese characters, usually one, or `None` if the reading of a character is unknown.
 pub(super) fn pronounce(han: &str) -> Option<Vec<Pronunciation>> {
     let mut parts = Vec::new();
     for c in han.chars() {
         let mut ways = Vec::new();
-        for reading in c.to_pinyin_multi()? {
-            if let Some(phones) = syllable(reading.plain()) {
+        for reading in readings::of(c)? {
+            if let Some(phones) = syllable(reading) {
                 add(&mut ways, phones);
             }
         }
@@ -160,9 +159,8 @@ mod tests {
 
     #[test]
     fn every_reading_is_a_syllable() {
-        let readings = ('\u{4e00}'..='\u{9fff}').filter_map(|c| c.to_pinyin_multi()).flatten();
-        let mut strange: Vec<&str> =
-            readings.map(pinyin::Pinyin::plain).filter(|plain| syllable(plain).is_none()).collect();
+        let readings = ('\u{4e00}'..='\u{9fff}').filter_map(readings::of).flatten();
+        let mut strange: Vec<&str> = readings.filter(|plain| syllable(plain).is_none()).collect();
         strange.sort_unstable();
         strange.dedup();
         assert_eq!(strange, Vec::<&str>::new());

@@ -8,6 +8,7 @@ mod latin;
 mod lexicon;
 mod link;
 mod mandarin;
+mod readings;
 mod rules;
 mod said;
 mod variants;

@@ -1,6 +1,7 @@
 //! The differences between two versions of a text, word by word.
 
-use similar::{ChangeTag, TextDiff};
+use similar::algorithms::{Capture, Compact, Replace, myers};
+use similar::{ChangeTag, DiffOp, DiffableStr};
 use std::ops::Range;
 
 /// The greatest length of texts that are compared word by word. Dividing longer ones takes long.
@@ -24,11 +25,12 @@ pub(crate) fn changes<'o>(old: &'o str, new: &str) -> Vec<WordChange<'o>> {
     if old.len() + new.len() > LONGEST {
         return vec![WordChange { old, new: 0..new.len() }];
     }
-    let words = TextDiff::from_unicode_words(old, new);
+    let (old_words, new_words) = (old.tokenize_unicode_words(), new.tokenize_unicode_words());
+    let operations = operations(&old_words, &new_words);
     let (mut old_at, mut new_at) = (0, 0);
     let mut open: Option<(Range<usize>, Range<usize>)> = None;
     let mut all = Vec::new();
-    for change in words.iter_all_changes() {
+    for change in operations.iter().flat_map(|operation| operation.iter_changes(&old_words[..], &new_words[..])) {
         let length = change.value().len();
         let is_blank = change.value().trim().is_empty();
         match change.tag() {
@@ -54,6 +56,16 @@ pub(crate) fn changes<'o>(old: &'o str, new: &str) -> Vec<WordChange<'o>> {
         .map(|(olds, news)| WordChange { old: old.get(olds).unwrap_or_default().trim(), new: trimmed(new, news) })
         .filter(|change| !change.old.is_empty() || !change.new.is_empty())
         .collect()
+}
+
+/// Returns the operations that lead from the old words to the new ones. `similar::TextDiff` returns the same operations,
+/// but also compiles algorithms that are not needed here.
+fn operations(old: &[&str], new: &[&str]) -> Vec<DiffOp> {
+    let mut found = Compact::new(Replace::new(Capture::new()), old, new);
+    match myers::diff(&mut found, old, 0..old.len(), new, 0..new.len()) {
+        Ok(()) => found.into_inner().into_inner().into_ops(),
+        Err(never) => match never {},
+    }
 }
 
 #[cfg(test)]

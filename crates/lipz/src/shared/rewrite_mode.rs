@@ -4,10 +4,9 @@ use crate::Abort;
 use crate::console;
 use crate::interrupt::Files;
 use crate::reporter::Reporter;
-use crate::shared::stdio;
+use crate::shared::{difference, stdio};
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Report, escape};
-use similar::TextDiff;
 use std::borrow::Cow;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
@@ -67,7 +66,7 @@ pub(crate) fn diff(name: &str, before: &[u8], after: &str) -> String {
     let before = String::from_utf8_lossy(before);
     // A name may contain line breaks, but the header is one line, and GitHub interprets some lines as commands.
     let name = &escape::text(name);
-    let unified = TextDiff::from_lines(before.as_ref(), after).unified_diff().header(name, name).to_string();
+    let unified = difference::unified(name, &before, after);
     if !io::stdout().is_terminal() {
         return unified;
     }

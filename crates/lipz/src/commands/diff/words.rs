@@ -1,8 +1,9 @@
 //! Two texts with marked differences.
 
+use crate::shared::difference;
 use anstyle::{AnsiColor, Style};
 use lipz_diagnostics::escape;
-use similar::{ChangeTag, TextDiff};
+use similar::ChangeTag;
 use std::fmt::Write;
 
 const OLD: Style = AnsiColor::Red.on_default();
@@ -15,10 +16,10 @@ pub(super) fn marked(old: &str, new: &str) -> (String, String) {
         return (only_old(old), only_new(new));
     }
     let (old, new) = (escape::text(old), escape::text(new));
-    let words = TextDiff::from_unicode_words(old.as_ref(), new.as_ref());
+    let words = difference::by_word(&old, &new);
     let side = |style: Style, own: ChangeTag| {
         let mut text = String::new();
-        for change in words.iter_all_changes().filter(|change| [own, ChangeTag::Equal].contains(&change.tag())) {
+        for change in words.iter().filter(|change| [own, ChangeTag::Equal].contains(&change.tag())) {
             let style = if change.tag() == own { style.underline() } else { style };
             let _ = write!(text, "{style}{}{style:#}", change.value());
         }
