@@ -7,11 +7,11 @@
 
 use criterion::measurement::WallTime;
 use criterion::{BatchSize, BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use lipz_bank::curve::CurveCursor;
-use lipz_bank::face::{LookAt, Who};
+use lipz_bank::curve::{CurveCursor, CurveValue};
+use lipz_bank::face::{Emotions, Face, LookAt, Who};
 use lipz_bank::files::DialogueFile;
 use lipz_bank::{Bank, Clip, ClipId, Dialogue, Micros};
-use lipz_benches::{DEFAULT_SEED, Random, faces, files, layers, naive};
+use lipz_benches::{DEFAULT_SEED, RIG, Random, faces, files, layers, mouths, naive};
 use lipz_compiler::{Compiler, Input, Options};
 use std::hint::black_box;
 
@@ -147,6 +147,31 @@ fn curves_and_faces(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Lines of which every second one has phones, and a rig with 35 weights.
+fn articulation(criterion: &mut Criterion) {
+    let bytes = mouths::bank(DEFAULT_SEED, 100).expect("lines without errors");
+    let bank = Bank::open(&bytes).and_then(Bank::verify).expect("a bank without fault");
+    let (profile, rig) = (bank.default_articulation(), bank.rig(RIG).expect("a rig"));
+    let mut random = Random::new(DEFAULT_SEED, 0);
+    let mut drawn = move || (random.between(0, 49), Micros(random.between(0, 12_000_000) as i64));
+    let mut group = criterion.benchmark_group("mouths");
+    for (name, has_phones) in [("articulation at a time", true), ("articulation from visemes", false)] {
+        let clips: Vec<_> = bank.clips().filter(|clip| clip.phones().is_empty() != has_phones).collect();
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                let (at, time) = drawn();
+                clips[at].articulation_at(time, &profile)
+            });
+        });
+    }
+    let mouth = bank.clips().next().expect("a clip").articulation_at(Micros(6_000_000), &profile);
+    let mut weights = [CurveValue::default(); 64];
+    group.bench_function("weights of a rig", |bencher| {
+        bencher.iter(|| rig.weights(black_box(&mouth), &Emotions::default(), &Face::default(), &mut weights));
+    });
+    group.finish();
+}
+
 fn whole_bank(criterion: &mut Criterion) {
     let files = files(CLIPS, LOCALES);
     let bytes = bank(&files);
@@ -162,5 +187,5 @@ fn whole_bank(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, queries, curves_and_faces, whole_bank);
+criterion_group!(benches, queries, curves_and_faces, articulation, whole_bank);
 criterion_main!(benches);

@@ -14,6 +14,8 @@ mod folder;
 pub mod layers;
 mod memory;
 #[cfg(feature = "tools")]
+pub mod mouths;
+#[cfg(feature = "tools")]
 pub mod naive;
 mod random;
 mod texts;
@@ -25,6 +27,8 @@ pub use random::Random;
 
 /// The number of clips in a folder: a scene.
 pub const CLIPS_PER_SCENE: usize = 100;
+/// The rig of the bank with mouths.
+pub const RIG: &str = "arkit";
 /// The number of scenes in an act.
 const SCENES_PER_ACT: usize = 20;
 /// The seed of all published measurements.

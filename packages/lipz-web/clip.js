@@ -3,6 +3,7 @@
 import { Cursor } from "./cursor.js";
 import { Curve, emotionsOf } from "./curve.js";
 import { LipzError } from "./error.js";
+import { articulationOf } from "./articulation.js";
 import { faceOf, lookAtOf, profileOf, whoOf } from "./face-profile.js";
 import { Voice, handleOf } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
@@ -194,5 +195,17 @@ export class Clip {
       throw new LipzError("the face profile is from a different dialogue", { remedy });
     }
     return faceOf(face);
+  }
+
+  /** The articulation at a time. */
+  articulationAt(time, profile) {
+    const memory = this.#memory;
+    const settings = [memory.time(time), profileOf(memory, profile)];
+    const mouth = this.#ask(c.lipz_articulation, "lipz_clip_articulation_at", ...settings);
+    if (mouth === undefined) {
+      const remedy = "look it up in the dialogue of the clip";
+      throw new LipzError("the articulation profile is from a different dialogue", { remedy });
+    }
+    return articulationOf(mouth);
   }
 }

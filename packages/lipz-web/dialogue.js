@@ -3,6 +3,7 @@
 import { Babble } from "./babble.js";
 import { Clip } from "./clip.js";
 import { ABSENT, LipzError, NONE, OK, remedyFor } from "./error.js";
+import { ArticulationProfile, Rig } from "./articulation.js";
 import { FaceProfile } from "./face-profile.js";
 import { Locale, Voice } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
@@ -144,6 +145,19 @@ export class Dialogue {
   get defaultFaceProfile() {
     const found = this.#memory.ask(c.lipz_face_profile, "lipz_dialogue_face_profile", ...NULL);
     return new FaceProfile(this.#memory, found);
+  }
+
+  /** The articulation profile with this name. */
+  articulationProfile(name) {
+    const words = this.#memory.text(name);
+    const found = this.#memory.ask(c.lipz_articulation_profile, "lipz_dialogue_articulation_profile", ...words);
+    return found && new ArticulationProfile(this.#memory, found);
+  }
+
+  /** The rig with this name. */
+  rig(name) {
+    const found = this.#memory.ask(c.lipz_rig, "lipz_dialogue_rig", ...this.#memory.text(name));
+    return found && new Rig(this.#memory, found);
   }
 
   /** The status of a query for a clip, and the fields of its result. */

@@ -1,5 +1,6 @@
 // The exports of the package, except the function that opens files.
 
+export { ARTICULATORS, ArticulationProfile, Rig } from "./articulation.js";
 export { Babble, UNMEASURED } from "./babble.js";
 export { Clip } from "./clip.js";
 export { Cursor } from "./cursor.js";

@@ -151,6 +151,10 @@ export class Dialogue {
   readonly defaultBabble: Babble;
   /** The face profile with this name, from the topmost file that has profiles. */
   faceProfile(name: string): FaceProfile | undefined;
+  /** The articulation profile with this name; undefined if the dialogue has none. */
+  articulationProfile(name: string): ArticulationProfile | undefined;
+  /** The rig with this name; undefined unless the settings of the project name it in `[rig]`. */
+  rig(name: string): Rig | undefined;
   /** The face profile of the project, `[face]` in its settings, or the built-in profile. */
   readonly defaultFaceProfile: FaceProfile;
 }
@@ -251,6 +255,11 @@ export class Clip {
    * @throws {LipzError} with a profile of a different dialogue.
    */
   faceAt(time: Time, who?: Who, profile?: FaceProfile, lookAt?: LookAt): Face;
+  /**
+   * How far jaw, lips and tongue are from rest at a time, computed from the phones of the clip, or from its visemes if it
+   * has no phones. By default, with the profile of the project.
+   */
+  articulationAt(time: Time, profile?: ArticulationProfile): Articulation;
   /** A cursor before the start of the audio. @throws {LipzError} without a frame rate: see {@link Clip.orFps}. */
   cursor(settings?: CursorSettings): Cursor;
   /**
@@ -486,6 +495,55 @@ export class FaceProfile {
    * a different seed for each character, so that they do not blink at the same time.
    */
   idleAt(time: Time, seed?: number | bigint, lookAt?: LookAt): Face;
+}
+
+/** The names of the nine articulators. */
+export const ARTICULATORS: readonly (keyof Articulation)[];
+
+/** How far jaw, lips and tongue are from rest at a time, each from 0 to 1. */
+export interface Articulation {
+  /** How far the jaw is lowered. */
+  readonly jaw: number;
+  /** How far the lips are apart, whatever the jaw does. */
+  readonly opening: number;
+  /** How firmly the lips are closed, as in *p*, *b* and *m*. */
+  readonly closure: number;
+  /** How far the lower lip is under the upper teeth, as in *f* and *v*. */
+  readonly teeth: number;
+  /** How far the lips are rounded and pushed forward. */
+  readonly rounding: number;
+  /** How far the corners of the lips are pulled apart. */
+  readonly spreading: number;
+  /** How far the tip of the tongue is raised. */
+  readonly tongueTip: number;
+  /** How far the tongue is between the teeth. */
+  readonly tongueOut: number;
+  /** How far the back of the tongue is raised. */
+  readonly tongueBack: number;
+}
+
+/** How a character articulates: `[articulation.NAME]` in the settings. */
+export class ArticulationProfile {
+  private constructor();
+  /** The name, as in the settings; `default` for the profile of the project. */
+  readonly name: string;
+}
+
+/** The shapes of a model: `[rig]` in the settings. */
+export class Rig {
+  private constructor();
+  /** The name, as in the settings: `arkit`. */
+  readonly name: string;
+  /** The names of the weights: `jawOpen`. */
+  readonly weightNames: readonly string[];
+  /**
+   * The weights in the order of `weightNames`, usually from 0 to 1. Without emotions and face, the face is neutral. Pass
+   * the same `out` in each rendered frame to avoid allocations of arrays.
+   */
+  weights<T extends { [index: number]: number } = Float32Array>(
+    articulation: Articulation,
+    settings?: { readonly emotions?: Emotions; readonly face?: Face; readonly out?: T },
+  ): T;
 }
 
 /** The power for a voice that your program does not measure: 0.75. */

@@ -9,6 +9,7 @@ const number = (size, get, set) => ({
   write: (view, at, value) => view[set](at, value, true),
 });
 
+export const u16 = number(2, "getUint16", "setUint16");
 export const u32 = number(4, "getUint32", "setUint32");
 export const i32 = number(4, "getInt32", "setInt32");
 export const u64 = number(8, "getBigUint64", "setBigUint64");
@@ -190,3 +191,9 @@ export const lipz_face = struct({
   shrug: i32,
   breath: i32,
 });
+
+export const lipz_articulation = struct({ thousandths: array(u16, 9) });
+
+export const lipz_articulation_profile = struct({ name: lipz_string, index: u32, version: u32 });
+
+export const lipz_rig = struct({ name: lipz_string, index: u32, version: u32, weight_count: u32, reserved: u32 });

@@ -5,7 +5,7 @@
 //! `benches/instructions.txt`; `--bless` writes the current counts.
 
 use clap::Parser;
-use lipz_benches::{DEFAULT_SEED, callgrind, faces, layers, temporary_folder, write_clips};
+use lipz_benches::{DEFAULT_SEED, callgrind, faces, layers, mouths, temporary_folder, write_clips};
 use lipz_compiler::shard::{Link, Shard, shard_of_key};
 use lipz_compiler::{Compiler, Input, Options};
 use std::collections::HashMap;
@@ -41,7 +41,7 @@ const LIMITS: &str = "benches/instructions.txt";
 const TOLERANCE_PERCENT: u64 = 5;
 /// The number of clips in the bank for queries, which hardly affects the counts.
 const CLIPS: usize = 1000;
-/// The number of lines in the bank for queries about curves and faces.
+/// The number of lines in the banks for queries about curves, faces and mouths.
 const LINES_WITH_FACES: usize = 100;
 /// The number of locales in each clip.
 const LOCALES: usize = 5;
@@ -118,14 +118,16 @@ fn slow_among(counts: &HashMap<&str, u64>) -> Vec<String> {
     slow
 }
 
-/// Writes the bank, the patches on top of it, a set of the same clips, and the bank with faces.
+/// Writes the bank, the patches on top of it, a set of the same clips, and the banks with faces and mouths.
 fn write_banks(bank: &Path) -> Result<(), Failure> {
     let files = lipz_benches::files(CLIPS, LOCALES);
     let bytes = compiler().compile(&inputs_of(&files)).into_bank().map_err(|error| error.to_string())?;
     let (patch, addition) = layers::over(&bytes, CLIPS)?;
     let faces = faces::bank(DEFAULT_SEED, LINES_WITH_FACES)?;
+    let mouths = mouths::bank(DEFAULT_SEED, LINES_WITH_FACES)?;
     let write = |extension: &str, bytes: &[u8]| std::fs::write(bank.with_extension(extension), bytes);
-    for (extension, bytes) in [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition), ("faces", &faces)] {
+    let single = [("lipzbank", &bytes), ("patch", &patch), ("mod", &addition), ("faces", &faces), ("mouths", &mouths)];
+    for (extension, bytes) in single {
         write(extension, bytes).map_err(|error| error.to_string())?;
     }
     write_set(bank, &inputs_of(&files))

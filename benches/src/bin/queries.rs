@@ -6,11 +6,11 @@
 //! bank with faces, with the extension `faces`. A query of the bank is also made in a dialogue: of the bank alone (`one
 //! bank: …`), of the bank and its patches (`stack: …`), and of the set (`set: …`).
 
-use lipz_bank::curve::CurveCursor;
-use lipz_bank::face::{LookAt, Who};
+use lipz_bank::curve::{CurveCursor, CurveValue};
+use lipz_bank::face::{Emotions, Face, LookAt, Who};
 use lipz_bank::files::DialogueFile;
 use lipz_bank::{Bank, Clip, ClipId, Cursor, Dialogue, Locale, Micros, Seconds};
-use lipz_benches::{DEFAULT_SEED, Random, clip_key};
+use lipz_benches::{DEFAULT_SEED, RIG, Random, clip_key};
 use std::hint::black_box;
 use std::path::Path;
 
@@ -39,6 +39,7 @@ fn main() -> Result<(), Failure> {
     match of {
         "" => ask_bank(&stack[0], question, times),
         "face" => ask_faces(&beside("faces"), question, times),
+        "mouth" => ask_mouths(&beside("mouths"), question, times),
         "one bank" => ask_dialogue(&stack[..1], question, times),
         "stack" => ask_dialogue(&stack, question, times),
         "set" => ask_dialogue(&set, question, times),
@@ -70,6 +71,38 @@ fn ask_faces(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> 
         "whole" => asked.for_each(|(at, time_us)| {
             black_box(clips[at].face_at(Micros(time_us), Who::Speaker, &profile, LookAt::AHEAD));
         }),
+        _ => return Err(format!("no such question: {question}").into()),
+    }
+    Ok(())
+}
+
+/// Queries about articulation, in lines of which every second one has phones.
+fn ask_mouths(bytes: &[u8], question: &str, times: usize) -> Result<(), Failure> {
+    let bank = Bank::open(bytes)?.verify()?;
+    let has_phones = |clip: &Clip<'_>| !clip.phones().is_empty();
+    let with_phones: Vec<Clip<'_>> = bank.clips().filter(has_phones).collect();
+    let with_visemes: Vec<Clip<'_>> = bank.clips().filter(|clip| !has_phones(clip)).collect();
+    let (profile, rig) = (bank.default_articulation(), bank.rig(RIG).ok_or("no rig")?);
+    let mut random = Random::new(DEFAULT_SEED, 0);
+    let most = with_phones.len().min(with_visemes.len()) - 1;
+    let drawn: Vec<(usize, i64)> =
+        (0..DRAWN).map(|_| (random.between(0, most), random.between(0, LONGEST_US) as i64)).collect();
+    let asked = drawn.into_iter().cycle().take(times);
+    match question {
+        "articulation" => asked.for_each(|(at, time_us)| {
+            black_box(with_phones[at].articulation_at(Micros(time_us), &profile));
+        }),
+        "articulation from visemes" => asked.for_each(|(at, time_us)| {
+            black_box(with_visemes[at].articulation_at(Micros(time_us), &profile));
+        }),
+        "weights of a rig" => {
+            let mouth = with_phones[0].articulation_at(Micros(LONGEST_US as i64 / 2), &profile);
+            let mut weights = [CurveValue::default(); 64];
+            asked.for_each(|_| {
+                rig.weights(black_box(&mouth), &Emotions::default(), &Face::default(), &mut weights);
+                black_box(&weights);
+            });
+        }
         _ => return Err(format!("no such question: {question}").into()),
     }
     Ok(())

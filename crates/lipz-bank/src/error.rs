@@ -153,4 +153,8 @@ error_kinds! {
     Set = 43, "the description of the banks in the index of a set is not valid";
     /// A bank of a set is not the one that its index names, or contains clips of a different bank.
     OtherBank = 44, "the banks are not those of the set in its order";
+    /// The phones of a clip are out of order, or an articulation profile is not valid.
+    Phones = 45, "the phones of a clip or an articulation profile are not valid";
+    /// A rig has an unknown input, or its names or terms do not follow each other.
+    Rig = 46, "a rig is not valid";
 }

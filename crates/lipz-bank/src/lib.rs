@@ -90,6 +90,7 @@ mod text;
 mod verify;
 mod voice;
 
+pub mod articulation;
 pub mod babble;
 pub mod curve;
 pub mod face;

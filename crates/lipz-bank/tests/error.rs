@@ -68,6 +68,8 @@ fn numbers_are_stable() {
         (42, NotASet),
         (43, Set),
         (44, OtherBank),
+        (45, Phones),
+        (46, Rig),
     ];
     let kinds: Vec<_> = ErrorKind::ALL.iter().map(|&kind| (kind as u8, kind)).collect();
     assert_eq!(table[..], kinds, "the table above has every kind, and numbers that it has stay");

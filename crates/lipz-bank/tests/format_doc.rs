@@ -128,6 +128,13 @@ fn values() {
         ("TEXT_OFFSET", u64::from(lipz_layout::TEXT_OFFSET)),
         ("NO_NAME", u64::from(lipz_layout::NO_NAME)),
         ("CURVE_WIDE", u64::from(lipz_layout::CURVE_WIDE)),
+        ("PHONES_OFFSET", u64::from(lipz_layout::PHONES_OFFSET)),
+        ("PHONES_ARE_CERTAIN", u64::from(lipz_layout::PHONES_ARE_CERTAIN)),
+        ("PHONES_ARE_WIDE", u64::from(lipz_layout::PHONES_ARE_WIDE)),
+        ("NO_INPUT", u64::from(lipz_layout::NO_INPUT)),
+        ("CLASS_CLOSED_LIPS", u64::from(lipz_layout::CLASS_CLOSED_LIPS)),
+        ("CLASS_LIP_ON_TEETH", u64::from(lipz_layout::CLASS_LIP_ON_TEETH)),
+        ("CLASS_NARROW_JAW", u64::from(lipz_layout::CLASS_NARROW_JAW)),
         ("NO_DUB", u64::from(lipz_layout::NO_DUB)),
         ("DUB_OF", u64::from(lipz_layout::DUB_OF)),
         ("OTHER_DUB", u64::from(lipz_layout::OTHER_DUB)),
@@ -136,6 +143,8 @@ fn values() {
         ("LAYER_DEFAULT_LOCALE", u64::from(lipz_layout::LAYER_DEFAULT_LOCALE)),
         ("LAYER_FACES", u64::from(lipz_layout::LAYER_FACES)),
         ("LAYER_VOICES", u64::from(lipz_layout::LAYER_VOICES)),
+        ("LAYER_ARTICULATION", u64::from(lipz_layout::LAYER_ARTICULATION)),
+        ("LAYER_RIGS", u64::from(lipz_layout::LAYER_RIGS)),
         ("LAYER_NO_DUB", u64::from(lipz_layout::LAYER_NO_DUB)),
         ("LAYER_DUB", u64::from(lipz_layout::LAYER_DUB)),
         ("LAYER_OTHER_DUB", u64::from(lipz_layout::LAYER_OTHER_DUB)),
@@ -169,6 +178,18 @@ fn errors() {
     let described: Vec<_> = described.iter().map(|row| (number(row[0]) as u8, row[1].to_owned(), row[2])).collect();
     let kinds = ErrorKind::ALL.iter().map(|&kind| (kind as u8, format!("{kind:?}"), kind.message()));
     assert_eq!(described, kinds.collect::<Vec<_>>(), "the table of docs/reference/bank-format.md and the kinds");
+}
+
+/// The inventory of phones.
+#[test]
+fn phones() {
+    let described = table("## Phones", "| number | ARPAbet | IPA |");
+    let described: Vec<_> = described.iter().map(|row| (number(row[0]) as u8, row[1], row[2])).collect();
+    let known = lipz_types::Phone::all().map(|phone| match phone.number() {
+        0 => (0, "sil", ""),
+        number => (number, phone.arpabet().unwrap_or(""), phone.ipa()),
+    });
+    assert_eq!(described, known.collect::<Vec<_>>());
 }
 
 #[test]

@@ -5,7 +5,9 @@
 
 use lipz_testkit::exercise;
 use lipz_testkit::golden::dump;
-use lipz_testkit::golden::{CURVES, DRAMA, DUBBED, FACES, LONG, RECORDED, SMALL, SPECIALS, STRIPPED, WIDE, verified};
+use lipz_testkit::golden::{
+    CURVES, DRAMA, DUBBED, FACES, LONG, PHONES, RECORDED, SMALL, SPECIALS, STRIPPED, WIDE, verified,
+};
 use std::path::Path;
 
 /// Compares the answers of a bank with the committed ones, or commits them with `LIPZ_BLESS=1`.
@@ -53,6 +55,11 @@ fn curves() {
 #[test]
 fn faces() {
     check(FACES, "faces.dump");
+}
+
+#[test]
+fn phones() {
+    check(PHONES, "phones.dump");
 }
 
 #[test]

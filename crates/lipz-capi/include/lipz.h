@@ -160,6 +160,12 @@
 // Damage: the banks are not those of the set in its order.
 #define LIPZ_OTHER_BANK 44
 
+// Damage: the phones of a clip or an articulation profile are not valid.
+#define LIPZ_PHONES 45
+
+// Damage: a rig is not valid.
+#define LIPZ_RIG 46
+
 
 
 // Version of this header. A change of the first number breaks programs. While it is 0, so does a change of the second.
@@ -316,6 +322,36 @@
 
 // The value of `strongest` for a neutral face.
 #define LIPZ_NEUTRAL 4294967295
+
+// Articulator: how far the jaw is lowered, as an index of `thousandths`.
+#define LIPZ_JAW 0
+
+// Articulator: how far the lips are apart, whatever the jaw does.
+#define LIPZ_OPENING 1
+
+// Articulator: how firmly the lips are closed, as in *p*, *b* and *m*.
+#define LIPZ_CLOSURE 2
+
+// Articulator: how far the lower lip is under the upper teeth, as in *f* and *v*.
+#define LIPZ_TEETH 3
+
+// Articulator: how far the lips are rounded and pushed forward.
+#define LIPZ_ROUNDING 4
+
+// Articulator: how far the corners of the lips are pulled apart.
+#define LIPZ_SPREADING 5
+
+// Articulator: how far the tip of the tongue is raised.
+#define LIPZ_TONGUE_TIP 6
+
+// Articulator: how far the tongue is between the teeth.
+#define LIPZ_TONGUE_OUT 7
+
+// Articulator: how far the back of the tongue is raised.
+#define LIPZ_TONGUE_BACK 8
+
+// The number of articulators.
+#define LIPZ_ARTICULATOR_COUNT 9
 
 // The result of a call: `LIPZ_OK`, one of the other numbers from 256 on, or the kind of damage in a file, from 1 to
 // 255. Numbers are never reused.
@@ -710,6 +746,36 @@ typedef struct {
   int32_t breath;
 } lipz_face;
 
+// An articulation profile of a dialogue. Look it up once; queries use `index` and `version`.
+typedef struct {
+  // Its name: `default` for the project's profile.
+  lipz_string name;
+  // Its index among the profiles, or `LIPZ_BUILT_IN`.
+  uint32_t index;
+  // The version of the dialogue.
+  uint32_t version;
+} lipz_articulation_profile;
+
+// How far jaw, lips and tongue are from rest at a time.
+typedef struct {
+  // Values in thousandths, from 0 to 1,000: `thousandths[LIPZ_JAW]`.
+  uint16_t thousandths[LIPZ_ARTICULATOR_COUNT];
+} lipz_articulation;
+
+// A rig of a dialogue: the shapes of a model. Look it up once; queries use `index` and `version`.
+typedef struct {
+  // Its name: `arkit`.
+  lipz_string name;
+  // Its index among the rigs.
+  uint32_t index;
+  // The version of the dialogue.
+  uint32_t version;
+  // The number of its weights.
+  uint32_t weight_count;
+  // 0.
+  uint32_t reserved;
+} lipz_rig;
+
 // The answer was written.
 #define LIPZ_OK 0
 
@@ -1020,6 +1086,38 @@ lipz_status lipz_face_idle_at(const lipz_dialogue *dialogue,
                               const lipz_face_profile *profile,
                               const lipz_look_at *look_at,
                               lipz_face *face);
+
+// Writes the articulation profile with this name. If `name` is null, writes the project's profile (`[articulation]` in
+// its settings), or the default one if the project has none.
+lipz_status lipz_dialogue_articulation_profile(const lipz_dialogue *dialogue,
+                                               const char *name,
+                                               size_t name_length_bytes,
+                                               lipz_articulation_profile *profile);
+
+// Writes the articulation of a clip at a time, computed from its phones, or from its visemes if it has no phones.
+// Curves of the clip override computed values. A null `profile` stands for the project's. `LIPZ_NONE` for a profile of
+// another version.
+lipz_status lipz_clip_articulation_at(const lipz_dialogue *dialogue,
+                                      const lipz_clip *clip,
+                                      lipz_time time,
+                                      const lipz_articulation_profile *profile,
+                                      lipz_articulation *articulation);
+
+// Writes the rig with this name. `LIPZ_NONE` if the project's settings do not name it in `[rig]`.
+lipz_status lipz_dialogue_rig(const lipz_dialogue *dialogue, const char *name, size_t name_length_bytes, lipz_rig *rig);
+
+// Writes the name of a weight of a rig. `LIPZ_NONE` for an index from `weight_count` on.
+lipz_status lipz_rig_weight_name(const lipz_dialogue *dialogue, const lipz_rig *rig, uint32_t index, lipz_string *name);
+
+// Writes the weights of a rig in thousandths, in the order of their names, to `thousandths`, and zeros from the last one
+// to `capacity`. Null `emotions` and a null `face` stand for a neutral face.
+lipz_status lipz_rig_weights(const lipz_dialogue *dialogue,
+                             const lipz_rig *rig,
+                             const lipz_articulation *articulation,
+                             const lipz_emotions *emotions,
+                             const lipz_face *face,
+                             int32_t *thousandths,
+                             size_t capacity);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -205,6 +205,23 @@ struct Curve : lipz_curve {
     const lipz_dialogue *dialogue;
 };
 
+/// The shapes of a model, whose weights follow from articulation, emotions and the face.
+struct Rig : lipz_rig {
+    Rig(const lipz_dialogue &of, const lipz_rig &rig) noexcept : lipz_rig(rig), dialogue(&of) {}
+    /// Returns the name of a weight; empty if there is none.
+    std::string_view weight_name(std::uint32_t index) const noexcept {
+        return view(answer<lipz_string>([&](auto *out) { return lipz_rig_weight_name(dialogue, this, index, out); })
+                        .value_or(lipz_string{nullptr, 0}));
+    }
+    /// Writes the weights in thousandths, in the order of their names, and zeros after them. Null stands for a neutral
+    /// face. False for a rig of another version.
+    bool weights(const lipz_articulation &articulation, std::int32_t *thousandths, std::size_t capacity,
+                 const lipz_emotions *emotions = nullptr, const lipz_face *face = nullptr) const noexcept {
+        return lipz_rig_weights(dialogue, this, &articulation, emotions, face, thousandths, capacity) == LIPZ_OK;
+    }
+    const lipz_dialogue *dialogue;
+};
+
 /// The character whose face and emotions are queried: `Who("mara")` for a listener, `Who::speaker("mara")` for the
 /// speaker. The name must outlive it.
 struct Who : lipz_who {
@@ -306,6 +323,12 @@ struct Clip : lipz_clip {
                                      const LookAt &look_at = LookAt()) const noexcept {
         return answer<lipz_face>(
             [&](auto *out) { return lipz_clip_face_at(dialogue, this, time, who, profile, &look_at, out); });
+    }
+    /// Returns the articulation; nothing for a profile of another version. Null stands for the project's profile.
+    std::optional<lipz_articulation> articulation_at(Time time,
+                                                     const lipz_articulation_profile *profile = nullptr) const noexcept {
+        return answer<lipz_articulation>(
+            [&](auto *out) { return lipz_clip_articulation_at(dialogue, this, time, profile, out); });
     }
     const lipz_dialogue *dialogue;
 };
@@ -456,6 +479,16 @@ class Dialogue {
     std::optional<lipz_face_profile> face_profile(std::string_view name = {}) const noexcept {
         return answer<lipz_face_profile>(
             [&](auto *out) { return lipz_dialogue_face_profile(get(), name.data(), name.size(), out); });
+    }
+    /// Returns the articulation profile with this name; without one, the project's.
+    std::optional<lipz_articulation_profile> articulation_profile(std::string_view name = {}) const noexcept {
+        return answer<lipz_articulation_profile>(
+            [&](auto *out) { return lipz_dialogue_articulation_profile(get(), name.data(), name.size(), out); });
+    }
+    /// Returns the rig with this name.
+    std::optional<Rig> rig(std::string_view name) const noexcept {
+        return answer_in<Rig, lipz_rig>(
+            *get(), [&](auto *out) { return lipz_dialogue_rig(get(), name.data(), name.size(), out); });
     }
     /// Returns the face of a silent character. Null stands for the project's profile.
     std::optional<lipz_face> idle_at(Time time, std::uint64_t seed, const lipz_face_profile *profile = nullptr,

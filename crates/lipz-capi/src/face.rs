@@ -59,6 +59,12 @@ impl Default for Emotions {
     }
 }
 
+impl Emotions {
+    pub(crate) fn to_reader(self) -> lipz_bank::face::Emotions {
+        lipz_bank::face::Emotions::new(self.thousandths.map(CurveValue::from_thousandths))
+    }
+}
+
 /// A face profile of a dialogue. Look it up once; queries use `index` and `version`.
 #[repr(C)]
 #[derive(Clone, Copy, Default, Debug)]
@@ -195,6 +201,14 @@ pub unsafe extern "C" fn lipz_face_idle_at(
 }
 
 impl Face {
+    pub(crate) fn to_reader(self) -> lipz_bank::face::Face {
+        let mut face = lipz_bank::face::Face::default();
+        face.blink = CurveValue::from_thousandths(self.blink);
+        face.brows = CurveValue::from_thousandths(self.brows);
+        face.shrug = CurveValue::from_thousandths(self.shrug);
+        face
+    }
+
     fn from_reader(face: lipz_bank::face::Face) -> Face {
         Face {
             blink: face.blink.thousandths(),

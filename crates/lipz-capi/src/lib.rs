@@ -23,6 +23,7 @@
 #![allow(clippy::missing_safety_doc)] // all functions have one contract: the one above
 #![cfg_attr(not(test), deny(clippy::indexing_slicing, clippy::arithmetic_side_effects))]
 
+mod articulation;
 mod babble;
 mod character;
 mod clip;
@@ -44,6 +45,7 @@ mod time;
 mod version;
 mod who;
 
+pub use articulation::*;
 pub use babble::*;
 pub use character::*;
 pub use clip::*;

@@ -2,8 +2,9 @@
 
 use crate::status::{LIPZ_NOT_UTF8, LIPZ_NULL_POINTER, LIPZ_OK, Status};
 use crate::string::c_char;
-use core::mem::MaybeUninit;
+use core::mem::{MaybeUninit, size_of};
 use core::slice;
+use lipz_bank::curve::CurveValue;
 
 /// Writes the answer of `find` to `out`, or an empty answer on failure.
 pub(crate) fn answer<T: Default>(out: Option<&mut MaybeUninit<T>>, find: impl FnOnce() -> Result<T, Status>) -> Status {
@@ -29,6 +30,22 @@ pub(crate) unsafe fn bytes<'data>(data: *const u8, length_bytes: usize) -> Resul
     }
     // SAFETY: not null, and of a length that a slice can have; the rest is the contract.
     Ok(unsafe { slice::from_raw_parts(data, length_bytes) })
+}
+
+/// Writes zeros to `count` numbers, and returns them as values of curves.
+///
+/// # Safety
+/// `data` is null or leads to room for that many numbers, which nothing else uses.
+pub(crate) unsafe fn zeros<'out>(data: *mut i32, count: usize) -> Result<&'out mut [CurveValue], Status> {
+    const MOST: usize = isize::MAX as usize / size_of::<i32>();
+    if data.is_null() || count > MOST {
+        return Err(LIPZ_NULL_POINTER);
+    }
+    // SAFETY: not null, and of a length that a slice can have; `CurveValue` is transparent; the rest is the contract.
+    unsafe {
+        data.write_bytes(0, count);
+        Ok(slice::from_raw_parts_mut(data.cast(), count))
+    }
 }
 
 /// Returns a string argument.

@@ -288,6 +288,52 @@ fn faces_are_those_of_the_reader() {
     });
 }
 
+#[test]
+fn articulation_and_weights_are_those_of_the_reader() {
+    let rigs = std::cell::Cell::new(0);
+    of_all_clips(|opened, of_c, clip_of_c, clip| {
+        let (of_c, clip_of_c) = (Some(of_c), Some(clip_of_c));
+        let own = (None, opened.reader.default_articulation());
+        let named = opened.reader.articulations().map(|profile| {
+            let (name, length) = ptr(profile.name());
+            (Some(ask(|out| unsafe { lipz_dialogue_articulation_profile(of_c, name, length, out) }).unwrap()), profile)
+        });
+        for (of_c_profile, profile) in std::iter::once(own).chain(named) {
+            for us in [-1, 0, 250_000, 700_000, 3_000_000] {
+                at_all_times!(
+                    us,
+                    |asked, time| ask(|out| unsafe {
+                        lipz_clip_articulation_at(of_c, clip_of_c, asked, of_c_profile.as_ref(), out)
+                    })
+                    .map(|mouth: Articulation| mouth.thousandths),
+                    Ok(*clip.articulation_at(time, &profile).values())
+                );
+            }
+        }
+        let mouth = clip.articulation_at(Micros(250_000), &opened.reader.default_articulation());
+        for rig in opened.reader.rigs() {
+            let (name, length) = ptr(rig.name());
+            let found: Rig = ask(|out| unsafe { lipz_dialogue_rig(of_c, name, length, out) }).unwrap();
+            let name = |index| ask::<String>(|out| unsafe { lipz_rig_weight_name(of_c, Some(&found), index, out) });
+            let names: Vec<_> = (0..found.weight_count).map(|index| text_of(name(index).unwrap())).collect();
+            assert_eq!(names, rig.weight_names().collect::<Vec<_>>());
+            assert_eq!(name(found.weight_count).unwrap_err(), LIPZ_NONE);
+            let articulation = Articulation { thousandths: *mouth.values() };
+            // One place more, which becomes 0.
+            let mut weights = vec![7; rig.weight_count() + 1];
+            let status = unsafe {
+                let (data, length) = (weights.as_mut_ptr(), weights.len());
+                lipz_rig_weights(of_c, Some(&found), Some(&articulation), None, None, data, length)
+            };
+            let mut expected = vec![lipz_bank::curve::CurveValue::default(); weights.len()];
+            rig.weights(&mouth, &Default::default(), &Default::default(), &mut expected);
+            assert_eq!((status, weights), (LIPZ_OK, expected.iter().map(|value| value.thousandths()).collect()));
+            rigs.set(rigs.get() + 1);
+        }
+    });
+    assert!(rigs.get() > 20, "{rigs:?}");
+}
+
 fn fields_of_c(face: Face) -> [i32; 9] {
     let Face { blink, head_pitch, head_yaw, head_roll, eye_pitch, eye_yaw, brows, shrug, breath } = face;
     [blink, head_pitch, head_yaw, head_roll, eye_pitch, eye_yaw, brows, shrug, breath]

@@ -1,5 +1,6 @@
 /* The cases of fixtures/playback/cases.txt in C99: cases <folder of the banks> [missing capability]... < cases.txt. Prints
  * the file again with the answers of the library, and reports the number of played and skipped commands. */
+#include "cases_articulation.h"
 #include "cases_curves.h"
 #include "cases_faces.h"
 #include "cases_voices.h"
@@ -281,6 +282,10 @@ static void command(char *words[], unsigned count, const char *folder) {
         print_emotions(&dialogue, &clip, words);
     } else if (is(words[0], "voices") || is(words[0], "voice")) {
         print_voices(&dialogue, &clip, words);
+    } else if (is(words[0], "articulation")) {
+        print_articulation(&dialogue, &clip, words);
+    } else if (is(words[0], "weights")) {
+        print_weights(&dialogue, &clip, words);
     } else if (is(words[0], "face") || is(words[0], "idle")) {
         print_face(&dialogue, &clip, words);
     } else {
@@ -292,8 +297,8 @@ static void command(char *words[], unsigned count, const char *folder) {
 
 /* The capabilities of this reader that sections may need, without those in the arguments. */
 static int has(const char *need, int argument_count, char **arguments) {
-    static const char *const HAVE[] = {"babble", "curves", "emotions", "faces",      "hold",
-                                       "lead",   "refresh", "states",  "text-banks", "voices"};
+    static const char *const HAVE[] = {"articulation", "babble", "curves", "emotions", "faces", "hold",
+                                       "lead", "refresh", "states", "text-banks", "voices"};
     int is_here = 0;
     int index;
 

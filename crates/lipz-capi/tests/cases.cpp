@@ -102,6 +102,10 @@ class Stage {
             const auto who = who_of(words);
             std::size_t at = who ? 3 : 1;
             print(clip_->emotions_at(time_at(words, at), who ? &*who : nullptr));
+        } else if (verb == "articulation") {
+            articulation(words);
+        } else if (verb == "weights") {
+            weights(words);
         } else if (verb == "face" || verb == "idle") {
             face(words);
         } else if (verb == "voices") {
@@ -300,6 +304,52 @@ class Stage {
                   << ", shrug " << face.shrug << ", breath " << face.breath << '\n';
     }
 
+    /// Returns the articulation at the time in the words from `at` on; nothing without the profile in front of it.
+    std::optional<lipz_articulation> articulation_at(const Words &words, std::size_t at) const {
+        const auto &name = words.at(at);
+        std::optional<lipz_articulation_profile> profile;
+        if (name != "default" && !(profile = dialogue_->articulation_profile(name))) {
+            std::cout << "  no profile\n";
+            return std::nullopt;
+        }
+        return found(clip_->articulation_at(time_at(words, ++at), profile ? &*profile : nullptr), "articulation");
+    }
+
+    /// `articulation PROFILE TIME`.
+    void articulation(const Words &words) const {
+        static const std::array<const char *, LIPZ_ARTICULATOR_COUNT> NAMES = {
+            "jaw", "opening", "closure", "teeth", "rounding", "spreading", "tongue_tip", "tongue_out", "tongue_back"};
+        if (const auto mouth = articulation_at(words, 1)) {
+            for (std::size_t index = 0; index < NAMES.size(); ++index) {
+                std::cout << (index == 0 ? "  " : ", ") << NAMES[index] << ' ' << mouth->thousandths[index];
+            }
+            std::cout << '\n';
+        }
+    }
+
+    /// `weights RIG PROFILE TIME`, with the speaker's emotions and face.
+    void weights(const Words &words) const {
+        const auto rig = dialogue_->rig(words.at(1));
+        if (!rig) {
+            std::cout << "  no rig\n";
+            return;
+        }
+        const auto mouth = articulation_at(words, 2);
+        if (!mouth) {
+            return;
+        }
+        std::size_t at = 3;
+        const auto time = time_at(words, at);
+        const auto emotions = clip_->emotions_at(time);
+        const auto face = found(clip_->face_at(time), "face");
+        std::array<std::int32_t, 64> weights;
+        rig->weights(*mouth, weights.data(), weights.size(), &emotions, &face);
+        for (std::uint32_t index = 0; index < rig->weight_count; ++index) {
+            std::cout << (index == 0 ? "  " : ", ") << rig->weight_name(index) << ' ' << weights.at(index);
+        }
+        std::cout << '\n';
+    }
+
     void babble(const Words &words) const {
         const auto profile = words.at(1) == "default" ? dialogue_->babble() : dialogue_->babble(words.at(1));
         if (!profile) {
@@ -328,8 +378,8 @@ class Stage {
 
 /// The capabilities of this reader that sections may need, without those in the arguments.
 std::set<std::string> capabilities(int count, char **arguments) {
-    std::set<std::string> have = {"babble", "curves", "emotions", "faces",      "hold",
-                                  "lead",   "refresh", "states",  "text-banks", "voices"};
+    std::set<std::string> have = {"articulation", "babble", "curves", "emotions", "faces", "hold",
+                                  "lead", "refresh", "states", "text-banks", "voices"};
     for (int index = 2; index < count; ++index) {
         have.erase(arguments[index]);
     }

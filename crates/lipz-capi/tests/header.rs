@@ -8,7 +8,9 @@ use std::fs;
 use std::path::Path;
 
 /// The names of the structs in C. Names of functions and constants are the same in Rust.
-const NAMES: [(&str, &str); 32] = [
+const NAMES: [(&str, &str); 35] = [
+    ("Articulation", "lipz_articulation"),
+    ("ArticulationProfile", "lipz_articulation_profile"),
     ("Babble", "lipz_babble"),
     ("Bytes", "lipz_bytes"),
     ("Character", "lipz_character"),
@@ -30,6 +32,7 @@ const NAMES: [(&str, &str); 32] = [
     ("Name", "lipz_name"),
     ("Problem", "lipz_problem"),
     ("Recording", "lipz_recording"),
+    ("Rig", "lipz_rig"),
     ("Segment", "lipz_segment"),
     ("SetBank", "lipz_set_bank"),
     ("Status", "lipz_status"),
@@ -44,7 +47,7 @@ const NAMES: [(&str, &str); 32] = [
 ];
 
 /// The files with declarations, in the order of the header.
-const FILES: [&str; 17] = [
+const FILES: [&str; 18] = [
     "version.rs",
     "status.rs",
     "string.rs",
@@ -62,6 +65,7 @@ const FILES: [&str; 17] = [
     "curve.rs",
     "who.rs",
     "face.rs",
+    "articulation.rs",
 ];
 
 const INTRODUCTION: &str = "/*

@@ -50,6 +50,9 @@ fn null_pointers_are_a_status() {
             ask::<VoicedClip>(|out| lipz_clip_in_voice(of_c, Some(&clip), None, out)).unwrap_err(),
             ask::<Face>(|out| lipz_clip_face_at(of_c, Some(&clip), time, Some(&Who::default()), None, None, out))
                 .unwrap_err(),
+            ask::<Rig>(|out| lipz_dialogue_rig(of_c, null, 1, out)).unwrap_err(),
+            ask::<String>(|out| lipz_rig_weight_name(of_c, None, 0, out)).unwrap_err(),
+            lipz_rig_weights(of_c, Some(&Rig::default()), None, None, None, std::ptr::null_mut(), 1),
             lipz_status_message(LIPZ_OK, None),
             lipz_cursor_new(of_c, Some(&clip), size_of::<Cursor>(), None),
             lipz_cursor_advance(of_c, None, time),
@@ -351,6 +354,8 @@ unsafe fn at_a_time(dialogue: Option<&Dialogue>, clip: Option<&Clip>, time: Time
     let place = |index: u32| if index == 3 { LIPZ_BUILT_IN } else { index };
     let profile = FaceProfile { index: place(number % 4), version, ..FaceProfile::default() };
     let babble = Babble { index: place(number % 4), version, ..Babble::default() };
+    let articulation = ArticulationProfile { index: place(number % 4), version, ..ArticulationProfile::default() };
+    let rig = Rig { index: number % 5, version, weight_count: number, ..Rig::default() };
     unsafe {
         let _ = ask::<u32>(|out| lipz_clip_frame_at(dialogue, clip, time, out));
         let _ = ask::<Viseme>(|out| lipz_clip_viseme_at(dialogue, clip, time, out));
@@ -359,6 +364,15 @@ unsafe fn at_a_time(dialogue: Option<&Dialogue>, clip: Option<&Clip>, time: Time
         let (who, look) = (Some(&who), Some(&look));
         let _ = ask::<Face>(|out| lipz_clip_face_at(dialogue, clip, time, who, Some(&profile), look, out));
         let _ = ask::<Face>(|out| lipz_face_idle_at(dialogue, time, number.into(), Some(&profile), look, out));
+        let mouth = ask(|out| lipz_clip_articulation_at(dialogue, clip, time, Some(&articulation), out));
+        let mouth: Articulation = mouth
+            .unwrap_or(Articulation { thousandths: [u16::try_from(number & 0xFFFF).unwrap(); LIPZ_ARTICULATOR_COUNT] });
+        let emotions = Emotions { thousandths: [number as i32; LIPZ_EMOTION_COUNT], ..Emotions::default() };
+        let face = Face { blink: number as i32, brows: i32::MIN, shrug: i32::MAX, ..Face::default() };
+        let mut weights = [0; 20];
+        let (count, feel) = ((number % 20) as usize, Some(&emotions));
+        let _ = lipz_rig_weights(dialogue, Some(&rig), Some(&mouth), feel, Some(&face), weights.as_mut_ptr(), count);
+        let _ = ask::<String>(|out| lipz_rig_weight_name(dialogue, Some(&rig), number, out));
         let _ = ask::<Weights>(|out| lipz_babble_at(dialogue, Some(&babble), time, f32::from_bits(number), out));
         let _ = ask::<Weights>(|out| lipz_babble_at_level(dialogue, Some(&babble), time, number, out));
         let found = ask(|out| lipz_clip_curve_by_index(dialogue, clip, number % 9, out));

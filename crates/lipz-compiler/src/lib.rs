@@ -82,7 +82,7 @@ pub use project::{
     EmotionCurves, EmotionOptions, FileLevels, GestureKeys, Gestures, KnownNames, LocaleError, MinCoverage, Options,
     ParseWordTimesError, TextLimits, VoiceError, Voices, WordTime, WordTimes,
 };
-pub use project::{babble, dependencies, depfile, face, settings, watched};
+pub use project::{articulation, babble, dependencies, depfile, face, rigs, settings, watched};
 #[cfg(feature = "cache")]
 pub use run::Memory;
 #[cfg(feature = "shards")]

@@ -14,11 +14,12 @@ use lipz_testkit::golden::{self, changed, directory, entry_of, put};
 fn banks() -> (Vec<u8>, Vec<u8>) {
     let inputs =
         ["a", "a_de"].map(|key| Input::from_bytes(key, r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!" }"#));
-    let curved = r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!", "curves": { "joy": "0:0 2:2.2" } }"#;
+    let curved = r#"{ "fps": 24, "visemes": "MA-", "text_en-us": " {m} Ma!", "curves": { "joy": "0:0 2:2.2" },
+        "phones": "sil@0 M@40 AA@80" }"#;
     let curved = ["a", "a_de"].map(|key| Input::from_bytes(key, curved));
     let compile =
         |settings: Settings, inputs: &[Input]| Compiler::new(settings.options).compile(inputs).into_bank().unwrap();
-    let mut with = Settings::parse("[babble.robot]\nrate = 12\n[face]\nhead = 1\n", "", "").unwrap();
+    let mut with = Settings::parse("[babble.robot]\nrate = 12\n[face]\nhead = 1\n[rig]\nvrm = true\n", "", "").unwrap();
     with.options = with.options.recordings([("a", Recording::new(1_500_000, 7))]);
     with.options = with.options.voices(Voices::new("en-us").unwrap().dub("de-de", "{key}_de").unwrap());
     let without = Settings::parse("strip = true\n", "", "").unwrap();

@@ -29,6 +29,7 @@ pub mod format;
 mod literal_walk;
 pub mod locale;
 mod parse;
+pub mod phones;
 pub mod rate;
 pub mod schema;
 pub mod text;

@@ -49,6 +49,7 @@ pub fn json_schema(extended_locales: bool) -> String {
                 "examples": ["feels happy|points door"],
             },
             "curves": curves(),
+            "phones": phones(),
         },
         "patternProperties": {
             text_name.as_str(): {
@@ -86,6 +87,18 @@ fn curves() -> Value {
         "propertyNames": { "minLength": 1 },
         "additionalProperties": { "type": "string", "pattern": format!(r"^\s*{key}(\s+{key})*\s*$") },
         "examples": [{ "anger": "0:0 12:2.2", "jawOpen": "0:0.1 3:0.8" }],
+    })
+}
+
+fn phones() -> Value {
+    let phone = r"[^\s@]+@\d+";
+    json!({
+        "title": "Phones",
+        "description": "The sounds of the recording, each with its start in milliseconds, from which faces compute \
+            their mouths: ARPAbet, IPA, or `sil` for silence. `guessed` and the level of the speech may come first.",
+        "type": "string",
+        "pattern": format!(r"^\s*(guessed\s+)?(-?\d+dB\s+)?{phone}(\s+{phone})*\s*$"),
+        "examples": ["-21dB sil@0 DH@191 AH@232 sil@410"],
     })
 }
 

@@ -1,6 +1,7 @@
 //! The queries of a dialogue, which are the same as the reader's.
 
 use crate::Dialogue;
+use lipz_bank::articulation::{ArticulationProfile, Rig};
 use lipz_bank::babble::Babble;
 use lipz_bank::face::FaceProfile;
 use lipz_bank::{Clip, ClipId, EventName, Locale, Voice};
@@ -95,5 +96,20 @@ impl Dialogue {
     /// Returns the project's face profile, or [`FaceProfile::DEFAULT`].
     pub fn default_face_profile(&self) -> FaceProfile<'_> {
         self.view().default_face_profile()
+    }
+
+    /// Returns the articulation profile with this name.
+    pub fn articulation(&self, name: &str) -> Option<ArticulationProfile<'_>> {
+        self.view().articulation(name)
+    }
+
+    /// Returns the project's articulation profile, or [`ArticulationProfile::DEFAULT`].
+    pub fn default_articulation(&self) -> ArticulationProfile<'_> {
+        self.view().default_articulation()
+    }
+
+    /// Returns the rig with this name.
+    pub fn rig(&self, name: &str) -> Option<Rig<'_>> {
+        self.view().rig(name)
     }
 }

@@ -77,15 +77,28 @@ impl Tag {
     pub const SOURCES: Tag = Tag(*b"SRCE");
     /// A [`LayerRecord`] and its tables. The bank is a layer on top of others.
     pub const LAYER: Tag = Tag(*b"LAYR");
+    /// [`PhoneClipRecord`]s of the clips with phones, in slot order.
+    pub const PHONE_CLIPS: Tag = Tag(*b"PHNC");
+    /// The phones of these clips in turn: the level, then number and time of each phone.
+    pub const PHONES: Tag = Tag(*b"PHON");
+    /// [`ArticulationRecord`]s, ordered by name (bytewise), each with its name and its [`PhoneTargetRecord`]s.
+    pub const ARTICULATION: Tag = Tag(*b"ARTC");
+
+    /// [`RigRecord`]s, ordered by name (bytewise), each with its name, weights, terms and names of weights.
+    pub const RIGS: Tag = Tag(*b"RIGS");
 
     /// The optional sections of a bank of format 1, in file order.
-    pub const OPTIONAL: [OptionalSection; 11] = [
+    pub const OPTIONAL: [OptionalSection; 15] = [
         OptionalSection::new(Tag::BABBLE, 1),
         OptionalSection::new(Tag::FACES, 1),
         OptionalSection::new(Tag::RECORDINGS, size_of::<RecordingRecord>()).per_clip(),
         OptionalSection::new(Tag::CURVE_CLIPS, size_of::<CurveClipRecord>()),
         OptionalSection::new(Tag::CURVES, size_of::<CurveRecord>()).with(Tag::CURVE_CLIPS),
         OptionalSection::new(Tag::CURVE_KEYS, size_of::<CurveKeyRecord>()).with(Tag::CURVE_CLIPS),
+        OptionalSection::new(Tag::PHONE_CLIPS, size_of::<PhoneClipRecord>()),
+        OptionalSection::new(Tag::PHONES, 1).with(Tag::PHONE_CLIPS),
+        OptionalSection::new(Tag::ARTICULATION, 1),
+        OptionalSection::new(Tag::RIGS, 1),
         OptionalSection::new(Tag::VOICES, 1),
         OptionalSection::new(Tag::DUBS, 4).with(Tag::VOICES),
         OptionalSection::new(Tag::SOURCE_INDEX, 4).per_clip().not_in_base(),
@@ -98,6 +111,20 @@ impl Tag {
 pub const NO_RECORDING: u64 = u64::MAX;
 /// Bit of a curve's `name_and_width`: its keys are [`WideCurveKeyRecord`]s.
 pub const CURVE_WIDE: u32 = 1 << 31;
+/// Bits of [`PhoneClipRecord::offset_and_flags`]: where the data of the clip starts in `PHON`.
+pub const PHONES_OFFSET: u32 = (1 << 30) - 1;
+/// Bit of [`PhoneClipRecord::offset_and_flags`]: the phones come from the text of the recording.
+pub const PHONES_ARE_CERTAIN: u32 = 1 << 30;
+/// Bit of [`PhoneClipRecord::offset_and_flags`]: times have four bytes instead of two.
+pub const PHONES_ARE_WIDE: u32 = 1 << 31;
+/// The second input of a term with only one.
+pub const NO_INPUT: u8 = u8::MAX;
+/// Class of a phone: closed lips, as in p, b and m.
+pub const CLASS_CLOSED_LIPS: u8 = 1;
+/// Class of a phone: the lower lip on the upper teeth, as in f and v.
+pub const CLASS_LIP_ON_TEETH: u8 = 2;
+/// Class of a phone: a narrow jaw, as in s and sh.
+pub const CLASS_NARROW_JAW: u8 = 4;
 /// Entry of a voice's table for a clip without a dub in it.
 pub const NO_DUB: u32 = u32::MAX;
 /// Bit of an entry of a voice's table: the clip in this slot is a dub in this voice, and the rest is the slot of its
@@ -114,6 +141,13 @@ pub const LAYER_DEFAULT_LOCALE: u32 = 2;
 pub const LAYER_FACES: u32 = 4;
 /// Flag of a layer: its list of voices, even if empty, replaces those below it.
 pub const LAYER_VOICES: u32 = 8;
+/// Flag of a layer: its articulation profiles, even if empty, replace those below it.
+pub const LAYER_ARTICULATION: u32 = 16;
+/// Flag of a layer: its rigs, even if empty, replace those below it.
+pub const LAYER_RIGS: u32 = 32;
+/// All flags of a layer.
+pub const LAYER_FLAGS: u32 =
+    LAYER_BABBLE | LAYER_DEFAULT_LOCALE | LAYER_FACES | LAYER_VOICES | LAYER_ARTICULATION | LAYER_RIGS;
 /// No other clip is played for the clip in this voice, and it is not a dub.
 pub const LAYER_NO_DUB: u16 = 0;
 /// The other clip is the dub of this one.
@@ -217,6 +251,78 @@ records! {
         thousandths: I32,
     }
 
+    /// One clip with phones.
+    PhoneClipRecord: 8 {
+        /// Slot of the clip.
+        slot: U32,
+        /// [`PHONES_OFFSET`], [`PHONES_ARE_CERTAIN`] and [`PHONES_ARE_WIDE`].
+        offset_and_flags: U32,
+    }
+
+    /// One articulation profile; its name and the targets of its phones follow it.
+    ArticulationRecord: 16 {
+        /// Length of the name.
+        name_length_bytes: U16,
+        /// Number of phones with targets, from number 0 on.
+        target_count: U16,
+        /// How wide the mouth opens, in percent of the targets.
+        gain_percent: U16,
+        /// How far the jaw moves, in percent of the targets.
+        jaw_percent: U16,
+        /// Milliseconds by which the mouth is ahead of the audio.
+        lead_ms: I16,
+        /// Level of speech at which the mouth opens as the targets state, in decibels relative to full scale.
+        level_db: I16,
+        /// Zero.
+        reserved: [u8; 4],
+    }
+
+    /// The targets of a phone.
+    PhoneTargetRecord: 12 {
+        /// Jaw, opening, rounding, spreading, tip, protrusion and back of the tongue, from 0 to 100.
+        percent: [u8; 7],
+        /// How much the phone prevails over its neighbours, in tenths: jaw, lips, rounding.
+        strength_tenths: [u8; 3],
+        /// [`CLASS_CLOSED_LIPS`], [`CLASS_LIP_ON_TEETH`] and [`CLASS_NARROW_JAW`].
+        class: u8,
+        /// Number of the second sound of a diphthong; the phone's own number for others.
+        second: u8,
+    }
+
+    /// One rig; its name, weights, terms, and the names of the weights follow it.
+    RigRecord: 8 {
+        /// Length of the name.
+        name_length_bytes: U16,
+        /// Number of weights.
+        weight_count: U16,
+        /// Number of terms.
+        term_count: U16,
+        /// Length of the names of all weights.
+        names_length_bytes: U16,
+    }
+
+    /// One weight of a rig.
+    RigWeightRecord: 8 {
+        /// Index after its last term. The first term follows those of the weight before it.
+        terms_end: U16,
+        /// Offset after its name. The name follows that of the weight before it.
+        names_end: U16,
+        /// Lowest value, in thousandths.
+        least: I16,
+        /// Highest value, in thousandths.
+        most: I16,
+    }
+
+    /// One term of a weight: a factor times one input, or the product of two.
+    RigTermRecord: 4 {
+        /// The factor, in thousandths.
+        factor_thousandths: I16,
+        /// Number of the input: an articulator, an emotion after these, or blink, brows and shrug after those.
+        first: u8,
+        /// Number of the second input, or [`NO_INPUT`].
+        second: u8,
+    }
+
     /// The description of the banks below a layer: the start of the `LAYR` section.
     LayerRecord: 40 {
         /// Number of banks that it was packed over, at least 1. As many checksums follow the record.
@@ -229,7 +335,7 @@ records! {
         part_count: U32,
         /// Number of locales of those banks that it removes. Their tags are the rest of the section.
         removed_locale_count: U32,
-        /// [`LAYER_BABBLE`], [`LAYER_DEFAULT_LOCALE`], [`LAYER_FACES`] and [`LAYER_VOICES`].
+        /// Bits of [`LAYER_FLAGS`].
         flags: U32,
         /// Number of words of the filter of ids, 0 or a power of two. They follow the checksums.
         filter_count: U32,

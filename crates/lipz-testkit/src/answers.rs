@@ -4,6 +4,8 @@
 //! same answers as the machine that wrote the dumps.
 
 use core::fmt::{self, Debug, Display, Write};
+use lipz_bank::articulation::ArticulationProfile;
+use lipz_bank::curve::CurveValue;
 use lipz_bank::face::{Emotion, FaceProfile, LookAt, Who};
 use lipz_bank::{Bank, Clip, Fps, Micros, Segment, Text, Viseme, VoiceSource};
 
@@ -59,6 +61,10 @@ fn write_clip(out: &mut impl Write, bank: &Bank<'_>, clip: &Clip<'_>) -> fmt::Re
     for profile in bank.face_profiles() {
         write_faces(out, clip, &profile)?;
     }
+    // Only for banks with articulation profiles, because every clip has an articulation.
+    for profile in bank.articulations() {
+        write_articulation(out, bank, clip, &profile)?;
+    }
     clip.segments().try_for_each(|segment| write_segment(out, bank, &segment))
 }
 
@@ -103,6 +109,38 @@ pub(crate) fn write_faces(out: &mut impl Write, clip: &Clip<'_>, profile: &FaceP
         write!(out, " {} {} {} {} {}", face.eye_pitch, face.eye_yaw, face.brows, face.shrug, face.breath)?;
     }
     out.write_str("\n")
+}
+
+/// Writes the phones, and articulation and weights every 50 ms, for one second.
+fn write_articulation(
+    out: &mut impl Write,
+    bank: &Bank<'_>,
+    clip: &Clip<'_>,
+    profile: &ArticulationProfile<'_>,
+) -> fmt::Result {
+    let phones = clip.phones();
+    writeln!(out, "  phones {phones}, certain {}, {:?} dB", phones.are_certain(), phones.level_db())?;
+    write!(out, "  articulation {}, each 50 ms", QuotedText(profile.name()))?;
+    for step in 0..20 {
+        let mouth = clip.articulation_at(Micros(step * 50_000), profile);
+        for (index, value) in mouth.values().iter().enumerate() {
+            write!(out, "{}{value}", if index == 0 { ": " } else { " " })?;
+        }
+    }
+    out.write_str("\n")?;
+    for rig in bank.rigs() {
+        write!(out, "  rig {}", QuotedText(rig.name()))?;
+        let time = Micros(500_000);
+        let face = clip.face_at(time, Who::Speaker, &bank.default_face_profile(), LookAt::AHEAD);
+        let mut weights = [CurveValue::default(); 64];
+        let emotions = clip.emotions_at(time, Who::Speaker);
+        rig.weights(&clip.articulation_at(time, profile), &emotions, &face, &mut weights);
+        for (name, weight) in rig.weight_names().zip(weights) {
+            write!(out, " {name} {weight}")?;
+        }
+        out.write_str("\n")?;
+    }
+    Ok(())
 }
 
 fn write_segment(out: &mut impl Write, bank: &Bank<'_>, segment: &Segment<'_>) -> fmt::Result {

@@ -76,6 +76,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
     said::of_babble(bank, limit);
     let voices = said::of_voices(bank, limit);
     let has_faces = said::of_faces(bank, limit);
+    let has_articulation = said::of_articulations(bank, limit);
     for name in ["", "amy", "door", "zz"] {
         let found = bank.event_name(name);
         black_box(found.map(|name| (name == "amy", name.as_str(), name.to_words())));
@@ -97,6 +98,11 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
             said::of_dubs(&clip, &voices);
             if has_faces || effort == Effort::All {
                 said::of_face(&clip, &bank.default_face_profile(), Micros(41_000));
+            }
+            if has_articulation || effort == Effort::All {
+                for time in [-1, 41_000, i64::MAX] {
+                    said::of_articulation(bank, &clip, Micros(time), limit);
+                }
             }
         }
     }

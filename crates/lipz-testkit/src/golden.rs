@@ -12,6 +12,8 @@ pub static CURVES: &[u8] = include_bytes!("../../../fixtures/banks/v1/curves.lip
 pub static FACES: &[u8] = include_bytes!("../../../fixtures/banks/v1/faces.lipzbank");
 /// Generated motion of faces, with two profiles.
 pub static SPECIALS: &[u8] = include_bytes!("../../../fixtures/banks/v1/specials.lipzbank");
+/// Phones, articulation profiles and rigs.
+pub static PHONES: &[u8] = include_bytes!("../../../fixtures/banks/v1/phones.lipzbank");
 /// A line with a dub, which another voice falls back to.
 pub static DUBBED: &[u8] = include_bytes!("../../../fixtures/banks/v1/dubbed.lipzbank");
 pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");

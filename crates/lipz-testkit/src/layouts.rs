@@ -23,7 +23,7 @@ struct GoldenProject {
     options: fn(Options) -> Options,
 }
 
-const PROJECTS: [GoldenProject; 8] = [
+const PROJECTS: [GoldenProject; 9] = [
     GoldenProject { bank: "drama", sources: "drama", options: before_curves },
     GoldenProject { bank: "small", sources: "banks/sources/small", options: before_curves },
     GoldenProject {
@@ -35,6 +35,7 @@ const PROJECTS: [GoldenProject; 8] = [
     GoldenProject { bank: "curves", sources: "banks/sources/curves", options: english },
     GoldenProject { bank: "faces", sources: "banks/sources/faces", options: english },
     GoldenProject { bank: "specials", sources: "banks/sources/specials", options: |options| options },
+    GoldenProject { bank: "phones", sources: "banks/sources/phones", options: |options| options },
     GoldenProject { bank: "dubbed", sources: "banks/sources/dubbed", options: dubbed },
 ];
 

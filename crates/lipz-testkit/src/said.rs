@@ -1,5 +1,6 @@
 //! Passes the rates, visemes and events of a bank, damaged or not, to the functions that take such values.
 
+use lipz_bank::articulation::{ArticulationProfile, Articulator, Phone, Rig};
 use lipz_bank::babble::{Babble, VoiceLevel, Weight};
 use lipz_bank::curve::{CurveCursor, CurveValue};
 use lipz_bank::face::{Emotion, FaceCurve, FaceProfile, LookAt, Who};
@@ -126,6 +127,43 @@ pub(crate) fn of_face(clip: &Clip<'_>, profile: &FaceProfile<'_>, time: impl Tim
         black_box(clip.face_at(time, Who::Speaker, &profile, LookAt::person(low, low)));
         let named = [Who::from("amy"), Who::SpeakerNamed("amy")];
         black_box(named.map(|who| clip.face_at(time, who, &profile, LookAt::AHEAD)));
+    }
+}
+
+/// Makes the queries of articulation profiles and rigs. Returns whether there are any.
+pub(crate) fn of_articulations(bank: &Bank<'_>, limit: usize) -> bool {
+    let profiles: Vec<ArticulationProfile<'_>> = bank.articulations().take(limit + 1).collect();
+    let rigs: Vec<Rig<'_>> = bank.rigs().take(limit + 1).collect();
+    assert!(profiles.len() <= limit && rigs.len() <= limit);
+    for profile in &profiles {
+        black_box((bank.articulation(profile.name()).is_some(), profile.gain_percent(), profile.jaw_percent()));
+        black_box((profile.lead_ms(), profile.level_db()));
+    }
+    for rig in &rigs {
+        assert!(rig.weight_names().count() == rig.weight_count() && rig.weight_count() <= limit);
+        black_box((bank.rig(rig.name()).is_some(), rig.weight_name(usize::MAX)));
+    }
+    !profiles.is_empty() || !rigs.is_empty()
+}
+
+/// Makes the queries of the phones and of the articulation at a time.
+pub(crate) fn of_articulation(bank: &Bank<'_>, clip: &Clip<'_>, time: impl Time, limit: usize) {
+    let phones = clip.phones();
+    let spans = phones.iter().take(limit + 1).map(|span| black_box((span.phone(), span.end_ms - span.start_ms)));
+    let names = Phone::all().map(|phone| black_box((phone.ipa(), phone.arpabet(), phone.name(), phone.number())).3);
+    assert!(names.eq(0..Phone::COUNT as u8));
+    assert!(spans.count() <= limit && phones.is_empty() == (phones.count() == 0));
+    black_box((phones.level_db(), phones.are_certain(), phones.get(u32::MAX), phones.to_string()));
+    for profile in bank.articulations().chain([bank.default_articulation()]) {
+        let mouth = clip.articulation_at(time, &profile);
+        for (value, articulator) in mouth.values().iter().zip(Articulator::ALL) {
+            assert!(*value <= 1000 && *value == mouth.thousandths(articulator), "{}", articulator.name());
+        }
+        let emotions = clip.emotions_at(time, Who::Speaker);
+        let face = clip.face_at(time, Who::Speaker, &bank.default_face_profile(), LookAt::AHEAD);
+        let mut weights = [CurveValue::default(); 8];
+        bank.rigs().for_each(|rig| rig.weights(&mouth, &emotions, &face, &mut weights));
+        black_box(weights);
     }
 }
 

@@ -87,6 +87,7 @@ fn every_query_of_layer(bank: &Bank<'_>) {
     ));
     black_box((layer.parts(0), layer.parts(u32::MAX), layer.has_babble(), layer.has_default_locale()));
     black_box((layer.has_faces(), layer.has_voices(), layer.voices().count()));
+    black_box((layer.has_articulation(), layer.has_rigs()));
     black_box((layer.has_texts_of_original(0), layer.borrows(0, 0), layer.borrows(u32::MAX, usize::MAX)));
     assert!(layer.dub_count() <= limit);
     if let Ok(verified) = bank.verified_layer() {

@@ -11,6 +11,7 @@ use core::fmt;
 /// assert_eq!(CurveValue::from_thousandths(-50).to_f32(), -0.05);
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+#[repr(transparent)] // the weights of a rig are numbers of 32 bits in C
 pub struct CurveValue(i32);
 
 /// The number of thousandths in 1.

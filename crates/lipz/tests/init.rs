@@ -49,8 +49,13 @@ fn a_new_settings_file_is_short_or_shows_every_setting() {
         lines.sort();
         lines
     };
-    let expected =
-        ["default-locale = \"en-us\"", "keys = \"words\"", "output = \"dialogue.lipzbank\"", "sources = [\"voices\"]"];
+    let expected = [
+        "default-locale = \"en-us\"",
+        "keys = \"words\"",
+        "output = \"dialogue.lipzbank\"",
+        "phones = true",
+        "sources = [\"voices\"]",
+    ];
     assert_eq!(
         (set(&full), set(&short), set(&printed.stdout)),
         (expected.map(str::to_owned).to_vec(), expected.map(str::to_owned).to_vec(), vec![])

@@ -7,8 +7,8 @@ use lipz_bank::curve::{CurveCursor, CurveValue};
 use lipz_bank::face::{Emotion, Who};
 use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{
-    Clip, Command, Cursor, Event, EventName, Fps, Locale, Micros, Samples, Seconds, Segment, Time, Viseme,
-    VisemeType, VoiceSource,
+    Clip, Command, Cursor, Event, EventName, Fps, Locale, Micros, Samples, Seconds, Segment, Time, Viseme, VisemeType,
+    VoiceSource,
 };
 
 pub(super) fn fps_asked(fps: Fps, number: u32, see: See) {

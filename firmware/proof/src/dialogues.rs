@@ -1,5 +1,6 @@
 //! Dialogues of any files.
 
+use super::articulation::{profiles_asked, rig_asked};
 use super::clips::clip_asked;
 use super::{See, asked, core_utf8, see_bytes, see_dialogue_error, see_error};
 use core::mem::MaybeUninit;
@@ -93,6 +94,12 @@ fn dialogue_asked(dialogue: &Dialogue<'_>, name: &str, number: u32, see: See) {
     for profile in profiles.chain([dialogue.default_face_profile()]) {
         see_bytes(see, profile.name().as_bytes());
         asked.profile = profile;
+    }
+    let named = dialogue.articulations().chain(dialogue.articulation(name));
+    let articulation = profiles_asked(named.chain([dialogue.default_articulation()]), see);
+    if let Some(clip) = dialogue.clip_by_key(name) {
+        let rigs = dialogue.rigs().chain(dialogue.rig(name));
+        rigs.for_each(|rig| rig_asked(&rig, &clip, &articulation, number, see));
     }
     let id = ClipId::from_key(name);
     see(dialogue.slot_of_texts(id).map_or(0, |(file, slot)| u64::from(file) << 32 | u64::from(slot)));

@@ -6,9 +6,11 @@
 
 #![no_std]
 
+mod articulation;
 mod clips;
 mod dialogues;
 
+use articulation::bank_articulation_asked;
 use clips::{clip_asked, fps_asked};
 use core::panic::PanicInfo;
 use dialogues::dialogues_asked;
@@ -103,6 +105,7 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
         profile_asked(&profile, name, number, see);
         asked.profile = profile;
     }
+    bank_articulation_asked(bank, name, number, see);
     let id = ClipId::from_u64(u64::from(number) ^ ClipId::from_key(name).get());
     let found = [bank.clip(id), bank.clip_by_key(name), bank.clip_at(number)];
     for clip in bank.clips().chain(bank.clips_under(name)).chain(IntoIterator::into_iter(found).flatten()) {
@@ -143,6 +146,7 @@ fn layer_asked(layer: &Layer<'_>, name: &str, number: u32, see: See) {
     see(u64::from(has_clip) | u64::from(has_texts) << 1 | u64::from(layer.has_babble()) << 2);
     see(u64::from(layer.has_default_locale()) | u64::from(layer.removes_locale(name)) << 1);
     see(u64::from(layer.has_faces()) | u64::from(layer.has_voices()) << 1);
+    see(u64::from(layer.has_articulation()) | u64::from(layer.has_rigs()) << 1);
     see(u64::from(layer.has_texts_of_original(number)) | u64::from(layer.borrows(number, name.len())) << 1);
     see(layer.dub_count() as u64 ^ layer.stand_in(name.len()).unwrap_or(0) as u64);
     see(u64::from(layer.removes(id)) | u64::from(layer.may_have(id)) << 1);

@@ -10,9 +10,10 @@ mod controls;
 
 use core::mem::MaybeUninit;
 use core::panic::PanicInfo;
+use lipz_bank::articulation::{Articulation, ArticulationProfile, Rig};
 use lipz_bank::babble::{Babble, VoiceLevel};
 use lipz_bank::curve::{CurveCursor, CurveValue};
-use lipz_bank::face::{Face, LookAt, Who};
+use lipz_bank::face::{Emotions, Face, LookAt, Who};
 use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{Bank, Clip, ClipId, Cursor, Error, Event, EventName, Locale, Micros};
 
@@ -184,6 +185,26 @@ fn size_emotions(clip: &Clip<'_>, time_us: i64) -> i32 {
 #[no_mangle]
 fn size_face_of(bank: &Bank<'_>, clip: &Clip<'_>, name: &str, time_us: i64, face: &mut Face) {
     *face = clip.face_at(Micros(time_us), name, &bank.default_face_profile(), LookAt::AHEAD);
+}
+
+#[no_mangle]
+fn size_articulation(clip: &Clip<'_>, profile: &ArticulationProfile<'_>, time_us: i64, place: &mut Articulation) {
+    *place = clip.articulation_at(Micros(time_us), profile);
+}
+
+#[no_mangle]
+fn size_weights(rig: &Rig<'_>, mouth: &Articulation, emotions: &Emotions, face: &Face, out: &mut [CurveValue]) {
+    rig.weights(mouth, emotions, face, out);
+}
+
+#[no_mangle]
+fn size_rig<'a>(
+    bank: &Bank<'a>,
+    name: &str,
+    rig: &mut Place<Rig<'a>>,
+    to: &mut Place<ArticulationProfile<'a>>,
+) -> bool {
+    answer(bank.rig(name), rig) && answer(bank.articulation(name), to)
 }
 
 extern "C" {

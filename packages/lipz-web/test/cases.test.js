@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { existsSync, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { openDialogue } from "../node.js";
+import { ARTICULATORS, openDialogue } from "../node.js";
 
 const beside = (path) => new URL(path, import.meta.url);
 
@@ -13,7 +13,7 @@ const BANKS = beside("banks/");
 const LAYOUTS = beside("layouts/");
 
 /** Features that sections need beyond clips, cursors, segments, texts and events. The package has all of them. */
-const HAS = new Set("babble curves emotions faces hold lead refresh states text-banks voices".split(" "));
+const HAS = new Set("articulation babble curves emotions faces hold lead refresh states text-banks voices".split(" "));
 
 /** The folders of banks with which the cases are played. */
 function folders() {
@@ -130,6 +130,10 @@ class Stage {
         const { clip, spoken } = this.#clip.inVoice(voice);
         return [`${spoken.replace("-", " ")}: ${clip.key}, spoken in ${clip.voice.tag}`];
       }
+      case "articulation":
+        return this.#articulation(words);
+      case "weights":
+        return this.#weights(words);
       case "face":
       case "idle":
         return this.#face(verb, words);
@@ -203,6 +207,31 @@ class Stage {
     const [time] = timeOf(words);
     if (verb === "idle") return [face(profile.idleAt(time, seed, lookAt))];
     return [face(this.#clip.faceAt(time, who, profile, lookAt))];
+  }
+
+  /** The articulation with a profile at the time in these words; undefined if there is no such profile. */
+  #mouth([name, ...words]) {
+    const profile = name === "default" ? undefined : this.#dialogue.articulationProfile(name);
+    if (profile === undefined && name !== "default") return undefined;
+    return this.#clip.articulationAt(timeOf(words)[0], profile);
+  }
+
+  #articulation(words) {
+    const mouth = this.#mouth(words);
+    if (mouth === undefined) return ["no profile"];
+    const name = (articulator) => articulator.replace(/[A-Z]/, (letter) => `_${letter.toLowerCase()}`);
+    return [ARTICULATORS.map((articulator) => `${name(articulator)} ${thousandths(mouth[articulator])}`).join(", ")];
+  }
+
+  #weights([name, ...words]) {
+    const rig = this.#dialogue.rig(name);
+    if (rig === undefined) return ["no rig"];
+    const mouth = this.#mouth(words);
+    if (mouth === undefined) return ["no profile"];
+    const [time] = timeOf(words.slice(1));
+    const settings = { emotions: this.#clip.emotionsAt(time), face: this.#clip.faceAt(time), out: [] };
+    const weights = rig.weights(mouth, settings);
+    return [rig.weightNames.map((weight, index) => `${weight} ${thousandths(weights[index])}`).join(", ")];
   }
 
   #babble([name, ...words]) {

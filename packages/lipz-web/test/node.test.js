@@ -186,7 +186,7 @@ test("the package has the version of the library", async () => {
 
 test("structs.js has the structs of lipz.h, field by field", async () => {
   const header = await readFile(new URL("lipz.h", import.meta.url), "utf8");
-  const numbers = { size_t: "u32", int32_t: "i32", int64_t: "i64", uint32_t: "u32", uint64_t: "u64", double: "f64" };
+  const numbers = { size_t: "u32", int32_t: "i32", int64_t: "i64", uint16_t: "u16", uint32_t: "u32", uint64_t: "u64", double: "f64" };
   const names = { ...numbers, "const char *": "pointer", "const uint8_t *": "pointer" };
   const declared = Array.from(header.matchAll(/^typedef struct \{\n([^}]*)\} (\w+);/gm));
   assert.equal(declared.length, Object.values(structs).filter((type) => type.fields).length);

@@ -11,7 +11,7 @@ pub(super) const FOLDER: &str = "crates/lipz-diagnostics/rules";
 pub(super) const TABLE: &str = "crates/lipz-diagnostics/src/code/table.rs";
 
 /// The headings above codes in lists, by the hundreds of their numbers.
-const GROUPS: [&str; 23] = [
+const GROUPS: [&str; 24] = [
     "Reading files",
     "JSON",
     "Elements",
@@ -35,6 +35,7 @@ const GROUPS: [&str; 23] = [
     "Dubs",
     "Patches",
     "Shards",
+    "Phones",
 ];
 
 /// A rule: `# NUMBER name`, `severity: summary`, and the page, separated by empty lines.

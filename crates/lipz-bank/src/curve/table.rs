@@ -20,8 +20,12 @@ impl<'data> CurveTable<'data> {
     /// Returns the curve sections of a bank.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(crate) fn new(bank: &Bank<'data>) -> Self {
+        let clips: &[CurveClipRecord] = entries(bank.file.section(Tag::CURVE_CLIPS));
+        if clips.is_empty() {
+            return CurveTable { clips, curves: &[], units: &[] };
+        }
         CurveTable {
-            clips: entries(bank.file.section(Tag::CURVE_CLIPS)),
+            clips,
             curves: entries(bank.file.section(Tag::CURVES)),
             units: entries(bank.file.section(Tag::CURVE_KEYS)),
         }

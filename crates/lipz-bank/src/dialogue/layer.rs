@@ -3,8 +3,8 @@
 use crate::{Bank, ClipId, Error, ErrorKind};
 use core::fmt;
 use lipz_layout::{
-    LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LAYER_VOICES, LayerDubRecord, LayerRecord, NO_STAND_IN, PART_CLIP,
-    PART_ORIGINAL, PART_TEXTS, Tag, U32, U64,
+    LAYER_ARTICULATION, LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LAYER_FLAGS, LAYER_RIGS, LAYER_VOICES,
+    LayerDubRecord, LayerRecord, NO_STAND_IN, PART_CLIP, PART_ORIGINAL, PART_TEXTS, Tag, U32, U64,
 };
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
@@ -140,7 +140,7 @@ impl<'data> Layer<'data> {
         !self.bases.is_empty()
             && self.has_valid_tags()
             && self.has_valid_voices(bank)
-            && self.flags & !(LAYER_BABBLE | LAYER_DEFAULT_LOCALE | LAYER_FACES | LAYER_VOICES) == 0
+            && self.flags & !LAYER_FLAGS == 0
             && self.removed.iter().all(is_removed)
             && (self.filter.is_empty() || self.filter.len().is_power_of_two())
             && self.removed_clips().chain(bank.keys.iter().map(|key| ClipId::from_u64(key.id.get()))).all(is_filtered)
@@ -243,6 +243,16 @@ impl<'data> Layer<'data> {
     /// Whether its face profiles, even if empty, replace those below.
     pub fn has_faces(&self) -> bool {
         self.has(LAYER_FACES)
+    }
+
+    /// Whether it replaces the articulation profiles below it.
+    pub fn has_articulation(&self) -> bool {
+        self.has(LAYER_ARTICULATION)
+    }
+
+    /// Whether it replaces the rigs below it.
+    pub fn has_rigs(&self) -> bool {
+        self.has(LAYER_RIGS)
     }
 
     /// Whether its default locale, even if unset, replaces the one below.

@@ -1,11 +1,12 @@
-//! Babble and face profiles of a dialogue, which come from one of its banks.
+//! Profiles and rigs of a dialogue, which come from one of its banks.
 
 use super::{Answers, Dialogue};
 use crate::Bank;
+use crate::articulation::{ArticulationProfile, Rig};
 use crate::babble::Babble;
 use crate::face::FaceProfile;
 use crate::file::profiles;
-use lipz_layout::{LAYER_BABBLE, LAYER_FACES, Tag};
+use lipz_layout::{LAYER_ARTICULATION, LAYER_BABBLE, LAYER_FACES, LAYER_RIGS, Tag};
 
 impl<'a> Dialogue<'a> {
     /// Returns the babble profile with this name, from the topmost file that sets babble profiles.
@@ -36,6 +37,32 @@ impl<'a> Dialogue<'a> {
     /// Returns all face profiles, ordered by name.
     pub fn face_profiles(&self) -> impl Iterator<Item = FaceProfile<'a>> + Clone + '_ {
         profiles(section(self.bank_of_faces(), Tag::FACES), FaceProfile::split_first)
+    }
+
+    /// Returns the articulation profile with this name, from the topmost file that sets articulation profiles.
+    pub fn articulation(&self, name: &str) -> Option<ArticulationProfile<'a>> {
+        self.bank_with(LAYER_ARTICULATION)?.articulation(name)
+    }
+
+    /// Returns the project's articulation profile, or [`ArticulationProfile::DEFAULT`].
+    pub fn default_articulation(&self) -> ArticulationProfile<'a> {
+        self.bank_with(LAYER_ARTICULATION).map_or(ArticulationProfile::DEFAULT, Bank::default_articulation)
+    }
+
+    /// Returns all articulation profiles, ordered by name.
+    pub fn articulations(&self) -> impl Iterator<Item = ArticulationProfile<'a>> + Clone + '_ {
+        let contents = section(self.bank_with(LAYER_ARTICULATION), Tag::ARTICULATION);
+        profiles(contents, ArticulationProfile::split_first)
+    }
+
+    /// Returns all rigs, ordered by name.
+    pub fn rigs(&self) -> impl Iterator<Item = Rig<'a>> + Clone + '_ {
+        profiles(section(self.bank_with(LAYER_RIGS), Tag::RIGS), Rig::split_first)
+    }
+
+    /// Returns the rig with this name, from the topmost file that sets rigs.
+    pub fn rig(&self, name: &str) -> Option<Rig<'a>> {
+        self.bank_with(LAYER_RIGS)?.rig(name)
     }
 
     fn bank_of_babble(&self) -> Option<&'a Bank<'a>> {

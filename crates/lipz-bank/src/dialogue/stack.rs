@@ -4,7 +4,7 @@ use super::file::{BankFile, TextFile};
 use super::{Base, Dialogue, DialogueError, FoundClip, Layer};
 use crate::set_index::SetIndex;
 use crate::{Bank, ClipId, Error, ErrorKind};
-use lipz_layout::{U64, shard_of};
+use lipz_layout::{LAYER_ARTICULATION, Tag, U64, shard_of};
 
 /// The filter of a patch without a filter: any id may be in the patch.
 const ALL_IDS: [U64; 1] = [U64::MAX_VALUE];
@@ -219,12 +219,16 @@ impl<'a> Dialogue<'a> {
     }
 
     /// Returns the bank that sets the data of a layer flag: the topmost patch with the flag, or the base. For a set,
-    /// that is its first loaded bank.
+    /// that is its first loaded bank; for articulation, the first one with phones, because the others lack the targets.
     pub(super) fn bank_with_in_files(&self, flag: u32) -> Option<&'a Bank<'a>> {
         let mut patches = (0..self.patch_count).rev().filter_map(|patch| self.patch(patch));
         match patches.find(|level| level.layer.map_or(false, |layer| layer.has(flag))) {
             Some(level) => Some(&level.file.bank),
-            None => Some(&self.base_levels().next()?.file.bank),
+            None => {
+                let has_targets = |level: &Level<'a>| !level.file.bank.file.section(Tag::ARTICULATION).is_empty();
+                let articulated = if flag == LAYER_ARTICULATION { self.base_levels().find(has_targets) } else { None };
+                Some(&articulated.or_else(|| self.base_levels().next())?.file.bank)
+            }
         }
     }
 }

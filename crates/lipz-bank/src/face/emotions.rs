@@ -23,6 +23,11 @@ pub struct Emotions {
 }
 
 impl Emotions {
+    /// Returns these values, in the order of [`Emotion::ALL`]: for a face whose emotions are not those of a clip.
+    pub const fn new(values: [CurveValue; Emotion::ALL.len()]) -> Emotions {
+        Emotions { values }
+    }
+
     /// Returns the value of an attribute, from 0 to 10 unless the file exceeds this range.
     pub fn get(&self, emotion: Emotion) -> CurveValue {
         self.values.get(emotion as usize).copied().unwrap_or_default()

@@ -45,6 +45,7 @@ fn optional(bank: &Bank<'_>) -> Result<(), Error> {
     crate::face::check(bank)?;
     crate::recording::check(bank)?;
     crate::curve::check(bank)?;
+    crate::articulation::check(bank)?;
     crate::voice::check(bank)
 }
 

@@ -20,6 +20,7 @@ golden! {
     FACES = "v1/faces.lipzbank";
     LONG = "v1/long.lipzbank";
     PATCH = "v1/patch.lipzbank";
+    PHONES = "v1/phones.lipzbank";
     RECORDED = "v1/recorded.lipzbank";
     REDUB = "v1/redub.lipzbank";
     SMALL = "v1/small.lipzbank";
@@ -33,11 +34,12 @@ golden! {
 }
 
 /// Dialogues of one file and of several, of every kind.
-pub(crate) const DIALOGUES: [&[&[u8]]; 11] = [
+pub(crate) const DIALOGUES: [&[&[u8]]; 12] = [
     &[CURVES],
     &[DRAMA],
     &[FACES],
     &[LONG],
+    &[PHONES],
     &[RECORDED],
     &[SMALL],
     &[SPECIALS],

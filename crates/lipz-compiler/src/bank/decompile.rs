@@ -2,11 +2,12 @@
 
 use crate::bank::dialogue::{DubTexts, TaggedLocale, banks, clips_by_key, length_bytes, locales_by_tag, topmost};
 use crate::bank::layers;
+use crate::clip::ClipPhones;
 use crate::clip::source_record::{self, ElementName, RecordedValue};
 use lipz_bank::curve::Curve;
 use lipz_bank::{Bank, Clip, Dialogue, Fps, Locale, Segment};
 use lipz_diagnostics::{Code, Report};
-use lipz_file::{Document, Element, JsonString, RawJson, Value, curve};
+use lipz_file::{Document, Element, JsonString, RawJson, Value, curve, phones};
 use lipz_layout::{Tag, U32};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -186,6 +187,9 @@ fn exact<'data>(
             RecordedValue::AsInBank if name == ElementName::Spelled(curve::ELEMENT) => {
                 Value::Other(RawJson::new(curves(clip, room)?))
             }
+            RecordedValue::AsInBank if name == ElementName::Spelled(phones::ELEMENT) => {
+                Value::String(Cow::<str>::Owned(phone_track(clip, room)?).into())
+            }
             RecordedValue::AsInBank => Value::String(Cow::<str>::Owned(held(&[])?).into()),
             RecordedValue::Padded(padding) => Value::String(Cow::<str>::Owned(held(&padding)?).into()),
             RecordedValue::String(spelled) | RecordedValue::Number(spelled) | RecordedValue::Other(spelled) => {
@@ -236,6 +240,9 @@ fn display_form<'data>(clip: &Clip<'data>, own: &[TaggedLocale<'_>], room: &Room
     if let Some(curves) = curves(clip, room).filter(|_| clip.curves().next().is_some()) {
         push(curve::ELEMENT.into(), Value::Other(RawJson::new(curves)));
     }
+    if let Some(phones) = phone_track(clip, room) {
+        push(phones::ELEMENT.into(), string(phones));
+    }
     Document { elements }
 }
 
@@ -249,6 +256,14 @@ fn curves(clip: &Clip<'_>, room: &Room) -> Option<String> {
     let keys = |curve: &Curve<'_>| curve.keys().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
     let curves: Vec<_> = clip.curves().map(|curve| (curve.name().as_str(), keys(&curve))).collect();
     Some(curve::write(curves))
+}
+
+/// Returns the value of the element `phones`; `None` if the clip has no phones, or the bytes do not suffice.
+fn phone_track(clip: &Clip<'_>, room: &Room) -> Option<String> {
+    room.take((clip.phones().count() as usize).saturating_mul(MOST_KEY_BYTES))?;
+    let mut phones = ClipPhones::default();
+    phones.recall(clip);
+    phones.text()
 }
 
 fn codes<'data>(segment: &Segment<'data>) -> Option<&'data str> {

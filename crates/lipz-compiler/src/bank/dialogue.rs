@@ -45,10 +45,15 @@ pub(crate) fn patches<'d>(dialogue: &Dialogue<'d>) -> impl Iterator<Item = (usiz
     (behind_base(dialogue)..dialogue.file_count()).rev().filter_map(|number| Some((number, dialogue.bank(number)?)))
 }
 
-/// Returns the bank whose babble or face profiles apply: the topmost patch that replaces them, or else one of the base.
+/// Returns the bank whose profiles in a section apply: the topmost patch that replaces them, or else one of the base.
 pub(crate) fn bank_of_profiles<'d>(dialogue: &Dialogue<'d>, tag: Tag) -> Option<&'d Bank<'d>> {
-    let says = |layer: Layer<'_>| if tag == Tag::BABBLE { layer.has_babble() } else { layer.has_faces() };
-    let patch = patches(dialogue).find(|(_, bank)| bank.layer().is_some_and(says));
+    let replaces = |layer: Layer<'_>| match tag {
+        Tag::BABBLE => layer.has_babble(),
+        Tag::FACES => layer.has_faces(),
+        Tag::ARTICULATION => layer.has_articulation(),
+        _ => layer.has_rigs(),
+    };
+    let patch = patches(dialogue).find(|(_, bank)| bank.layer().is_some_and(replaces));
     patch.or_else(|| banks(dialogue).next()).map(|(_, bank)| bank)
 }
 

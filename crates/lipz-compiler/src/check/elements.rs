@@ -8,7 +8,7 @@ use crate::project::Options;
 use foldhash::HashMap;
 use lipz_diagnostics::{Code, Diagnostic, bound};
 use lipz_file::{Document, Element};
-use lipz_file::{JsonString, RawJson, curve};
+use lipz_file::{JsonString, RawJson, curve, phones};
 
 /// The maximum number of texts that are searched one by one, because a hash table costs more for so few.
 const FEW_TEXTS: usize = 32;
@@ -21,6 +21,7 @@ pub(super) struct Roles<'d> {
     pub(super) visemes: Option<&'d JsonString<'d>>,
     pub(super) events: Option<&'d JsonString<'d>>,
     pub(super) curves: Option<&'d RawJson<'d>>,
+    pub(super) phones: Option<&'d JsonString<'d>>,
     /// Texts in file order, at most one per locale.
     pub(super) texts: Vec<TextElement<'d>>,
     /// The index of each locale's text, if there are many texts.
@@ -52,6 +53,7 @@ impl<'d> Roles<'d> {
                 "visemes" => roles.visemes = types::string(element, diagnostics),
                 "events" => roles.events = types::string(element, diagnostics),
                 curve::ELEMENT => roles.curves = types::object(element, diagnostics),
+                phones::ELEMENT => roles.phones = types::string(element, diagnostics),
                 _ => match text_locale(element, options, locales, diagnostics) {
                     Some(locale) => roles.text(element, locale, locales, diagnostics),
                     None => diagnostics.push(names::unknown(element)),

@@ -15,6 +15,7 @@ mod gestures;
 mod join;
 pub(crate) mod locales;
 mod names;
+mod phones;
 mod readability;
 mod segment_table;
 mod segments;
@@ -66,6 +67,9 @@ pub(crate) fn check(
         visemes::frames(string, expected, clip, diagnostics);
     }
     let curves = roles.curves.map(|value| curves::curves(value, &options.known_names, clip, diagnostics));
+    if let Some(string) = roles.phones {
+        phones::phones(string, clip, diagnostics);
+    }
     // One element determines the number of segments. Elements with a different number are joined if that is allowed.
     let segment_count = match roles.reference(options, locales) {
         _ if clip.has_visemes => clip.starts.len(),
@@ -145,6 +149,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         bank_limits::for_texts(text.string, &clip.displays, &mut found);
     }
     roles.curves.into_iter().for_each(|value| drop(curves::curves(value, &options.known_names, &mut clip, &mut found)));
+    roles.phones.into_iter().for_each(|string| phones::phones(string, &mut clip, &mut found));
     roles.events.into_iter().for_each(|string| drop(events::trimmed(string, options, &mut found)));
     found.iter_mut().for_each(|diagnostic| diagnostic.retain_fixes(|_| false));
     diagnostics.append(&mut found);

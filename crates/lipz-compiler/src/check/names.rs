@@ -5,7 +5,7 @@ use lipz_file::Element;
 use lipz_file::locale::{self, TextName};
 
 /// Names of elements in the format, except texts.
-const NAMES: [&str; 5] = ["fps", "visemes", "viseme_type", "events", "curves"];
+const NAMES: [&str; 6] = ["fps", "visemes", "viseme_type", "events", "curves", "phones"];
 
 /// The form of the names of texts.
 const ANY_TEXT: &str = "text_ll-cc";
@@ -26,7 +26,7 @@ pub(super) fn unknown(element: &Element<'_>) -> Diagnostic {
         Some(known) => {
             found.help(format!("did you mean `{known}`?")).suggest(element.name.span(), lipz_file::literal(&known))
         }
-        None => found.help("use one of fps, viseme_type, visemes, text_ll-cc, events, curves"),
+        None => found.help("use one of fps, viseme_type, visemes, text_ll-cc, events, curves, phones"),
     }
 }
 

@@ -7,6 +7,7 @@ mod locales;
 #[cfg(feature = "shards")]
 mod on_disk;
 mod part;
+mod phones;
 mod runs;
 pub(crate) mod source_record;
 mod store;
@@ -18,6 +19,7 @@ pub(crate) use locales::Locales;
 #[cfg(feature = "shards")]
 pub(crate) use on_disk::{ClipFile, PartOnDisk, SectionStarts, SourceOnDisk, Window};
 pub(crate) use part::Part;
+pub(crate) use phones::ClipPhones;
 pub(crate) use runs::{Runs, split_run};
 pub(crate) use store::{Clip, Clips};
 
@@ -54,6 +56,8 @@ pub(crate) struct ClipData {
     pub(crate) events: Strings,
     /// Curves, sorted by name.
     pub(crate) curves: Curves,
+    /// The phones.
+    pub(crate) phones: ClipPhones,
     /// Whether an element has a different number of segments than the clip, and was joined into one.
     pub(crate) has_joined: bool,
     /// The difference between the file and the fields above; see `source_record`. Empty when stripped.
@@ -131,6 +135,7 @@ impl ClipData {
         self.displays.clear();
         self.events.clear();
         self.curves.clear();
+        self.phones.clear();
         self.source.clear();
         (self.has_visemes, self.has_events, self.has_joined) = (false, false, false);
         (self.fps, self.viseme_type) = (None, None);

@@ -238,4 +238,10 @@ codes! {
     NoObject "LZ2203" "no-object" Error "a file is not the object of a shard"
     ObjectMisfit "LZ2204" "object-misfit" Error "the objects do not belong together"
     ObjectMissing "LZ2205" "object-missing" Error "the objects of some shards are missing"
+
+    "Phones"
+    PhoneSyntax "LZ2301" "phone-syntax" Error "a word of `phones` is not a phone with a time"
+    UnknownPhone "LZ2302" "unknown-phone" Error "a phone is unknown"
+    PhoneOrder "LZ2303" "phone-order" Error "the phones are not in the order of their times"
+    PhoneRange "LZ2304" "phone-range" Error "a phone starts after the end of the clip"
 }

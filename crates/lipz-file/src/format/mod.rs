@@ -11,7 +11,7 @@ mod spelling;
 pub use rewrite::rewrite;
 
 use crate::locale::{TextName, text_name};
-use crate::{Document, Element, Value, curve};
+use crate::{Document, Element, Value, curve, phones};
 use columns::SegmentRow;
 use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
@@ -105,6 +105,7 @@ enum ElementRole {
     VisemeType,
     Fps,
     Curves,
+    Phones,
     Unknown,
 }
 
@@ -116,6 +117,7 @@ impl ElementRole {
             "viseme_type" => ElementRole::VisemeType,
             "fps" => ElementRole::Fps,
             curve::ELEMENT => ElementRole::Curves,
+            phones::ELEMENT => ElementRole::Phones,
             _ => match text_name(name) {
                 None => ElementRole::Unknown,
                 Some(TextName::NoLocale) => ElementRole::Text(String::new()),
@@ -154,7 +156,11 @@ fn values<'d>(elements: &[(ElementRole, &'d Element<'d>)], line_ending: &str) ->
     let mut rows = rows.into_iter();
     let value = |(role, element): &(ElementRole, &'d Element<'d>)| match (role, &element.value) {
         (
-            ElementRole::Unknown | ElementRole::VisemeType | ElementRole::Fps | ElementRole::Curves,
+            ElementRole::Unknown
+            | ElementRole::VisemeType
+            | ElementRole::Fps
+            | ElementRole::Curves
+            | ElementRole::Phones,
             Value::String(string),
         ) => string.spelling(),
         (_, Value::String(_)) => Cow::Owned(rows.next().map_or_else(String::new, SegmentRow::literal)),

@@ -41,7 +41,7 @@ pub(super) fn offers(document: &Document, known: &KnownProject, around: NameCont
     let first = options.get_default_locale().or((locales.is_empty()).then_some("en-us"));
     let texts = first.into_iter().chain(locales.iter().copied().filter(|tag| Some(*tag) != first));
     let texts = texts.map(|tag| format!("text_{tag}"));
-    let names = ["visemes", "viseme_type", "fps", "events", "curves"].map(str::to_owned);
+    let names = ["visemes", "viseme_type", "fps", "events", "curves", "phones"].map(str::to_owned);
     let names = names.into_iter().chain(texts).filter(|name| !present.contains(name.as_str()));
     names.map(|name| offer(name, around)).collect()
 }
@@ -71,12 +71,12 @@ mod tests {
     fn elements_that_are_missing_are_offered() {
         let mut known = KnownProject::default();
         let (labels, first) = at("{ §", &known);
-        assert_eq!(labels, ["visemes", "viseme_type", "fps", "events", "curves", "text_en-us"]);
+        assert_eq!(labels, ["visemes", "viseme_type", "fps", "events", "curves", "phones", "text_en-us"]);
         assert_eq!(first, "{ \"visemes\": \"$0\"");
         known.words.locales = ["de-de", "fr-fr"].map(str::to_owned).into();
         known.project.settings.options = Options::new().default_locale("fr-fr").expect("a locale");
         let (labels, first) = at("{ \"visemes\": \"\", \"fps\": 24,\n\"v§\" \n\"text_de-de\": \"\" }", &known);
-        assert_eq!(labels, ["viseme_type", "events", "curves", "text_fr-fr"]);
+        assert_eq!(labels, ["viseme_type", "events", "curves", "phones", "text_fr-fr"]);
         assert_eq!(first, "{ \"visemes\": \"\", \"fps\": 24,\n\"viseme_type\": \"$0\" \n\"text_de-de\": \"\" }");
     }
 

@@ -29,7 +29,7 @@ mod tests {
 
     #[test]
     fn every_element_is_explained() {
-        for name in ["visemes", "viseme_type", "fps", "events", "curves", "text_en-us", "text"] {
+        for name in ["visemes", "viseme_type", "fps", "events", "curves", "phones", "text_en-us", "text"] {
             assert!(about(name).is_some_and(|(title, text)| !title.is_empty() && text.len() > 20), "{name}");
         }
         assert_eq!(about("x_take"), None);

@@ -9,6 +9,7 @@ pub(crate) mod mouth;
 mod options;
 pub(crate) mod outcome;
 mod phone_times;
+mod phone_track;
 mod progress;
 mod reports;
 mod results;

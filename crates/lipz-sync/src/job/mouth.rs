@@ -1,7 +1,7 @@
 //! Conversion of a recording and its script to frames, and the words to check by ear.
 
 use crate::job::progress::Progress;
-use crate::job::{SyncOptions, grid};
+use crate::job::{SyncOptions, grid, phone_track};
 use lipz_compiler::{WordTime, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
@@ -29,6 +29,8 @@ pub(super) struct HeardMouth {
     pub(super) doubtful: Vec<(usize, u64)>,
     /// The mismatches between audio and script.
     mismatches: Vec<Mismatch>,
+    /// The value of the element `phones`, if the project wants it.
+    pub(super) phone_track: Option<String>,
     /// The alignment and the visemes, as a TextGrid.
     pub(super) grid: Option<String>,
 }
@@ -81,7 +83,10 @@ pub(super) fn make(
     let mismatches = mismatches.unwrap_or(alignment.mismatches);
     let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
     let Alignment { words, phones, .. } = alignment;
-    HeardMouth { codes, segment_starts, words, phones, doubtful, mismatches, grid }
+    let is_guessed = is_unwritten && !is_corrected;
+    let wants_phones = options.phones;
+    let phone_track = wants_phones.then(|| phone_track::text(&phones, is_guessed, sound.level_db())).flatten();
+    HeardMouth { codes, segment_starts, words, phones, phone_track, doubtful, mismatches, grid }
 }
 
 /// Returns the times of the words of `text`, from which `script` was made.

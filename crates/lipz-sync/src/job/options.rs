@@ -38,6 +38,8 @@ pub struct SyncOptions {
     pub(crate) align: AlignOptions,
     /// The rules for converting phones to frames.
     pub(crate) rules: RenderRules,
+    /// Whether Lipz files get the phones.
+    pub(crate) phones: bool,
     /// The rules for converting loudness to frames.
     pub(crate) rms: RmsRules,
     /// The folder of TextGrids.
@@ -123,6 +125,7 @@ impl SyncOptions {
             force: false,
             align,
             rules,
+            phones: sync.phones,
             rms,
             textgrids: sync.textgrids.clone(),
             lexicon,

@@ -30,7 +30,10 @@ pub(super) fn settings_hash(
         }
     };
     let grid = grid.map_or(String::new(), |grid| format!(" {grid:?}"));
-    hash(format!("{VERSION} {}/{} {viseme_type:?} {rules}{grid}", fps.numerator(), fps.denominator()).as_bytes())
+    let phones = if options.phones { " phones" } else { "" };
+    hash(
+        format!("{VERSION} {}/{} {viseme_type:?} {rules}{grid}{phones}", fps.numerator(), fps.denominator()).as_bytes(),
+    )
 }
 
 /// Returns the text of the rules for the hash. Later additions appear in it only if they differ from the default, so that

@@ -5,7 +5,7 @@ use crate::job::mouth::HeardMouth;
 use lipz_diagnostics::Diagnostic;
 use lipz_file::format::{LineEnding, Style, format, rewrite};
 use lipz_file::rate::Rate;
-use lipz_file::{Document, Element, JsonString, Value};
+use lipz_file::{Document, Element, JsonString, Value, phones};
 use lipz_interop::{MergeOptions, Mouth, Time, merge};
 use lipz_speech::Script;
 use lipz_types::{Fps, VisemeType};
@@ -41,6 +41,9 @@ pub(super) fn merged(
         .default_rate(options.options.get_default_fps().map(rate))
         .default_viseme_type(options.options.get_default_viseme_type());
     let mut merged = merge(&divided(target), &mouth, &merge_options);
+    if let Some(phones) = &heard.phone_track {
+        set(&mut merged.document, phones::ELEMENT, phones);
+    }
     if let Some((name, _)) = &target.borrowed {
         merged.document.elements.retain(|element| element.name.text != *name);
     }
@@ -62,4 +65,13 @@ fn divided<'a>(target: &Target<'a>) -> Document<'a> {
         value: Value::String(JsonString::from(Cow::Borrowed(*text))),
     }));
     document
+}
+
+/// Sets the string of an element.
+fn set<'d>(document: &mut Document<'d>, name: &'static str, text: &'d str) {
+    let value = Value::String(JsonString::from(Cow::Borrowed(text)));
+    match document.elements.iter_mut().find(|element| element.name.text == name) {
+        Some(element) => element.value = value,
+        None => document.elements.push(Element { name: JsonString::from(Cow::Borrowed(name)), value }),
+    }
 }

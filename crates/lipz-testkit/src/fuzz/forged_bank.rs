@@ -51,6 +51,10 @@ struct Overwrite {
 /// The settings of a project with generated motion of faces.
 const FACES: &str = "[face]\nkeys = \"words\"\nblink = 5\n[face.amy]\nblink-fear = 1\nglances = 0\n";
 
+/// The settings of a project with articulation profiles and rigs.
+const ARTICULATION: &str =
+    "[articulation]\ngain = 90\n[articulation.amy]\nlead = -5\n[rig]\nvrm = true\n[rig.own]\nA = \"0.5 jaw*closure\"\n";
+
 /// Small banks, so that changes are likely to hit something: all kinds of clips, with and without sources.
 static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let far = format!(r#"{{ "visemes": "{}", "text_en-us": "{}x" }}"#, "A|".repeat(11) + "B", "a|".repeat(11));
@@ -81,6 +85,12 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
         r#"{ "fps": 4, "visemes": "MAEO|EO--", "text_en-us": "{anger 2} Yes, sure!|{calm} No.",
             "events": "|amy feels fear 3, looks away" }"#,
     )];
+    // Phones with short and long times.
+    let late = format!(r#"{{ "fps": 1, "visemes": "{}", "phones": "guessed f@70000 s@70100" }}"#, "-".repeat(72));
+    let phones: &[(&str, &str)] = &[
+        ("b", r#"{ "fps": 24, "visemes": "MAMA--", "phones": "-18dB sil@0 M@20 AY@80 m@120 ø@170 pf@200" }"#),
+        ("late", &late),
+    ];
     let voices = Voices::new("en-us")
         .expect("a voice")
         .dub("de-de", "de/{key}")
@@ -93,7 +103,7 @@ static BASES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
         let options = settings.options.strip(strip).default_locale("en-us").expect("a locale").voices(voices.clone());
         Compiler::new(options.clone()).compile(&inputs).bank.expect("files without errors")
     };
-    let sets = sets.iter().map(|set| (*set, "")).chain([(face, FACES)]);
+    let sets = sets.iter().map(|set| (*set, "")).chain([(face, FACES), (phones, ARTICULATION)]);
     sets.flat_map(|(set, settings)| [bank(set, settings, false), bank(set, settings, true)]).collect()
 });
 

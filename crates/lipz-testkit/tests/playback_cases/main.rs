@@ -5,6 +5,7 @@
 
 #[macro_use]
 mod time;
+mod articulation;
 mod curves;
 mod faces;
 mod files;
@@ -114,6 +115,8 @@ impl Stage {
             }
             ["babble", name, ref rest @ ..] => self.babble(name, rest),
             ["curves" | "curve" | "emotions", ..] => self.curve_command(&words),
+            ["articulation", ..] => self.articulation(&words),
+            ["weights", ..] => self.weights(&words),
             ["face", ..] => self.face(&words),
             ["idle", ..] => self.idle(&words),
             ["voices"] => {

@@ -74,8 +74,8 @@ impl Run for Init {
         }
         let bank = format!("\"{BANK}\"");
         let audio = self.audio.as_ref().map(|folder| lipz_file::literal(&folder.to_string_lossy()));
-        // Show newcomers nods, breaths and a pose for each word.
-        let mut set = vec![("", "output", bank.as_str()), ("face", "keys", "\"words\"")];
+        // Show newcomers nods, breaths, a pose for each word, and mouths of three-dimensional faces.
+        let mut set = vec![("", "output", bank.as_str()), ("face", "keys", "\"words\""), ("sync", "phones", "true")];
         let is_new = !has_clips(&self.folder);
         if is_new {
             set.extend([("", "sources", "[\"voices\"]"), ("", "default-locale", "\"en-us\"")]);

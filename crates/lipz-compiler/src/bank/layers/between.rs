@@ -9,8 +9,8 @@ use crate::locales::localise::LocaleColumn;
 use lipz_bank::{Bank, Clip, Locale};
 use lipz_diagnostics::Report;
 use lipz_layout::{
-    LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LAYER_VOICES, NO_STAND_IN, PART_CLIP, PART_ORIGINAL, PART_TEXTS,
-    Tag,
+    LAYER_ARTICULATION, LAYER_BABBLE, LAYER_DEFAULT_LOCALE, LAYER_FACES, LAYER_RIGS, LAYER_VOICES, NO_STAND_IN,
+    PART_CLIP, PART_ORIGINAL, PART_TEXTS, Tag,
 };
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
@@ -70,11 +70,14 @@ pub(crate) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
     }
     let new_profiles = |tag| Some(profiles(new, tag)).filter(|new| *new != profiles(old, tag));
     let (babble, faces) = (new_profiles(Tag::BABBLE), new_profiles(Tag::FACES));
+    let (articulation, rigs) = (new_profiles(Tag::ARTICULATION), new_profiles(Tag::RIGS));
     let has_default = default(old) != default(new);
     let links = Links::between(old, new);
     let has = [
         (babble.is_some(), LAYER_BABBLE),
         (faces.is_some(), LAYER_FACES),
+        (articulation.is_some(), LAYER_ARTICULATION),
+        (rigs.is_some(), LAYER_RIGS),
         (has_default, LAYER_DEFAULT_LOCALE),
         (links.are_all, LAYER_VOICES),
     ];
@@ -88,6 +91,8 @@ pub(crate) fn between(old: &Bank<'_>, new: &Bank<'_>, checksums: &[u64]) -> Resu
         strip: records[1].are_stripped(),
         babble: babble.unwrap_or_default().to_vec(),
         faces: faces.unwrap_or_default().to_vec(),
+        articulation: articulation.unwrap_or_default().to_vec(),
+        rigs: rigs.unwrap_or_default().to_vec(),
         recordings: Cow::Owned(recordings),
         layer: Some(layer),
         export: Vec::new(),

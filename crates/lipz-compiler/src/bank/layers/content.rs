@@ -115,6 +115,7 @@ pub(super) fn take_clip(clip: Option<&Clip<'_>>, segment_count: u32, data: &mut 
     for curve in clip.curves() {
         data.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value)));
     }
+    data.phones.recall(clip);
 }
 
 /// Adds to `data` the texts that are neither from a different locale nor from an original. `number` maps the numbers of
@@ -144,6 +145,7 @@ pub(super) fn are_equal(one: &Clip<'_>, other: &Clip<'_>) -> bool {
         && segments().all(|(one, other)| one.start_frame() == other.start_frame() && one.event() == other.event())
         && one.curves().map(|curve| curve.name().as_str()).eq(other.curves().map(|curve| curve.name().as_str()))
         && std::iter::zip(one.curves(), other.curves()).all(|(one, other)| one.keys().eq(other.keys()))
+        && one.phones() == other.phones()
 }
 
 /// The source records of a bank.

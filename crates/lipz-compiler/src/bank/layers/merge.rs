@@ -54,6 +54,8 @@ pub(super) fn merge_of<'d>(dialogue: &'d Dialogue<'d>, keeps: &dyn Fn(&Clip<'_>)
         strip,
         babble: of(Tag::BABBLE),
         faces: of(Tag::FACES),
+        articulation: of(Tag::ARTICULATION),
+        rigs: of(Tag::RIGS),
         recordings: Cow::Owned(recordings),
         layer: None,
         export: Vec::new(),

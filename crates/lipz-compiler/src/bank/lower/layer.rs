@@ -24,7 +24,7 @@ pub(crate) struct LayerDraft {
     pub(crate) borrowed: Vec<(usize, usize)>,
     /// Tags of voices, with that of the originals first.
     pub(crate) voices: Vec<String>,
-    /// `LAYER_BABBLE`, `LAYER_DEFAULT_LOCALE`, `LAYER_FACES` and `LAYER_VOICES`.
+    /// Bits of `LAYER_FLAGS`.
     pub(crate) flags: u32,
 }
 

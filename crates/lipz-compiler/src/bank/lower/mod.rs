@@ -8,6 +8,7 @@ mod index;
 pub(crate) mod layer;
 mod limits;
 pub(crate) mod numbering;
+mod phones;
 mod recordings;
 mod records;
 mod repeated_hashes;
@@ -22,7 +23,7 @@ pub(crate) use limits::too_large;
 use crate::clip::{Clip, Clips};
 use crate::locales::dubs::Dubs;
 use crate::locales::localise::LocalisedTexts;
-use crate::project::Options;
+use crate::project::{Options, rigs};
 use crate::util::parallel;
 use assemble::Section;
 use curves::CurveSections;
@@ -33,6 +34,7 @@ use lipz_bank::{ClipId, Recording};
 use lipz_diagnostics::{Code, Report};
 use lipz_layout::{LocaleRecord, RecordingRecord, Tag};
 use numbering::Numbering;
+use phones::PhoneSections;
 use records::ClipRecords;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -49,6 +51,10 @@ pub(crate) struct BankExtras<'o> {
     pub(crate) babble: Vec<u8>,
     /// The section of face profiles; empty without any.
     pub(crate) faces: Vec<u8>,
+    /// The section of articulation profiles, for banks with phones.
+    pub(crate) articulation: Vec<u8>,
+    /// The section of rigs; empty without any.
+    pub(crate) rigs: Vec<u8>,
     /// Recordings by key.
     pub(crate) recordings: Cow<'o, BTreeMap<String, Recording>>,
     /// The layer, if the bank is one.
@@ -64,6 +70,8 @@ impl<'o> BankExtras<'o> {
             strip: options.strip,
             babble: options.babble.section(),
             faces: options.faces.section(),
+            articulation: options.articulation.section(),
+            rigs: rigs::section(&options.rigs),
             recordings: Cow::Borrowed(&options.recordings),
             layer: None,
             export: Vec::new(),
@@ -85,6 +93,10 @@ pub(crate) struct Layout {
     babble: Vec<u8>,
     faces: Vec<u8>,
     curves: CurveSections,
+    phones: PhoneSections,
+    /// The section of articulation profiles.
+    articulation: Vec<u8>,
+    rigs: Vec<u8>,
     /// One record per slot; empty if no recordings are known.
     recordings: Vec<RecordingRecord>,
     voices: Voices,
@@ -153,6 +165,9 @@ impl Layout {
             babble: beside.babble,
             faces: beside.faces,
             curves: curves::curves(&with_curves, slots, &event_names)?,
+            phones: phones::phones(clips, slots)?,
+            articulation: beside.articulation,
+            rigs: beside.rigs,
             recordings: recordings::recordings(clips, slots, &beside.recordings),
             voices: voices::voices(dubs, slots)?,
             is_stripped: beside.strip,
@@ -213,6 +228,17 @@ impl Layout {
             sections.push(Section::table(Tag::CURVE_CLIPS, self.curves.clips.as_bytes()));
             sections.push(Section::table(Tag::CURVES, self.curves.curves.as_bytes()));
             sections.push(Section::table(Tag::CURVE_KEYS, &self.curves.keys));
+        }
+        if !self.phones.clips.is_empty() {
+            sections.push(Section::table(Tag::PHONE_CLIPS, self.phones.clips.as_bytes()));
+            sections.push(Section::table(Tag::PHONES, &self.phones.phones));
+        }
+        // A layer replaces the profiles below it even if none of its clips has phones.
+        if !self.articulation.is_empty() && (!self.phones.clips.is_empty() || !self.layer.is_empty()) {
+            sections.push(Section::table(Tag::ARTICULATION, &self.articulation));
+        }
+        if !self.rigs.is_empty() {
+            sections.push(Section::table(Tag::RIGS, &self.rigs));
         }
         if !self.voices.tags.is_empty() {
             sections.push(Section::table(Tag::VOICES, &self.voices.tags));

@@ -249,6 +249,8 @@ fn are_possible(options: &Options) -> bool {
         min_coverage: _,
         babble: _,
         faces: _,
+        articulation: _,
+        rigs: _,
         recordings: _,
     } = options;
     viseme_type.is_none() && !pseudo && gestures.keys != GestureKeys::Words && !checks::may_report_all(options)

@@ -11,7 +11,7 @@ pub(crate) use recorder::Recorder;
 use crate::clip::{ClipData, ClipText, Locales};
 use crate::project::Options;
 use foldhash::HashMap;
-use lipz_file::{Document, Element, Value, curve};
+use lipz_file::{Document, Element, Value, curve, phones};
 use std::collections::HashSet;
 
 /// Names of elements that a record stores by number. Higher numbers are the clip's own texts.
@@ -31,7 +31,8 @@ const MAX_BLANKS: usize = 255;
 /// The encoding of a value in a record.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ValueKind {
-    /// The bank contains the same string, with segments joined by `|`, or the same curves in their canonical layout.
+    /// The bank contains the same string, with segments joined by `|`, or the same curves or phones in their canonical
+    /// layout.
     AsInBank = 0,
     /// Spelled out.
     String = 1,
@@ -83,6 +84,7 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
         }
         let held = held_bytes(name, own_text.map(|(_, text)| text), clip);
         match &element.value {
+            Value::String(string) if is_written_so(name, &string.text, clip) => record.push(ValueKind::AsInBank as u8),
             Value::String(string) if is_joined(name, &string.text, clip) => {
                 push_spelled(&mut record, ValueKind::String, &string.text);
             }
@@ -137,10 +139,14 @@ fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
     clip.has_joined && name != "viseme_type" && lipz_file::text::segment_count(text) != clip.starts.len()
 }
 
-/// Whether the bank contains an element that is not a string in its exact spelling.
+/// Whether the bank contains the curves or phones of an element in their exact spelling.
 fn is_written_so(name: &str, text: &str, clip: &ClipData) -> bool {
     let curves = || clip.curves.iter().map(|(name, keys)| (name, keys.iter().copied()));
-    name == curve::ELEMENT && curve::write(curves()) == text
+    match name {
+        curve::ELEMENT => curve::write(curves()) == text,
+        phones::ELEMENT => clip.phones.text().is_some_and(|written| written == text),
+        _ => false,
+    }
 }
 
 /// Returns the length in bytes of an element's segments in the bank; `None` if it has none.

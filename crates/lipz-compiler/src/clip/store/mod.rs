@@ -38,6 +38,8 @@ pub(crate) struct Clips {
     lacks_texts: bool,
     events: Strings,
     curves: Curves,
+    /// The data of the section of phones.
+    phones: Vec<u8>,
     sources: Vec<u8>,
     /// The source of frames, texts and source records that are not in the buffers.
     #[cfg(feature = "shards")]
@@ -59,6 +61,8 @@ struct ClipHead {
     viseme_type: Option<VisemeType>,
     has_visemes: bool,
     has_events: bool,
+    /// The flags of the record of phones.
+    phone_flags: u32,
     ends: Ends,
 }
 
@@ -70,6 +74,7 @@ struct Ends {
     text_ends: usize,
     events: usize,
     curves: usize,
+    phones: usize,
     source: usize,
 }
 
@@ -99,17 +104,21 @@ impl Clips {
         self.starts.extend_from_slice(&clip.starts);
         self.events.append(&clip.events);
         clip.curves.iter().for_each(|(name, keys)| self.curves.push(name, keys.iter().copied()));
+        let has_phones = !clip.phones.spans.is_empty();
+        let phone_flags = if has_phones { clip.phones.encode(&mut self.phones) } else { 0 };
         self.heads.push(ClipHead {
             fps: clip.fps,
             viseme_type: clip.viseme_type,
             has_visemes: clip.has_visemes,
             has_events: clip.has_events,
+            phone_flags,
             ends: Ends {
                 starts: self.starts.len(),
                 texts: self.texts.len(),
                 text_ends: self.text_ends.len(),
                 events: self.events.count(),
                 curves: self.curves.count(),
+                phones: self.phones.len(),
                 ..ends
             },
         });
@@ -179,11 +188,12 @@ impl Clips {
         self.heads.len()
     }
 
-    /// Frees the memory of keys, events and curves, which must not be used afterwards.
+    /// Frees the memory of keys, events, curves and phones, which must not be used afterwards.
     pub(crate) fn drop_names(&mut self) {
         self.keys = Strings::default();
         self.events = Strings::default();
         self.curves = Curves::default();
+        self.phones = Vec::new();
     }
 
     /// Frees the memory of all but the first `count` clips.

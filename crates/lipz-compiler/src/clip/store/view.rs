@@ -125,6 +125,16 @@ impl<'c> Clip<'c> {
         !self.range(|ends| ends.curves).is_empty()
     }
 
+    /// Returns the data of the section of phones; empty without phones.
+    pub(crate) fn phones(&self) -> &'c [u8] {
+        &self.clips.phones[self.range(|ends| ends.phones)]
+    }
+
+    /// Returns the flags of the record of phones.
+    pub(crate) fn phone_flags(&self) -> u32 {
+        self.head().phone_flags
+    }
+
     pub(crate) fn source(&self) -> Part<'c> {
         #[cfg(feature = "shards")]
         if let Some(staying) = &self.clips.staying {

@@ -1,8 +1,10 @@
 //! The getters of [`Options`].
 
 use super::{EmotionOptions, FileLevels, Gestures, KnownNames, MinCoverage, Options, TextLimits};
+use crate::project::articulation::ArticulationSettings;
 use crate::project::babble::BabbleProfiles;
 use crate::project::face::FaceProfileSettings;
+use crate::project::rigs::RigSettings;
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -97,6 +99,16 @@ impl Options {
     /// Returns the spontaneous movements of faces.
     pub fn get_faces(&self) -> &FaceProfileSettings {
         &self.faces
+    }
+
+    /// Returns the movements of mouths with phones.
+    pub fn get_articulation(&self) -> &ArticulationSettings {
+        &self.articulation
+    }
+
+    /// Returns the shapes of models that a bank contains.
+    pub fn get_rigs(&self) -> &RigSettings {
+        &self.rigs
     }
 
     /// Returns the conversion of emotions in texts and events to curves.

@@ -16,9 +16,11 @@ pub use gestures::{GestureKeys, Gestures};
 pub use locale_error::LocaleError;
 pub use requirements::{KnownNames, MinCoverage, TextLimits};
 
+use crate::project::articulation::ArticulationSettings;
 use crate::project::babble::BabbleProfiles;
 use crate::project::face::FaceProfileSettings;
 use crate::project::pseudo_locale::locale_for;
+use crate::project::rigs::RigSettings;
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
@@ -82,6 +84,10 @@ pub struct Options {
     pub(crate) babble: BabbleProfiles,
     /// The spontaneous movements of faces.
     pub(crate) faces: FaceProfileSettings,
+    /// The movements of mouths with phones.
+    pub(crate) articulation: ArticulationSettings,
+    /// The shapes of models.
+    pub(crate) rigs: RigSettings,
     /// The conversion of emotions in texts and events to curves.
     pub(crate) emotions: EmotionOptions,
     /// The movements of faces during speech and listening.

@@ -1,8 +1,10 @@
 //! The setters of [`Options`].
 
 use super::{EmotionOptions, FileLevels, Gestures, KnownNames, LocaleError, MinCoverage, Options, TextLimits};
+use crate::project::articulation::ArticulationSettings;
 use crate::project::babble::BabbleProfiles;
 use crate::project::face::FaceProfileSettings;
+use crate::project::rigs::RigSettings;
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -146,6 +148,18 @@ impl Options {
     #[must_use]
     pub fn faces(self, faces: FaceProfileSettings) -> Options {
         Options { faces, ..self }
+    }
+
+    /// Sets the movements of mouths with phones.
+    #[must_use]
+    pub fn articulation(self, articulation: ArticulationSettings) -> Options {
+        Options { articulation, ..self }
+    }
+
+    /// Sets the shapes of models that a bank contains.
+    #[must_use]
+    pub fn rigs(self, rigs: RigSettings) -> Options {
+        Options { rigs, ..self }
     }
 
     /// Sets the conversion of emotions in texts and events to curves.

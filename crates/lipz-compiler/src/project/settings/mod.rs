@@ -1,5 +1,7 @@
 //! The settings of a project, and with the feature `settings` its file `lipz.toml`.
 
+#[cfg(feature = "settings")]
+mod articulation;
 mod audio;
 #[cfg(feature = "settings")]
 mod babble;
@@ -18,6 +20,8 @@ mod overrides;
 mod read;
 #[cfg(feature = "settings")]
 mod reading;
+#[cfg(feature = "settings")]
+mod rig;
 mod sync;
 #[cfg(feature = "settings")]
 mod syntax;

@@ -20,6 +20,8 @@ pub struct Sync {
     pub hold_ms: Option<u32>,
     /// Whether the visemes of other consonants are held as long, as far as neighbouring vowels allow.
     pub hold_consonants: bool,
+    /// Whether Lipz files get the phones of their recordings.
+    pub phones: bool,
     /// The time in milliseconds below which a vowel does not open the mouth wide.
     pub shortest_wide_ms: Option<u32>,
     /// The level in decibels below the loud parts of a recording at which an `rms` mouth is closed.

@@ -64,6 +64,7 @@ pub(crate) fn recall_tables(found: &Clip<'_>, clip: &mut ClipData) -> Option<()>
     found
         .curves()
         .for_each(|curve| clip.curves.push(curve.name().as_str(), curve.keys().map(|key| (key.frame, key.value))));
+    clip.phones.recall(found);
     Some(())
 }
 

@@ -75,3 +75,13 @@ pub(super) fn faces<'d>(old: &Dialogue<'d>, new: &Dialogue<'d>) -> Vec<FaceChang
     };
     names.into_iter().filter_map(change).collect()
 }
+
+pub(super) fn articulation<'d>(old: &Dialogue<'d>, new: &Dialogue<'d>) -> Vec<&'d str> {
+    let names: BTreeSet<&'d str> = old.articulations().chain(new.articulations()).map(|found| found.name()).collect();
+    names.into_iter().filter(|name| old.articulation(name) != new.articulation(name)).collect()
+}
+
+pub(super) fn rigs<'d>(old: &Dialogue<'d>, new: &Dialogue<'d>) -> Vec<&'d str> {
+    let names: BTreeSet<&'d str> = old.rigs().chain(new.rigs()).map(|rig| rig.name()).collect();
+    names.into_iter().filter(|name| old.rig(name) != new.rig(name)).collect()
+}

@@ -2,6 +2,7 @@
 
 use super::Change;
 use super::locale_pair::LocalePair;
+use crate::clip::ClipPhones;
 use lipz_bank::{Clip, Fps, Locale, Recording, Segment, VisemeType};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,6 +28,8 @@ pub struct ClipChange<'d> {
     pub events: Vec<EventChange<'d>>,
     /// Curves, sorted by name.
     pub curves: Vec<CurveChange<'d>>,
+    /// The phones as in a Lipz file; `None` inside for a clip without phones.
+    pub phones: Option<Change<Option<String>>>,
     /// Data about the recording in the banks; `None` inside for no data.
     #[cfg_attr(feature = "json", serde(serialize_with = "super::json_fields::recording"))]
     pub recording: Option<Change<Option<Recording>>>,
@@ -94,11 +97,19 @@ impl<'d> ClipChange<'d> {
             texts: texts(old, new, locales),
             events: events(old, new),
             curves: curves(old, new),
+            phones: Change::between(phones(old), phones(new)),
             recording: Change::between(old.recording(), new.recording()),
         };
         let same = ClipChange { key: new.key(), ..ClipChange::default() };
         (change != same).then_some(change)
     }
+}
+
+/// Returns the phones of a clip as in a Lipz file.
+fn phones(clip: &Clip<'_>) -> Option<String> {
+    let mut phones = ClipPhones::default();
+    phones.recall(clip);
+    phones.text()
 }
 
 /// Returns the curves with different keys.

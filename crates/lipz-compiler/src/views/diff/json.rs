@@ -6,7 +6,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 /// Adds the flag whether there are any differences, which is not a field.
 impl Serialize for Difference<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut json = serializer.serialize_struct("Difference", 14)?;
+        let mut json = serializer.serialize_struct("Difference", 16)?;
         json.serialize_field("is_same", &self.is_empty())?;
         json.serialize_field("added_locales", &self.added_locales)?;
         json.serialize_field("removed_locales", &self.removed_locales)?;
@@ -16,6 +16,8 @@ impl Serialize for Difference<'_> {
         json.serialize_field("voices", &self.voices)?;
         json.serialize_field("dubs", &self.dubs)?;
         json.serialize_field("faces", &self.faces)?;
+        json.serialize_field("articulation", &self.articulation)?;
+        json.serialize_field("rigs", &self.rigs)?;
         json.serialize_field("added", &self.added)?;
         json.serialize_field("removed", &self.removed)?;
         json.serialize_field("renamed", &self.renamed)?;

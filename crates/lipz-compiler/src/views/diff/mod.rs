@@ -44,6 +44,10 @@ pub struct Difference<'d> {
     pub dubs: Vec<DubChange<'d>>,
     /// Face profiles that differ, sorted by name.
     pub faces: Vec<FaceChange<'d>>,
+    /// Names of articulation profiles that differ, or that only one bank has, sorted.
+    pub articulation: Vec<&'d str>,
+    /// Names of rigs that differ, or that only one bank has, sorted.
+    pub rigs: Vec<&'d str>,
     /// Keys of clips that only the new bank has.
     pub added: Vec<&'d str>,
     /// Keys of clips that only the old bank has.
@@ -61,9 +65,8 @@ impl Difference<'_> {
     pub fn is_empty(&self) -> bool {
         let locales = self.added_locales.len() + self.removed_locales.len() + self.fallbacks.len();
         let clips = self.added.len() + self.removed.len() + self.renamed.len() + self.changed.len();
-        locales + self.babble.len() + self.faces.len() + self.dubs.len() + clips == 0
-            && self.default_locale.is_none()
-            && self.voices.is_none()
+        let profiles = self.babble.len() + self.faces.len() + self.articulation.len() + self.rigs.len();
+        locales + profiles + self.dubs.len() + clips == 0 && self.default_locale.is_none() && self.voices.is_none()
     }
 }
 
@@ -102,6 +105,8 @@ pub fn diff<'d>(old: &'d Dialogue<'d>, new: &'d Dialogue<'d>) -> Difference<'d> 
         voices: Change::between(voices::tags(old), voices::tags(new)),
         dubs: voices::dubs(old, new),
         faces: bank::faces(old, new),
+        articulation: bank::articulation(old, new),
+        rigs: bank::rigs(old, new),
         ..Difference::default()
     };
     for clip in clips_by_key(old) {

@@ -30,6 +30,12 @@ pub(super) fn text(difference: &Difference<'_>, names: (&str, &str), all: bool) 
     locales(&mut out, difference);
     difference.babble.iter().for_each(|change| babble(&mut out, change));
     difference.faces.iter().for_each(|change| face(&mut out, change));
+    for name in &difference.articulation {
+        let _ = writeln!(out, "~ articulation profile `{}`", escape::text(name));
+    }
+    for name in &difference.rigs {
+        let _ = writeln!(out, "~ rig `{}`", escape::text(name));
+    }
     voices(&mut out, difference);
     let list = |out: &mut String, what: &str, lines: &mut dyn ExactSizeIterator<Item = String>| {
         let count = lines.len();
@@ -186,6 +192,9 @@ fn clip(clip: &ClipChange<'_>, shown: usize) -> String {
         both(&mut out, &format!("curve {}", escape::text(curve.name)), keys);
     }
     more(&mut out, "    ", clip.curves.len(), shown, "changed curve");
+    if let Some(change) = &clip.phones {
+        both(&mut out, "phones", Change { old: change.old.as_deref(), new: change.new.as_deref() });
+    }
     out.truncate(out.trim_end_matches('\n').len());
     out
 }

@@ -37,6 +37,7 @@ assets! {
     "page/style.css"
     "page/texts.js"
     "page/tracks.js"
+    "web/articulation.js"
     "web/babble.js"
     "web/clip.js"
     "web/cursor.js"

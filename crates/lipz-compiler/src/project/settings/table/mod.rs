@@ -106,6 +106,22 @@ pub const TABLES: &[Table] = &[
             each word.",
         content: Content::Map(FACE),
     },
+    Table {
+        name: "articulation",
+        about: "How far mouths move that are computed from phones (docs/guides/articulation.md): the project's own \
+            profile, and others in [articulation.NAME]. `gain` is the opening in percent of the default, and `jaw` \
+            that of the jaw alone. `lead` is how many milliseconds the mouth is ahead of the audio. `level` is the \
+            level of the speech, in decibels relative to full scale, at which the mouth opens as usual; louder lines \
+            open it wider. Settings missing from a named profile come from the project's own.",
+        content: Content::Map(ARTICULATION),
+    },
+    Table {
+        name: "rig",
+        about: "The shapes of your models (docs/guides/articulation.md). `true` adds a built-in rig to the bank. A \
+            table [rig.NAME] describes a rig: the name of each shape, and a sum of terms. A term is a factor and an \
+            input, or the product of two inputs.",
+        content: Content::Map(RIG),
+    },
 ];
 
 const EMOTIONS: Map = Map {
@@ -175,6 +191,22 @@ const FACE: Map = Map {
         "robot = { blink = 0, glances = 0, head = 0 }",
     ],
     read: |name, value, to| to.face(name, value),
+};
+
+const ARTICULATION: Map = Map {
+    name: "SETTING",
+    flat_name: "",
+    default: "the profile of docs/guides/articulation.md",
+    examples: &["gain = 100", "jaw = 100", "lead = 10", "level = -20", "mumbler = { gain = 60, jaw = 40 }"],
+    read: |name, value, to| to.articulation(name, value),
+};
+
+const RIG: Map = Map {
+    name: "NAME",
+    flat_name: "",
+    default: "no rigs",
+    examples: &["arkit = true", "otto = { jawOpen = \"0.8 jaw\", mouthClose = \"0.8 jaw*closure\" }"],
+    read: |name, value, to| to.rig(name, value),
 };
 
 const BABBLE: Map = Map {

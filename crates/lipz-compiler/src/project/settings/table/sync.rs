@@ -78,6 +78,15 @@ pub(super) const SYNC: &[Setting] = &[
         },
     },
     Setting {
+        name: "phones",
+        flat_name: "phones",
+        about: "Write the phones of the recording and their times into the Lipz files (`phones`), from which faces in \
+            three dimensions compute their mouths.",
+        default: "false",
+        example: "false",
+        read: |value, to| to.settings.sync.phones = value.boolean(&mut to.diagnostics).unwrap_or_default(),
+    },
+    Setting {
         name: "shortest-wide-ms",
         flat_name: "shortest-wide-ms",
         about: "Vowels shorter than this many milliseconds do not open the mouth wide.",

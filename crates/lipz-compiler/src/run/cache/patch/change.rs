@@ -44,9 +44,10 @@ impl<'c> ChangedClip<'c> {
             None => !found.has_events(),
         };
         let has_curves = clip.has_curves() || found.curves().next().is_some();
+        let has_phones = !clip.phones().is_empty() || !found.phones().is_empty();
         let is_alike = found.fps() == clip.fps() && found.segment_count() as usize == segment_count;
         let has_frames = found.frame_count() > 0 && clip.frame_count() > 0;
-        if !has_same_events || has_curves || !is_alike || !has_frames {
+        if !has_same_events || has_curves || has_phones || !is_alike || !has_frames {
             return None;
         }
         let has_same_source = match &recall.sources {
