@@ -144,6 +144,23 @@ fn the_diagnostic_in_the_readme_is_that_of_its_file() {
     assert_eq!(shown.stdout.split("\n\n").nth(1), Some(timeline.text.trim_end()), "{shown:?}");
 }
 
+/// A fresh checkout packs the fixtures, shows a clip and runs its tests with Rust alone.
+#[test]
+fn the_readme_has_the_commands_for_a_checkout() {
+    let read = |path: &str| std::fs::read_to_string(repository().join(path)).unwrap();
+    let mut blocks = blocks(&read("README.md"));
+    blocks.retain(|block| block.info == "bash");
+    let [pack, test] = blocks.as_slice() else { panic!("{} blocks of bash", blocks.len()) };
+    let (pack, inspect) = pack.text.trim().split_once(" && ").unwrap();
+    let [_, "xtask", "pack", sources, "-o", bank] = pack.split(' ').collect::<Vec<_>>()[..] else { panic!("{pack}") };
+    let [_, "xtask", "inspect", inspected, clip] = inspect.split(' ').collect::<Vec<_>>()[..] else {
+        panic!("{inspect}")
+    };
+    assert_eq!(inspected, bank);
+    assert!(repository().join(sources).join(clip).with_extension("lipz").is_file(), "{sources} has {clip}");
+    assert!(read(".ci/run").lines().any(|line| line.starts_with(test.text.trim())), "{}", test.text);
+}
+
 #[test]
 fn the_commands_for_the_first_hour_lead_to_a_face() {
     let page = std::fs::read_to_string(repository().join("docs/start/getting-started.md")).unwrap();

@@ -44,6 +44,7 @@ pub(super) fn run(packages: &Packages, folder: &Path) -> Result<(), Failure> {
         // Its last argument is the file.
         let recorder = format!("#!/bin/sh\nfor file; do :; done\ncp '{}' \"$file\"\n", recording.display());
         crate::dist::archive::Entry::program(RECORDER, recorder).write(&environment.join("bin")).map_err(failed)?;
+        // Commands for a checkout are in blocks of `bash`.
         let script = blocks(&text, "sh").concat();
         if !script.contains("pip install lipz") || !script.contains("lipz pack") {
             return Err(format!("{page} does not lead from the installation to a bank"));
