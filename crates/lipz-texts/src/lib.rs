@@ -23,7 +23,7 @@ mod record;
 
 pub use exchange::{
     ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment, Shape, State, Translation,
-    Unit, Words, WriteOptions, texts_of, words,
+    Unit, Words, WriteOptions, difference, texts_of, words,
 };
 pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};

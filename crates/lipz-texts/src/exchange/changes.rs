@@ -1,7 +1,7 @@
 //! The differences between two versions of a text, word by word.
 
-use similar::algorithms::{Capture, Compact, Replace, myers};
-use similar::{ChangeTag, DiffOp, DiffableStr};
+use super::difference::by_word;
+use similar::ChangeTag;
 use std::ops::Range;
 
 /// The greatest length of texts that are compared word by word. Dividing longer ones takes long.
@@ -25,12 +25,10 @@ pub(crate) fn changes<'o>(old: &'o str, new: &str) -> Vec<WordChange<'o>> {
     if old.len() + new.len() > LONGEST {
         return vec![WordChange { old, new: 0..new.len() }];
     }
-    let (old_words, new_words) = (old.tokenize_unicode_words(), new.tokenize_unicode_words());
-    let operations = operations(&old_words, &new_words);
     let (mut old_at, mut new_at) = (0, 0);
     let mut open: Option<(Range<usize>, Range<usize>)> = None;
     let mut all = Vec::new();
-    for change in operations.iter().flat_map(|operation| operation.iter_changes(&old_words[..], &new_words[..])) {
+    for change in by_word(old, new) {
         let length = change.value().len();
         let is_blank = change.value().trim().is_empty();
         match change.tag() {
@@ -56,16 +54,6 @@ pub(crate) fn changes<'o>(old: &'o str, new: &str) -> Vec<WordChange<'o>> {
         .map(|(olds, news)| WordChange { old: old.get(olds).unwrap_or_default().trim(), new: trimmed(new, news) })
         .filter(|change| !change.old.is_empty() || !change.new.is_empty())
         .collect()
-}
-
-/// Returns the operations that lead from the old words to the new ones. `similar::TextDiff` returns the same operations,
-/// but also compiles algorithms that are not needed here.
-fn operations(old: &[&str], new: &[&str]) -> Vec<DiffOp> {
-    let mut found = Compact::new(Replace::new(Capture::new()), old, new);
-    match myers::diff(&mut found, old, 0..old.len(), new, 0..new.len()) {
-        Ok(()) => found.into_inner().into_inner().into_ops(),
-        Err(never) => match never {},
-    }
 }
 
 #[cfg(test)]

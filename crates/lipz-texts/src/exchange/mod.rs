@@ -4,6 +4,7 @@ pub(crate) mod changes;
 pub(crate) mod clip_texts;
 mod collect;
 pub(crate) mod decode;
+pub mod difference;
 pub(crate) mod entry;
 pub(crate) mod mark;
 pub(crate) mod model;

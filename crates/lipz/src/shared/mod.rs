@@ -5,7 +5,6 @@ pub(crate) mod bank_file;
 pub(crate) mod bank_or_sources;
 pub(crate) mod characters;
 pub(crate) mod dialogue_files;
-pub(crate) mod difference;
 pub(crate) mod existing_file;
 pub(crate) mod format_examples;
 pub(crate) mod formats;

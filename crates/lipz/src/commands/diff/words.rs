@@ -1,8 +1,8 @@
 //! Two texts with marked differences.
 
-use crate::shared::difference;
 use anstyle::{AnsiColor, Style};
 use lipz_diagnostics::escape;
+use lipz_texts::difference;
 use similar::ChangeTag;
 use std::fmt::Write;
 

@@ -12,14 +12,14 @@ use std::fmt::Write;
 const CONTEXT_LINES: usize = 3;
 
 /// Returns the words that two texts share and those that only one of them has, in order.
-pub(crate) fn by_word<'t>(old: &'t str, new: &'t str) -> Vec<Change<&'t str>> {
+pub fn by_word<'t>(old: &'t str, new: &'t str) -> Vec<Change<&'t str>> {
     let (old, new) = (old.tokenize_unicode_words(), new.tokenize_unicode_words());
     operations(&old, &new).iter().flat_map(|operation| operation.iter_changes(&old[..], &new[..])).collect()
 }
 
 /// Returns the differences between two texts in the format of `diff -u`, or nothing if they are equal. `name` is the
 /// name of both files.
-pub(crate) fn unified(name: &str, old: &str, new: &str) -> String {
+pub fn unified(name: &str, old: &str, new: &str) -> String {
     let (old, new) = (old.tokenize_lines(), new.tokenize_lines());
     let mut text = String::new();
     for hunk in group_diff_ops(operations(&old, &new), CONTEXT_LINES).iter().filter(|hunk| !hunk.is_empty()) {
