@@ -39,6 +39,8 @@ pub enum RigError {
     UnknownInput(String),
     /// A word is not a factor from -32 to 32.
     Factor(String),
+    /// The name is empty, or the range after it is not two ascending numbers from -32 to 32.
+    Name,
     /// The sum is not written as terms with `+` or `-` between them.
     Syntax,
 }
@@ -63,16 +65,19 @@ pub(super) fn description(text: &str) -> Result<Vec<WeightSpec>, RigError> {
 /// # Errors
 /// If the range or the sum is not written as described, or names an unknown input.
 pub fn weight(name: &str, sum: &str) -> Result<WeightSpec, RigError> {
-    let (name, range) = match name.split_once(" [") {
-        Some((name, range)) => (name, range.strip_suffix(']').ok_or(RigError::Syntax)?),
-        None => (name, "0 1"),
-    };
-    let (least, most) = range.split_once(' ').ok_or(RigError::Syntax)?;
-    let (least, most) = (factor(least)?, factor(most)?);
-    if name.is_empty() || least >= most {
-        return Err(RigError::Syntax);
-    }
+    let (name, least, most) = name_and_range(name).ok_or(RigError::Name)?;
     Ok(WeightSpec { name: name.to_owned(), terms: terms(sum)?, least, most })
+}
+
+/// Returns the name, and the range in thousandths.
+fn name_and_range(text: &str) -> Option<(&str, i16, i16)> {
+    let (name, range) = match text.split_once(" [") {
+        Some((name, range)) => (name, range.strip_suffix(']')?),
+        None => (text, "0 1"),
+    };
+    let (least, most) = range.split_once(' ')?;
+    let (least, most) = (factor(least).ok()?, factor(most).ok()?);
+    (!name.is_empty() && least < most).then_some((name, least, most))
 }
 
 /// Returns the terms of a sum.

@@ -18,6 +18,13 @@ impl SettingsReader<'_> {
             return self.diagnostics.push(diagnostic.help("write a name of 1 to 65,535 bytes, as in [rig.otto]"));
         }
         let weights = match value.node.get_ref() {
+            DeValue::Table(entries) if entries.is_empty() => {
+                return self.refuse(
+                    value,
+                    "has no weights",
+                    "write a sum of terms for each shape: jawOpen = \"0.8 jaw\"",
+                );
+            }
             DeValue::Table(entries) => {
                 let mut weights = Vec::new();
                 for (key, node) in entries {
@@ -28,11 +35,12 @@ impl SettingsReader<'_> {
                 weights
             }
             _ => match value.boolean(&mut self.diagnostics) {
-                Some(true) => match built_in(name) {
-                    Some(weights) => weights,
+                None => return,
+                Some(is_chosen) => match built_in(name) {
+                    Some(weights) if is_chosen => weights,
+                    Some(_) => return,
                     None => return self.unknown_rig(name, value),
                 },
-                Some(false) | None => return,
             },
         };
         let names: usize = weights.iter().map(|weight| weight.name.len()).sum();
@@ -58,6 +66,12 @@ impl SettingsReader<'_> {
             Err(RigError::Factor(factor)) => {
                 let what = format!("has the factor {}", escape::quoted(&factor));
                 self.refuse(value, &what, "write a factor from -32 to 32 before an input: 0.6 jaw");
+                None
+            }
+            Err(RigError::Name) => {
+                let message = format!("{} is not the name of a weight, with or without a range", escape::quoted(name));
+                let diagnostic = Diagnostic::at(Code::SettingValue, span(&value.key), message);
+                self.diagnostics.push(diagnostic.help("write the lowest and the highest value: \"Smile [-1 1]\""));
                 None
             }
             Err(RigError::Syntax) => {
