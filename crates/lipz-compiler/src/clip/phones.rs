@@ -37,8 +37,9 @@ impl ClipPhones {
 
     /// Returns the value of the element in its canonical form; `None` without phones.
     pub(crate) fn text(&self) -> Option<String> {
-        let known = |&(number, start_ms): &(u8, u32)| Some((Phone::from_number(number)?, start_ms));
-        let spans: Vec<_> = self.spans.iter().filter_map(known).collect();
+        // A phone of a later version is silence, as for the reader.
+        let known = |&(number, start_ms): &(u8, u32)| (Phone::from_number(number).unwrap_or(Phone::SILENCE), start_ms);
+        let spans: Vec<_> = self.spans.iter().map(known).collect();
         (!spans.is_empty()).then(|| phones::write(self.is_guessed, self.level_db, spans))
     }
 
