@@ -46,7 +46,7 @@ pub use merge::{MergeOptions, MergedClip, Mouth, merge};
 pub use script::Script;
 pub use segments::Segments;
 pub use time::Time;
-pub use track::{Shape, Text, TimedText, Track};
+pub use track::{FaceWeights, Shape, StartedPhone, Text, TimedText, Track, WeightRow};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

@@ -5,6 +5,7 @@ use crate::textgrid::Tier;
 use lipz_diagnostics::Span;
 use lipz_file::Element;
 use lipz_file::rate::Rate;
+use lipz_types::Phone;
 
 /// The mouth shapes of one speaker in one recording, as stored in a file of another tool.
 ///
@@ -33,6 +34,10 @@ pub struct Track {
     pub words: Vec<TimedText>,
     /// The spoken texts, with the locale if the file names it. `|` divides segments.
     pub texts: Vec<Text>,
+    /// The phones, if the file has them in addition to its shapes. Without them, shapes of tables for phones count.
+    pub phones: Vec<StartedPhone>,
+    /// The weights of a recorded face, which become curves.
+    pub weights: FaceWeights,
     /// Elements of Lipz files that are copied unchanged, such as events.
     pub elements: Vec<Element<'static>>,
     /// Additional tiers of a TextGrid.
@@ -50,6 +55,34 @@ pub struct Shape {
     pub symbol: String,
     /// Its position in the file; `None` in a binary file.
     pub span: Option<Span>,
+}
+
+/// A phone, with its start. It ends where the next one starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StartedPhone {
+    /// The start.
+    pub start: Time,
+    /// The phone.
+    pub phone: Phone,
+}
+
+/// The weights of the shapes of a recorded face.
+#[derive(Clone, PartialEq, Debug, Default)]
+#[non_exhaustive]
+pub struct FaceWeights {
+    /// The names of the shapes, all different.
+    pub names: Vec<String>,
+    /// The recorded frames, in the order of the file.
+    pub rows: Vec<WeightRow>,
+}
+
+/// The weights of a recorded face at a time.
+#[derive(Clone, PartialEq, Debug)]
+pub struct WeightRow {
+    /// The time.
+    pub start: Time,
+    /// One finite value per name, from -2,000,000 to 2,000,000.
+    pub weights: Vec<f32>,
 }
 
 /// A stretch of text, with its start.

@@ -93,11 +93,14 @@ fn what_is_not_taken_and_what_is_lost() {
     scene.expect("LZ1115-clip-replaced-denied", &[&replace[..], &["--deny", "clip-replaced"]].concat());
     assert_eq!(clip(&scene), before);
     scene.expect("LZ1115-clip-replaced", &replace);
+    scene.write("voices/mayor.lipz", "{ \"visemes\": \"AAAA--\", \"fps\": 12, \"phones\": \"AA@0 sil@330\" }");
+    scene.expect("LZ1117-phones-removed", &import);
+    assert!(!clip(&scene).contains("phones"), "{}", clip(&scene));
     scene.write("voices/mayor.lipz", "{ \"text_en-us\": \"Ah!\", }");
     scene.expect("LZ0102-trailing-comma-retake", &import);
     assert_eq!(clip(&scene), "{ \"text_en-us\": \"Ah!\", }");
     scene.expect("LZ1115-clip-replaced-unreadable", &replace);
-    scene.finish(7);
+    scene.finish(8);
 }
 
 #[test]

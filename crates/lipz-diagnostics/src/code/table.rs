@@ -112,6 +112,7 @@ codes! {
     ImportKept "LZ1114" "import-kept" Warning "an imported element is skipped because the clip already has one"
     ClipReplaced "LZ1115" "clip-replaced" Warning "replacing a clip loses parts of it"
     TextNotJoined "LZ1116" "text-not-joined" Warning "a script and the imported files do not match"
+    PhonesRemoved "LZ1117" "phones-removed" Warning "phones are removed because they belong to a previous recording"
 
     "Ids"
     IdentifierClash "LZ1201" "identifier-clash" Error "two keys become the same identifier"

@@ -1,21 +1,19 @@
-//! Face shapes of ARKit as recorded by Live Link Face, CSV: a line per frame with its timecode and 52 weights. The
-//! strongest shape that concerns the lips becomes the viseme of the frame; for loudness (rms), the opening of the jaw
-//! is used.
+//! Face shapes of ARKit as recorded by Live Link Face, CSV: a line per frame with its timecode and 61 weights, 52 of
+//! them shapes. All of them become curves. The strongest shape that concerns the lips becomes the viseme of the frame;
+//! for loudness (rms), the opening of the jaw is used.
 
 use super::Format;
+use super::face_frames::{self, TABLE};
 use super::timecode::{Timecode, Timecodes};
 use crate::source::{self, Line};
-use crate::{ImportOptions, Map, Shape, Time, Track, find_map};
+use crate::{ImportOptions, Track};
 use lipz_diagnostics::{Code, Diagnostic};
-use lipz_types::VisemeType;
+use std::collections::HashSet;
 
 const TIMECODE: &str = "Timecode";
 const JAW: &str = "JawOpen";
-const TABLE: &str = "arkit";
-/// The table's name for rest.
-const REST: &str = "rest";
-/// Weaker shapes are ignored, because a tracked face never lies still.
-const FLOOR: f64 = 0.15;
+/// A column with the number of the other columns.
+const COUNT: &str = "BlendShapeCount";
 
 pub(super) const FORMAT: Format = Format {
     name: "live-link",
@@ -35,7 +33,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     let Some(header) = lines.next() else { return vec![Track::default()] };
     let names: Vec<Line<'_>> = fields(header).collect();
     let place = |name: &str| names.iter().position(|field| field.text.eq_ignore_ascii_case(name));
-    let (Some(timecode), Some(jaw)) = (place(TIMECODE), place(JAW)) else {
+    let (Some(timecode), Some(_)) = (place(TIMECODE), place(JAW)) else {
         diagnostics.push(
             header
                 .not("a line of names with `Timecode` and `JawOpen`")
@@ -43,15 +41,17 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
         );
         return Vec::new();
     };
-    let Some(map) = options.map.or_else(|| find_map(TABLE)) else { return Vec::new() };
-    let is_loudness = options.map.is_none() && options.viseme_type == Some(VisemeType::Rms);
+    let Some((symbols, table)) = face_frames::symbols(options) else { return Vec::new() };
+    let columns: Vec<usize> = weight_columns(&names, diagnostics);
     let rows: Vec<Vec<Line<'_>>> = lines.map(|line| fields(line).collect()).collect();
     let codes: Vec<Option<Timecode>> =
         rows.iter().map(|row| row.get(timecode).and_then(|field| Timecode::parse(field.text))).collect();
     let origin = codes.iter().flatten().next().copied();
     let codes = Timecodes::new(codes, options.file_rate);
     let rate = codes.rate;
-    let mut track = Track { rate: Some(rate), map: Some(if is_loudness { "rms" } else { TABLE }), ..Track::default() };
+    let mut track = Track { rate: Some(rate), map: Some(table), ..Track::default() };
+    let name_of = |column: &usize| names.get(*column).map(|name| face_frames::curve_name(name.text));
+    track.weights.names = columns.iter().filter_map(name_of).collect();
     if options.file_rate.is_none() {
         let unit = if codes.has_milliseconds { ", which count milliseconds" } else { "" };
         track.remarks.push(format!("{} frames per second, from the timecodes{unit}", rate.numerator));
@@ -75,41 +75,30 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
             continue;
         }
         let start = codes.time_since(*code, origin);
-        let symbol = match is_loudness {
-            true => row.get(jaw).and_then(|field| weight(*field, diagnostics)).map(loudness),
-            false => strongest(&names, row, map, diagnostics),
-        };
-        let Some(symbol) = symbol else { continue };
-        track.shapes.push(Shape::at(first.span(), start, symbol));
-        track.end = Some(Time::of_frame(start.nearest_frame(rate).saturating_add(1), rate));
+        let weights: Option<Vec<f32>> =
+            columns.iter().map(|&column| face_frames::weight(*row.get(column)?, diagnostics)).collect();
+        let Some(weights) = weights else { continue };
+        face_frames::add(&mut track, symbols, Some(first.span()), start, weights);
     }
+    face_frames::finish(&mut track, rate);
     vec![track]
 }
 
-/// Returns the shape with the largest weight among those in the table.
-fn strongest(names: &[Line<'_>], row: &[Line<'_>], map: &Map, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
-    let mut strongest = (REST, FLOOR);
-    for (name, field) in names.iter().zip(row).filter(|(name, _)| map.code(name.text).is_some()) {
-        let weight = weight(*field, diagnostics)?;
-        if weight > strongest.1 {
-            strongest = (name.text, weight);
+/// Returns the columns with weights. Reports columns with the same name, of which the first counts.
+fn weight_columns(names: &[Line<'_>], diagnostics: &mut Vec<Diagnostic>) -> Vec<usize> {
+    let mut known = HashSet::new();
+    let mut columns = Vec::new();
+    for (column, name) in names.iter().enumerate() {
+        if [TIMECODE, COUNT].iter().any(|other| other.eq_ignore_ascii_case(name.text)) || name.text.is_empty() {
+            continue;
+        }
+        if known.insert(name.text.to_ascii_lowercase()) {
+            columns.push(column);
+        } else {
+            diagnostics.push(name.diagnostic(Code::ForeignOddity, "a second column with this name is not read"));
         }
     }
-    Some(strongest.0.to_owned())
-}
-
-fn weight(field: Line<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
-    let weight = field.text.parse().ok().filter(|weight: &f64| weight.is_finite());
-    if weight.is_none() {
-        diagnostics.push(field.not("a weight from 0 to 1"));
-    }
-    weight
-}
-
-/// Returns the digit for an opening from 0 to 1.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 9")]
-fn loudness(opening: f64) -> String {
-    ((opening * 10.0).clamp(0.0, 9.0) as u32).to_string()
+    columns
 }
 
 fn fields(line: Line<'_>) -> impl Iterator<Item = Line<'_>> {
@@ -119,14 +108,4 @@ fn fields(line: Line<'_>) -> impl Iterator<Item = Line<'_>> {
         at += text.len() + 1;
         field.trimmed()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn jaws_are_loud() {
-        assert_eq!([-0.1, 0.0, 0.55, 1.0, 7.0].map(loudness), ["0", "0", "5", "9", "9"]);
-    }
 }

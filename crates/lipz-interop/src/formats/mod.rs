@@ -1,8 +1,12 @@
 //! The formats of other tools, one file each, and the list of them.
 
+mod annosoft;
+mod arkit_json;
+mod audio2face;
 mod azure;
 mod bohemia;
 mod cartesia;
+mod face_frames;
 mod kotor;
 mod lipz_editor;
 mod lipz_txt;
@@ -13,6 +17,7 @@ mod pamela;
 mod papagayo;
 mod papagayo_pg2;
 mod papagayo_pgo;
+mod piper;
 mod polly;
 mod rhubarb;
 mod rhubarb_json;
@@ -69,8 +74,12 @@ pub const ALL: &[Format] = &[
     polly::FORMAT,
     azure::FORMAT,
     cartesia::FORMAT,
+    piper::FORMAT,
+    annosoft::FORMAT,
     ovr::FORMAT,
     live_link::FORMAT,
+    audio2face::FORMAT,
+    arkit_json::FORMAT,
     textgrid::clip::FORMAT,
     lipz_txt::FORMAT,
     lipz_editor::FORMAT,

@@ -1,13 +1,15 @@
 //! Frames of Oculus (Meta) OVRLipSync as CSV: a line per frame with the weights of its 15 visemes. A first line may
-//! name the columns in any order; without it, they have the order of the SDK. The strongest viseme becomes the shape of
-//! the frame, or silence if it is below a threshold.
+//! name the columns in any order; without it, they have the order of the SDK. All weights become
+//! curves. The strongest viseme becomes the shape of the frame, or rest if it is below a threshold.
 
 use super::Format;
+use super::face_frames::{self, Symbols};
 use crate::source::{self, Line};
-use crate::{ImportOptions, Shape, Time, Track};
+use crate::{ImportOptions, Time, Track, find_map};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::rate::Rate;
 
+const TABLE: &str = "ovr";
 /// The visemes in the order of their weights.
 const VISEMES: [&str; 15] = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou"];
 /// Alternative names of some visemes, used by HeadAudio and avatars' blend shapes.
@@ -18,7 +20,7 @@ const PREFIX: &str = "viseme_";
 /// The column with the time of the frame in milliseconds.
 const TIME: [&str; 3] = ["time_ms", "timestamp_ms", "ms"];
 /// Weaker visemes are ignored, as in OpenFaceFX.
-const FLOOR: f64 = 0.1;
+const FLOOR: f32 = 0.1;
 /// The frame rate of a dump that does not state one.
 const RATE: Rate = Rate { numerator: 60, denominator: 1, is_exact: true };
 
@@ -26,7 +28,7 @@ pub(super) const FORMAT: Format = Format {
     name: "ovr",
     about: "OVRLipSync frames, CSV with 15 weights a line",
     extension: "csv",
-    maps: &["ovr"],
+    maps: &[TABLE],
     is_binary: false,
     is_legacy: false,
     keeps_texts: false,
@@ -45,6 +47,15 @@ enum OvrColumn {
     Other,
 }
 
+impl OvrColumn {
+    fn weight(self) -> Option<&'static str> {
+        match self {
+            OvrColumn::Weight(viseme) => Some(viseme),
+            OvrColumn::Time | OvrColumn::Other => None,
+        }
+    }
+}
+
 fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Track> {
     let Some(text) = source::text(bytes, diagnostics) else { return Vec::new() };
     let rate = options.file_rate.unwrap_or(RATE);
@@ -55,7 +66,8 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
         let Some(named) = header(line, diagnostics) else { return Vec::new() };
         columns = named;
     }
-    let mut end = Time::ZERO;
+    let Some(map) = options.map.or_else(|| find_map(TABLE)) else { return Vec::new() };
+    track.weights.names = columns.iter().filter_map(|column| column.weight()).map(str::to_owned).collect();
     for (frame, line) in (0..).zip(lines) {
         let fields = fields(line);
         if fields.len() != columns.len() {
@@ -64,26 +76,23 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
             continue;
         }
         let mut start = Time::of_frame(frame, rate);
-        let mut strongest = ("sil", FLOOR, line);
+        let mut weights = Vec::with_capacity(columns.len());
         for (column, field) in columns.iter().zip(fields) {
-            match (column, field.text.parse::<f64>()) {
-                (OvrColumn::Other, _) => {}
-                (OvrColumn::Time, _) => match Time::parse(&format!("{}e-3", field.text)) {
+            match column {
+                OvrColumn::Other => {}
+                OvrColumn::Time => match Time::parse(&format!("{}e-3", field.text)) {
                     Some(time) => start = time,
                     None => diagnostics.push(field.not("a time in milliseconds")),
                 },
-                (OvrColumn::Weight(viseme), Ok(weight)) if weight.is_finite() => {
-                    if weight > strongest.1 {
-                        strongest = (viseme, weight, field);
-                    }
-                }
-                (OvrColumn::Weight(_), _) => diagnostics.push(field.not("a weight from 0 to 1")),
+                OvrColumn::Weight(_) => weights.extend(face_frames::weight(field, diagnostics)),
             }
         }
-        track.shapes.push(Shape::at(strongest.2.span(), start, strongest.0));
-        end = Time::of_frame(start.nearest_frame(rate).saturating_add(1), rate);
+        if weights.len() == track.weights.names.len() {
+            let symbols = Symbols::Strongest { map, floor: FLOOR, rest: "sil" };
+            face_frames::add(&mut track, symbols, Some(line.span()), start, weights);
+        }
     }
-    track.end = Some(end);
+    face_frames::finish(&mut track, rate);
     vec![track]
 }
 

@@ -112,6 +112,11 @@ pub(crate) fn element(name: &str, value: String) -> Element<'static> {
     Element { name: string(name.to_owned()), value: Value::String(string(value)) }
 }
 
+/// Returns an element with an object, as JSON.
+pub(super) fn object(name: &str, json: String) -> Element<'static> {
+    Element { name: string(name.to_owned()), value: Value::Other(RawJson::new(json)) }
+}
+
 /// Returns the frame rate as an element.
 pub(crate) fn fps(rate: Rate) -> Element<'static> {
     Element { name: string("fps".to_owned()), value: Value::Number(RawJson::new(spell(rate))) }

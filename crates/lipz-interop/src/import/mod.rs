@@ -1,7 +1,9 @@
 //! Conversion of a track to a Lipz document: codes, frames, segments, texts.
 
+mod curves;
 mod document;
 mod options;
+mod phones;
 mod runs;
 
 pub use options::{DEFAULT_RATE, ImportOptions};
@@ -136,6 +138,7 @@ fn clip(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<ImportedClip> {
     let rate = options.rate.or(track.rate).unwrap_or(options.default_rate);
+    let phones = phones::phones_of(&track, map);
     let track = match options.codes {
         Some(codes) => with_codes(track, codes, map, rate),
         None => in_order(track, diagnostics),
@@ -173,8 +176,15 @@ fn clip(
         .words(frames.timed(&track.words))
         .phrases(frames.timed(&track.phrases));
     let codes = frames.divided(&division);
-    let document = document(&track, codes, &texts, &division, map.viseme_type, rate);
     let frames = resampled.lengths.iter().sum();
-    let (map, remarks) = (map.label(), track.remarks);
+    let phones = phones::spelled(phones, Time::of_frame(frames as u64, rate));
+    let mouth = mouth.phones(phones.clone());
+    let mut document = document(&track, codes, &texts, &division, map.viseme_type, rate);
+    let (map, mut remarks) = (map.label(), track.remarks);
+    document.elements.extend(phones.map(|phones| element(lipz_file::phones::ELEMENT, phones)));
+    if let Some(curves) = curves::curves(track.weights, frames, rate) {
+        document.elements.push(curves.element);
+        remarks.extend(curves.remarks);
+    }
     Some(ImportedClip { name: track.name, document, mouth, texts, map, rate, frames, lost, remarks })
 }

@@ -9,7 +9,21 @@ mod read;
 pub use built_in::{built_in, file, find};
 
 use lipz_diagnostics::suggest;
-use lipz_types::VisemeType;
+use lipz_types::{Phone, VisemeType};
+
+/// A frequent phone for each code of the type `blair`.
+const FREQUENT_PHONES: [(u8, &str); 10] = [
+    (b'-', "sil"),
+    (b'M', "M"),
+    (b'F', "F"),
+    (b'L', "L"),
+    (b'S', "T"),
+    (b'W', "W"),
+    (b'U', "UW"),
+    (b'O', "AO"),
+    (b'A', "AA"),
+    (b'E', "AX"),
+];
 
 /// A mapping table.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -32,13 +46,43 @@ pub struct Map {
     to_lipz: Vec<(String, u8)>,
     /// The symbol that is written for each code.
     from_lipz: Vec<(u8, String)>,
+    /// Whether the symbols are names of phones, in ARPAbet or the letters of the IPA.
+    names_phones: bool,
+    /// The phones of other symbols.
+    to_phone: Vec<(String, Phone)>,
 }
 
 impl Map {
     /// Returns the code for a symbol.
     pub fn code(&self, symbol: &str) -> Option<u8> {
-        let same = |known: &str| known == symbol || (self.ignores_case && known.eq_ignore_ascii_case(symbol));
-        self.to_lipz.iter().find(|(known, _)| same(known)).map(|(_, code)| *code)
+        self.to_lipz.iter().find(|(known, _)| self.is_same(known, symbol)).map(|(_, code)| *code)
+    }
+
+    /// Returns the phone for a symbol, if the symbols are phones or classes of phones: the one that the table
+    /// `to-phone` lists, the one with the name of the symbol, or a frequent one with the same code.
+    pub fn phone(&self, symbol: &str) -> Option<Phone> {
+        if !self.has_phones() {
+            return None;
+        }
+        let listed = || self.to_phone.iter().find(|(known, _)| self.is_same(known, symbol)).map(|(_, phone)| *phone);
+        let named = || match self.ignores_case {
+            true => symbol.to_ascii_uppercase().parse().ok(),
+            false => symbol.parse().ok(),
+        };
+        let of_code = || {
+            let code = self.code(symbol)?;
+            FREQUENT_PHONES.into_iter().find(|(known, _)| *known == code)?.1.parse().ok()
+        };
+        listed().or_else(|| named().filter(|_| self.names_phones)).or_else(of_code)
+    }
+
+    /// Whether the symbols are phones, or classes of phones.
+    pub fn has_phones(&self) -> bool {
+        self.names_phones || !self.to_phone.is_empty()
+    }
+
+    fn is_same(&self, known: &str, symbol: &str) -> bool {
+        known == symbol || (self.ignores_case && known.eq_ignore_ascii_case(symbol))
     }
 
     /// Returns the symbol for a code.

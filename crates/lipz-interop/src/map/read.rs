@@ -2,24 +2,26 @@
 
 use super::Map;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
-use lipz_types::VisemeType;
+use lipz_types::{Phone, VisemeType};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The fields that describe a table, each with an example value.
-const FIELDS: [(&str, &str); 8] = [
+const FIELDS: [(&str, &str); 9] = [
     ("name", "a name: \"our-rig\""),
     ("version", "a whole number to increase when a row changes: 1"),
     ("about", "a sentence about the table"),
     ("source", "the source of its rows"),
     ("viseme-type", "the viseme type of its codes: \"blair\", \"toonboom\" or \"rms\""),
     ("ignore-case", "true if upper and lower case are equal"),
+    ("phones", "true if the symbols are phones, in ARPAbet or IPA"),
     ("guessed", "a list of symbols with a guessed code"),
     ("to-lipz", "a table of symbols with their codes: MBP = \"M\""),
 ];
-/// The table of codes to symbols, which is optional.
+/// The optional tables: codes to symbols, and symbols to phones.
 const FROM_LIPZ: &str = "from-lipz";
+const TO_PHONE: &str = "to-phone";
 
 impl Map {
     /// Reads a mapping table.
@@ -72,6 +74,7 @@ impl<'t> MapReader<'t> {
                 }
             }
         }
+        let to_phone = self.phones()?;
         Some(Map {
             name,
             version,
@@ -79,14 +82,16 @@ impl<'t> MapReader<'t> {
             source: self.optional("source")?,
             viseme_type,
             guessed: self.guessed()?,
-            ignores_case: self.ignores_case()?,
+            ignores_case: self.boolean("ignore-case")?,
             to_lipz,
             from_lipz,
+            names_phones: self.boolean("phones")?,
+            to_phone,
         })
     }
 
     fn unknown_fields(&mut self) {
-        let known = || FIELDS.iter().map(|(name, _)| *name).chain([FROM_LIPZ]);
+        let known = || FIELDS.iter().map(|(name, _)| *name).chain([FROM_LIPZ, TO_PHONE]);
         for (key, _) in self.root {
             let written: &str = key.get_ref();
             if known().all(|name| name != written) {
@@ -95,7 +100,7 @@ impl<'t> MapReader<'t> {
                 self.diagnostics.push(match suggest::nearest(written, known()) {
                     Some(name) => diagnostic.help(format!("did you mean `{name}`?")),
                     None => diagnostic.help(
-                        "use name, version, about, source, viseme-type, ignore-case, guessed, to-lipz or from-lipz",
+                        "use name, version, about, source, viseme-type, ignore-case, phones, guessed, to-lipz, from-lipz or to-phone",
                     ),
                 });
             }
@@ -159,17 +164,34 @@ impl<'t> MapReader<'t> {
         found
     }
 
-    fn ignores_case(&mut self) -> Option<bool> {
-        match self.root.get("ignore-case") {
+    /// Returns an optional boolean; `false` if it is missing.
+    fn boolean(&mut self, field: &str) -> Option<bool> {
+        match self.root.get(field).map(|value| (value, value.get_ref())) {
             None => Some(false),
-            Some(value) => match value.get_ref() {
-                DeValue::Boolean(ignores) => Some(*ignores),
-                _ => {
-                    self.wrong_type("ignore-case", value.span());
-                    None
-                }
-            },
+            Some((_, DeValue::Boolean(is_true))) => Some(*is_true),
+            Some((value, _)) => {
+                self.wrong_type(field, value.span());
+                None
+            }
         }
+    }
+
+    /// Returns the phones of symbols.
+    fn phones(&mut self) -> Option<Vec<(String, Phone)>> {
+        let mut phones = Vec::new();
+        if !self.root.contains_key(TO_PHONE) {
+            return Some(phones);
+        }
+        for (symbol, name, span) in self.rows(TO_PHONE)? {
+            match name.parse() {
+                Ok(phone) => phones.push((symbol.to_owned(), phone)),
+                Err(_) => self.diagnostics.push(
+                    refusal(span, format!("{} is not a known phone", escape::quoted(name)))
+                        .help("write ARPAbet in capitals without stress, IPA, or `sil` for silence"),
+                ),
+            }
+        }
+        Some(phones)
     }
 
     fn guessed(&mut self) -> Option<Vec<String>> {

@@ -8,21 +8,25 @@ use crate::subtitles::bounds;
 use crate::{ImportedClip, Text, Time};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::text::{DELIMITER, display, segment_count, segments, trim};
-use lipz_file::{Document, Element};
+use lipz_file::{Document, Element, RawJson, Value, curve, phones};
 
 impl ImportedClip {
-    /// Returns `clip` with the lip-sync track of this clip, as [`merge`] does, and with texts in locales and elements
-    /// that are only in this clip. Where both differ, the value in `clip` stays, and a diagnostic reports it.
+    /// Returns `clip` with the lip-sync track of this clip, as [`merge`] does, with the curves of a recorded face, and
+    /// with texts in locales and elements that are only in this clip. Where both have a text or an element, the value in
+    /// `clip` stays, and a diagnostic reports it.
     pub fn merge<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> MergedClip<'s> {
         let is_divided = |element: &Element<'_>| match element.name.text.as_ref() {
             "events" => true,
             "visemes" => string(element).is_some_and(|visemes| visemes.contains(DELIMITER)),
             name => tag(name).is_some(),
         };
+        let gets_phones = options.phones || clip.get("visemes").is_none() || clip.get(phones::ELEMENT).is_some();
+        let mouth = self.mouth.clone().phones(self.mouth.phones.clone().filter(|_| gets_phones));
+        let mut merged = merge(clip, &mouth, options);
         if !clip.elements.iter().any(is_divided) {
-            return self.with_own_segments(clip, options);
+            self.set_own_segments(&mut merged);
+            return merged;
         }
-        let mut merged = merge(clip, &self.mouth, options);
         for text in &self.texts {
             self.add_text(text, &mut merged);
         }
@@ -30,17 +34,15 @@ impl ImportedClip {
         merged
     }
 
-    /// Merges with a clip that only has a lip-sync track, so that it gets the segments and texts of this clip.
-    fn with_own_segments<'s>(&self, clip: &Document<'s>, options: &MergeOptions<'_>) -> MergedClip<'s> {
-        let mut merged = merge(clip, &self.mouth, options);
+    /// Gives a merged clip that only had a lip-sync track the segments, texts and other elements of this clip.
+    fn set_own_segments(&self, merged: &mut MergedClip<'_>) {
         for element in &self.document.elements {
             let name = element.name.text.as_ref();
             if name == "visemes" || tag(name).is_some() {
                 set(&mut merged.document, name, element.clone());
             }
         }
-        self.add_elements(&mut merged);
-        merged
+        self.add_elements(merged);
     }
 
     /// Adds a text in a locale that the clip lacks.
@@ -89,9 +91,13 @@ impl ImportedClip {
 
     /// Adds the elements that the clip lacks.
     fn add_elements(&self, merged: &mut MergedClip<'_>) {
-        let is_of_mouth = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps") || tag(name).is_some();
+        let is_of_mouth =
+            |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "phones") || tag(name).is_some();
         for element in self.document.elements.iter().filter(|element| !is_of_mouth(&element.name.text)) {
             let name = element.name.text.as_ref();
+            if name == curve::ELEMENT && set_curves(&mut merged.document, &element.value) {
+                continue;
+            }
             let counts = |of: Option<&str>| of.map_or(1, segment_count);
             let message = match merged.document.get(name) {
                 Some(own) if own.value == element.value => continue,
@@ -108,6 +114,24 @@ impl ImportedClip {
             merged.diagnostics.push(Diagnostic::new(Code::ImportKept, message));
         }
     }
+}
+
+/// Replaces the curves of a recorded face in a clip, and keeps its other curves. Returns `false` if the clip has no
+/// valid curves.
+fn set_curves(document: &mut Document<'_>, recorded: &Value<'_>) -> bool {
+    let own = document.elements.iter_mut().find(|element| element.name.text == curve::ELEMENT);
+    let (Some(Element { value: own, .. }), Value::Other(recorded)) = (own, recorded) else { return false };
+    let Value::Other(before) = &*own else { return false };
+    let keys = |curve: &curve::Curve<'_>| curve.keys.iter().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
+    let mut diagnostics = Vec::new();
+    let parsed = (curve::parse(before, &mut diagnostics), curve::parse(recorded, &mut diagnostics));
+    // Invalid keys would get lost.
+    let (Some(before), Some(recorded), []) = (parsed.0, parsed.1, diagnostics.as_slice()) else { return false };
+    let is_recorded = |name: &str| recorded.iter().any(|curve| curve.name.text == name);
+    let kept = before.iter().filter(|curve| !is_recorded(&curve.name.text));
+    let all: Vec<_> = kept.chain(&recorded).map(|curve| (curve.name.text.as_ref(), keys(curve))).collect();
+    *own = Value::Other(RawJson::new(curve::write(all)));
+    true
 }
 
 /// Whether two texts are displayed with the same words, however they are divided.

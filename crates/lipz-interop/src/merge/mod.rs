@@ -12,7 +12,7 @@ use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, segment_count};
-use lipz_file::{Document, Value};
+use lipz_file::{Document, Value, phones};
 use lipz_types::VisemeType;
 
 /// The lip-sync track of a recording: codes, and the known times of its text.
@@ -31,13 +31,15 @@ pub struct Mouth {
     pub words: Vec<TimedText>,
     /// The phrases: stretches of text that belong together, ordered by time.
     pub phrases: Vec<TimedText>,
+    /// The value of the element `phones`, if the phones of the recording are known.
+    pub phones: Option<String>,
 }
 
 impl Mouth {
     /// Returns a lip-sync track that only has codes.
     pub fn new(codes: impl Into<String>, rate: Rate, viseme_type: VisemeType) -> Mouth {
         let (codes, words, phrases) = (codes_of(&codes.into()).collect(), Vec::new(), Vec::new());
-        Mouth { codes, rate, viseme_type, segment_starts: None, words, phrases }
+        Mouth { codes, rate, viseme_type, segment_starts: None, words, phrases, phones: None }
     }
 
     /// Sets the start of each segment except the first.
@@ -57,6 +59,12 @@ impl Mouth {
     pub fn phrases(self, phrases: Vec<TimedText>) -> Mouth {
         Mouth { phrases, ..self }
     }
+
+    /// Sets the value of the element `phones`.
+    #[must_use]
+    pub fn phones(self, phones: impl Into<Option<String>>) -> Mouth {
+        Mouth { phones: phones.into(), ..self }
+    }
 }
 
 /// The options of merging.
@@ -71,12 +79,14 @@ pub struct MergeOptions<'a> {
     pub default_rate: Option<Rate>,
     /// The type of files without `viseme_type`. Clips with this type do not need the element.
     pub default_viseme_type: Option<VisemeType>,
+    /// Whether an import adds phones to clips that have visemes, but no phones.
+    pub phones: bool,
 }
 
 impl Default for MergeOptions<'_> {
     fn default() -> Self {
         let (locale, default_rate, default_viseme_type) = (None, None, None);
-        MergeOptions { locale, min_pause: Time::new(300, 1000), default_rate, default_viseme_type }
+        MergeOptions { locale, min_pause: Time::new(300, 1000), default_rate, default_viseme_type, phones: false }
     }
 }
 
@@ -111,6 +121,12 @@ impl<'a> MergeOptions<'a> {
     pub fn default_viseme_type(self, default_viseme_type: impl Into<Option<VisemeType>>) -> Self {
         MergeOptions { default_viseme_type: default_viseme_type.into(), ..self }
     }
+
+    /// Sets whether an import adds phones to clips that have visemes, but no phones.
+    #[must_use]
+    pub fn phones(self, phones: bool) -> Self {
+        MergeOptions { phones, ..self }
+    }
 }
 
 /// A clip with a new lip-sync track.
@@ -123,7 +139,11 @@ pub struct MergedClip<'s> {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Replaces the lip-sync track of a clip: `visemes`, `viseme_type` and `fps`. All other elements stay, in order.
+/// Replaces the lip-sync track of a clip: `visemes`, `viseme_type`, `fps` and `phones`. All other elements stay, in
+/// order.
+///
+/// If the visemes change and the new track has no phones, the phones of the clip belong to another recording. They are
+/// removed, which a diagnostic reports (LZ1117).
 ///
 /// The clip keeps its segments. The first of these that applies determines where each of them starts: the segments of
 /// the new track, if it has the same number; the old positions, if the codes are unchanged; the phrases of the track,
@@ -149,6 +169,7 @@ pub fn merge<'s>(clip: &Document<'s>, mouth: &Mouth, options: &MergeOptions<'_>)
     parts.report_others(clip, &mut diagnostics);
     let starts = place::starts(&parts, clip, mouth, options, &mut diagnostics);
     let mut document = clip.clone();
+    set_phones(&mut document, mouth, &mut diagnostics);
     set_mouth(&mut document, divided(&mouth.codes, &starts), mouth, options);
     MergedClip { document, diagnostics }
 }
@@ -219,6 +240,22 @@ fn divided(codes: &str, starts: &[usize]) -> String {
         done = start;
     }
     divided + codes.get(done..).unwrap_or_default()
+}
+
+/// Replaces the phones, or removes those of another recording.
+fn set_phones(document: &mut Document<'_>, mouth: &Mouth, diagnostics: &mut Vec<Diagnostic>) {
+    if let Some(phones) = &mouth.phones {
+        return set(document, phones::ELEMENT, element(phones::ELEMENT, phones.clone()));
+    }
+    let is_new = document.string("visemes").is_some_and(|visemes| !codes_of(visemes).eq(mouth.codes.chars()));
+    let Some(old) = document.get(phones::ELEMENT).filter(|_| is_new) else { return };
+    let message = "the phones of the clip are removed because its visemes change";
+    diagnostics.push(
+        Diagnostic::at(Code::PhonesRemoved, old.value.span(), message)
+            .note("they have the times of the previous recording")
+            .help("run `lipz sync` with phones = true in the table [sync] to write the phones of the new recording"),
+    );
+    document.elements.retain(|element| element.name.text != phones::ELEMENT);
 }
 
 /// Replaces the elements of the lip-sync track. Values with the same meaning keep their spelling.

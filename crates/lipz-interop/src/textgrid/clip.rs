@@ -8,7 +8,7 @@ use super::roles::{TierRole, roles};
 use super::symbols::{ARPABET, IPA, Sound, Symbols, XSAMPA};
 use super::{Interval, TextGrid, Tier};
 use crate::import::element;
-use crate::{DEFAULT_RATE, Format, ImportOptions, Shape, Text, Time, TimedText, Track, find_map};
+use crate::{DEFAULT_RATE, Format, ImportOptions, Shape, StartedPhone, Text, Time, TimedText, Track, find_map};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::text::{DELIMITER, trim};
@@ -114,6 +114,8 @@ fn track(
     track.map = Some(symbols.table());
     let intervals = mouth.map_or(&[][..], |(_, tier)| &tier.intervals);
     track.shapes = shapes(intervals, symbols, origin, grid.end);
+    track.phones =
+        first(&|role| *role == TierRole::Phones).map(|(_, tier)| phones(tier, origin, grid.end)).unwrap_or_default();
     for (kind, shown) in [(Sound::Spoken, "one shape"), (Sound::Noise, "rest")] {
         let labels =
             quoted_labels(intervals.iter().map(|interval| &interval.label), |label| symbols.sound(label) == kind);
@@ -223,6 +225,14 @@ fn shapes(intervals: &[Interval], symbols: Symbols<'_>, origin: TimeOrigin, end:
         shapes.push(shape(gap, "", intervals.last().and_then(|last| last.span)));
     }
     shapes
+}
+
+/// Returns the phones of a tier, by the alphabet of its labels.
+fn phones(tier: &Tier, origin: TimeOrigin, end: Time) -> Vec<StartedPhone> {
+    let symbols = Symbols::of_phones(tier, None);
+    let Some(map) = find_map(symbols.table()) else { return Vec::new() };
+    let phone = |shape: Shape| Some(StartedPhone { start: shape.start, phone: map.phone(&shape.symbol)? });
+    shapes(&tier.intervals, symbols, origin, end).into_iter().filter_map(phone).collect()
 }
 
 /// Returns a tier cut at the end of the file, because a recording ends within the last frame of its lip-sync track.

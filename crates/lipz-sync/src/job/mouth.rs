@@ -29,7 +29,7 @@ pub(super) struct HeardMouth {
     pub(super) doubtful: Vec<(usize, u64)>,
     /// The mismatches between audio and script.
     mismatches: Vec<Mismatch>,
-    /// The value of the element `phones`, if the project wants it.
+    /// The value of the element `phones`, if there are phones.
     pub(super) phone_track: Option<String>,
     /// The alignment and the visemes, as a TextGrid.
     pub(super) grid: Option<String>,
@@ -84,8 +84,7 @@ pub(super) fn make(
     let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
     let Alignment { words, phones, .. } = alignment;
     let is_guessed = is_unwritten && !is_corrected;
-    let wants_phones = options.phones;
-    let phone_track = wants_phones.then(|| phone_track::text(&phones, is_guessed, sound.level_db())).flatten();
+    let phone_track = phone_track::text(&phones, is_guessed, sound.level_db());
     HeardMouth { codes, segment_starts, words, phones, phone_track, doubtful, mismatches, grid }
 }
 

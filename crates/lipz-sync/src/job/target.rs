@@ -35,15 +35,13 @@ pub(super) fn merged(
     let time = |&frame: &usize| Time::of_frame(frame as u64, rate(target.fps));
     let starts = || heard.segment_starts.iter().skip(1).map(time).collect::<Vec<_>>();
     let mouth = Mouth::new(heard.codes.as_str(), rate(target.fps), target.viseme_type)
-        .segment_starts((!script.words.is_empty()).then(starts));
+        .segment_starts((!script.words.is_empty()).then(starts))
+        .phones(heard.phone_track.clone().filter(|_| options.phones || target.before.get(phones::ELEMENT).is_some()));
     let merge_options = MergeOptions::new()
         .locale(target.locale)
         .default_rate(options.options.get_default_fps().map(rate))
         .default_viseme_type(options.options.get_default_viseme_type());
     let mut merged = merge(&divided(target), &mouth, &merge_options);
-    if let Some(phones) = &heard.phone_track {
-        set(&mut merged.document, phones::ELEMENT, phones);
-    }
     if let Some((name, _)) = &target.borrowed {
         merged.document.elements.retain(|element| element.name.text != *name);
     }
@@ -65,13 +63,4 @@ fn divided<'a>(target: &Target<'a>) -> Document<'a> {
         value: Value::String(JsonString::from(Cow::Borrowed(*text))),
     }));
     document
-}
-
-/// Sets the string of an element.
-fn set<'d>(document: &mut Document<'d>, name: &'static str, text: &'d str) {
-    let value = Value::String(JsonString::from(Cow::Borrowed(text)));
-    match document.elements.iter_mut().find(|element| element.name.text == name) {
-        Some(element) => element.value = value,
-        None => document.elements.push(Element { name: JsonString::from(Cow::Borrowed(name)), value }),
-    }
 }

@@ -60,7 +60,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale, help_heading = TEXT)]
     locale: Option<String>,
 
-    /// Segments of texts without `|`: phrases, pauses, sentences, none
+    /// Divide texts at phrases, pauses, sentences, none
     #[arg(long, value_enum, value_name = "WHERE", default_value_t = SegmentBoundaries::Phrases, help_heading = TEXT)]
     #[arg(hide_possible_values = true)]
     segments: SegmentBoundaries,
@@ -176,6 +176,7 @@ impl Settings<'_> {
             .min_pause(self.flags.min_pause)
             .default_rate(self.project.get_default_fps().map(formats::rate))
             .default_viseme_type(self.project.get_default_viseme_type())
+            .phones(self.sync.phones)
     }
 
     /// Returns the locale of texts without a locale of their own.
