@@ -69,7 +69,7 @@ mod util;
 #[cfg(any(feature = "diff", feature = "ids", feature = "inspect", feature = "json", feature = "stats"))]
 mod views;
 
-pub use bank::{Coverage, Documents, SplitBank, Stack, VoiceBanks, VoiceCoverage};
+pub use bank::{ClipWeights, Coverage, Documents, SplitBank, Stack, VoiceBanks, VoiceCoverage};
 #[cfg(feature = "unpack")]
 pub use bank::{Unpacked, unpack};
 pub use bank::{coverage, dialogue_of, shortfalls, voice_coverage, voice_coverage_of};

@@ -7,7 +7,7 @@ use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space};
-use lipz_file::{Document, Element, Value};
+use lipz_file::{Document, Element, Value, curve, phones};
 use lipz_types::VisemeType;
 
 /// The options of an export.
@@ -99,7 +99,7 @@ pub fn export(format: &Format, document: &Document<'_>, options: &ExportOptions<
     let diagnostics = &mut exported.diagnostics;
     let Some(write) = format.write else { return exported };
     let Some((track, map)) = track(format, document, options, diagnostics) else { return exported };
-    exported.left_out = left_out(document, format.keeps_texts);
+    exported.left_out = left_out(document, format.keeps_texts, options.tiers);
     exported.map = map.label();
     exported.bytes = Some(write(&track, &mut exported.diagnostics));
     exported
@@ -247,17 +247,22 @@ fn report_merged(codes: &[u8], map: &Map, diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Returns the parts of the document that a format of mouth shapes cannot store.
-fn left_out(document: &Document<'_>, keeps_texts: bool) -> Vec<&'static str> {
+/// Returns the parts of the document that a format of mouth shapes cannot store, with these additional tiers.
+fn left_out(document: &Document<'_>, keeps_texts: bool, tiers: &[Tier]) -> Vec<&'static str> {
     let has = |is: &dyn Fn(&str) -> bool| document.elements.iter().any(|element| is(&element.name.text));
     let is_text = |name: &str| text_name(name).is_some();
-    let is_known = |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "events") || is_text(name);
-    let parts: [(&'static str, bool); 4] = [
-        ("segments", document.string("visemes").is_some_and(|visemes| visemes.contains(DELIMITER))),
-        ("texts", has(&is_text)),
-        ("events", document.get("events").is_some()),
+    let is_known = |name: &str| {
+        matches!(name, "visemes" | "viseme_type" | "fps" | "events" | phones::ELEMENT | curve::ELEMENT) || is_text(name)
+    };
+    let is_divided = document.string("visemes").is_some_and(|visemes| visemes.contains(DELIMITER));
+    let has_phone_tier = tiers.iter().any(|tier| tier.name == phones::ELEMENT);
+    let parts: [(&'static str, bool); 6] = [
+        ("segments", is_divided && !keeps_texts),
+        ("texts", has(&is_text) && !keeps_texts),
+        ("events", document.get("events").is_some() && !keeps_texts),
+        ("phones", document.get(phones::ELEMENT).is_some() && !has_phone_tier),
+        ("curves", document.get(curve::ELEMENT).is_some()),
         ("unknown elements", has(&|name| !is_known(name))),
     ];
-    let parts = parts.into_iter().skip(if keeps_texts { 3 } else { 0 });
-    parts.filter(|(_, is_there)| *is_there).map(|(what, _)| what).collect()
+    parts.into_iter().filter(|(_, is_there)| *is_there).map(|(what, _)| what).collect()
 }

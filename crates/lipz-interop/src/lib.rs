@@ -33,6 +33,7 @@ pub mod subtitles;
 pub mod textgrid;
 mod time;
 mod track;
+pub mod weights;
 mod xml;
 
 pub use encoding::to_utf8;

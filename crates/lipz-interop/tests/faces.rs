@@ -62,14 +62,12 @@ fn every_weight_is_exact_at_the_rate_of_the_file() {
 }
 
 #[test]
-fn weights_that_are_always_0_are_told() {
+fn weights_that_are_always_0_have_curves_too() {
     let csv = "sil,PP,FF,TH,DD,kk,CH,SS,nn,RR,aa,E,ih,oh,ou\n0.9,0,0,0,0,0,0,0,0,0,0.1,0,0,0,0\n";
     let clip = imported("ovr", csv, &ImportOptions::new());
-    assert_eq!((values(&clip.document, "sil", 1), values(&clip.document, "aa", 1)), (vec![900], vec![100]));
-    assert_eq!(
-        clip.remarks,
-        ["2 weights become curves, rounded to thousandths", "13 weights that are always 0 are left out"]
-    );
+    let of = |name| values(&clip.document, name, 1);
+    assert_eq!((of("sil"), of("aa"), of("PP")), (vec![900], vec![100], vec![0]));
+    assert_eq!(clip.remarks, ["15 weights become curves, rounded to thousandths"]);
 }
 
 #[test]

@@ -84,10 +84,10 @@ static HERE: [Step; 19] = [
     Step::cargo("fuzz-lock", "tree --locked --depth 0 --manifest-path fuzz/Cargo.toml"),
     Step::task("deny"),
     Step::task("packages"),
-    // `cargo test` skips this and the next step if their tools are missing.
+    // Files read by other projects. `cargo test` skips this and the next step if their tools are missing.
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),
-        ..Step::cargo("translators", "test --workspace --test texts_elsewhere --locked --quiet")
+        ..Step::cargo("translators", "test --workspace --test texts_elsewhere --test weights --locked --quiet")
     },
     Step {
         program: Program::CargoWith("LIPZ_TOOLS", "required"),

@@ -1,5 +1,6 @@
 //! Banks: made from clips, split, stacked, measured, and converted back to documents.
 
+mod clip_weights;
 pub(crate) mod coverage;
 pub(crate) mod decompile;
 pub(crate) mod dialogue;
@@ -12,6 +13,8 @@ mod unpack;
 pub(crate) mod verify;
 mod voice_coverage;
 
+pub use clip_weights::ClipWeights;
+pub(crate) use clip_weights::bake;
 pub use coverage::{Coverage, coverage, shortfalls};
 pub use decompile::Documents;
 pub use layers::{Stack, VoiceBanks, dialogue_of};

@@ -66,7 +66,7 @@ pub(crate) fn check(
         clip.has_visemes = true;
         visemes::frames(string, expected, clip, diagnostics);
     }
-    let curves = roles.curves.map(|value| curves::curves(value, &options.known_names, clip, diagnostics));
+    let curves = roles.curves.map(|value| curves::curves(value, options, clip, diagnostics));
     if let Some(string) = roles.phones {
         phones::phones(string, clip, diagnostics);
     }
@@ -148,7 +148,7 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         );
         bank_limits::for_texts(text.string, &clip.displays, &mut found);
     }
-    roles.curves.into_iter().for_each(|value| drop(curves::curves(value, &options.known_names, &mut clip, &mut found)));
+    roles.curves.into_iter().for_each(|value| drop(curves::curves(value, options, &mut clip, &mut found)));
     roles.phones.into_iter().for_each(|string| phones::phones(string, &mut clip, &mut found));
     roles.events.into_iter().for_each(|string| drop(events::trimmed(string, options, &mut found)));
     found.iter_mut().for_each(|diagnostic| diagnostic.retain_fixes(|_| false));

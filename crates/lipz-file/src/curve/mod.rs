@@ -18,7 +18,7 @@ mod write;
 pub use add::add;
 pub use key::Key;
 pub(crate) use key::thousandths;
-pub use names::{ARKIT, is_arkit};
+pub use names::{ARKIT, LIVE_LINK_ANGLES, is_arkit};
 pub use sampled::sampled;
 #[cfg(feature = "format")]
 pub(crate) use write::tidy;

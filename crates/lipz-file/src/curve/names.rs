@@ -56,6 +56,19 @@ pub const ARKIT: [&str; 52] = [
     "tongueOut",
 ];
 
+/// The angles of head and eyes that Live Link Face records in addition to the shapes of ARKit.
+pub const LIVE_LINK_ANGLES: [&str; 9] = [
+    "HeadYaw",
+    "HeadPitch",
+    "HeadRoll",
+    "LeftEyeYaw",
+    "LeftEyePitch",
+    "LeftEyeRoll",
+    "RightEyeYaw",
+    "RightEyePitch",
+    "RightEyeRoll",
+];
+
 /// Whether a name is one of [`ARKIT`], possibly capitalised as in Unreal's Live Link (`JawOpen`).
 pub fn is_arkit(name: &str) -> bool {
     let mut rest = name.chars();

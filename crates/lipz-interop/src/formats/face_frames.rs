@@ -18,7 +18,7 @@ const REST: &str = "rest";
 const FLOOR: f32 = 0.15;
 
 /// The largest weight. Curves store weights in thousandths of 32 bits.
-const LARGEST: f32 = 2_000_000.0;
+pub(super) const LARGEST: f32 = 2_000_000.0;
 /// The curve that is the loudness of a face (rms).
 const JAW: &str = "jawOpen";
 

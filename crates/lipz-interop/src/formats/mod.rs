@@ -7,6 +7,8 @@ mod azure;
 mod bohemia;
 mod cartesia;
 mod face_frames;
+mod glb;
+mod gltf;
 mod kotor;
 mod lipz_editor;
 mod lipz_txt;
@@ -80,6 +82,7 @@ pub const ALL: &[Format] = &[
     live_link::FORMAT,
     audio2face::FORMAT,
     arkit_json::FORMAT,
+    gltf::FORMAT,
     textgrid::clip::FORMAT,
     lipz_txt::FORMAT,
     lipz_editor::FORMAT,

@@ -9,10 +9,11 @@ use lipz_types::CurveValue;
 /// The element with the curves, and the accuracy of their values.
 pub(super) struct FaceCurves {
     pub(super) element: Element<'static>,
-    pub(super) remarks: Vec<String>,
+    pub(super) remark: String,
 }
 
-/// Returns the curves of weights that are not always 0, for a clip with this number of frames.
+/// Returns the curves of all weights, for a clip with this number of frames. Weights that are always 0 have curves, too,
+/// because programs compute weights without a curve.
 ///
 /// If no two rows belong to the same frame, the row of a frame has its values. Otherwise, values between two rows are
 /// interpolated.
@@ -25,18 +26,14 @@ pub(super) fn curves(weights: FaceWeights, frames: usize, rate: Rate) -> Option<
     if is_exact {
         rows.iter_mut().zip(nearest).for_each(|(row, frame)| row.start = frame);
     }
-    if rows.is_empty() || frames == 0 {
+    if rows.is_empty() || names.is_empty() || frames == 0 {
         return None;
     }
     let positions: Vec<Position> = positions(&rows, frames, rate);
-    let mut moving = Vec::new();
-    let (mut still, mut error) = (0, 0_f32);
+    let mut curves = Vec::with_capacity(names.len());
+    let mut error = 0_f32;
     for (index, name) in names.iter().enumerate() {
         let of_row = |row: usize| rows.get(row).and_then(|row| row.weights.get(index)).copied().unwrap_or_default();
-        if rows.iter().enumerate().all(|(row, _)| thousandths(of_row(row)) == 0) {
-            still += 1;
-            continue;
-        }
         let value = |at: &Position| of_row(at.row) + (of_row(at.row + 1) - of_row(at.row)) * at.share;
         let samples: Vec<CurveValue> =
             positions.iter().map(|at| CurveValue::from_thousandths(thousandths(value(at)))).collect();
@@ -45,9 +42,9 @@ pub(super) fn curves(weights: FaceWeights, frames: usize, rate: Rate) -> Option<
                 error.max((of_row(row) - at_time(&samples, *start, rate)).abs())
             });
         }
-        moving.push((name.as_str(), curve::sampled(&samples, 0)));
+        curves.push((name.as_str(), curve::sampled(&samples, 0)));
     }
-    let mut remark = match moving.len() {
+    let mut remark = match curves.len() {
         1 => "1 weight becomes a curve".to_owned(),
         count => format!("{count} weights become curves"),
     };
@@ -55,16 +52,7 @@ pub(super) fn curves(weights: FaceWeights, frames: usize, rate: Rate) -> Option<
     if !is_exact {
         remark += &format!("; they differ from the file by at most {error:.3}, because it has more frames");
     }
-    let left_out = match still {
-        0 => None,
-        1 => Some("1 weight that is always 0 is left out".to_owned()),
-        count => Some(format!("{count} weights that are always 0 are left out")),
-    };
-    if moving.is_empty() {
-        return None;
-    }
-    let element = object(curve::ELEMENT, curve::write(moving));
-    Some(FaceCurves { element, remarks: [remark].into_iter().chain(left_out).collect() })
+    Some(FaceCurves { element: object(curve::ELEMENT, curve::write(curves)), remark })
 }
 
 /// A position between two rows.

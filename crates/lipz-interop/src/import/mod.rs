@@ -184,7 +184,7 @@ fn clip(
     document.elements.extend(phones.map(|phones| element(lipz_file::phones::ELEMENT, phones)));
     if let Some(curves) = curves::curves(track.weights, frames, rate) {
         document.elements.push(curves.element);
-        remarks.extend(curves.remarks);
+        remarks.push(curves.remark);
     }
     Some(ImportedClip { name: track.name, document, mouth, texts, map, rate, frames, lost, remarks })
 }

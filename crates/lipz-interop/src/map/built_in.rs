@@ -29,6 +29,7 @@ tables! {
     "rhubarb-toonboom"
     "rms"
     "toonboom"
+    "vrm"
     "xsampa"
 }
 

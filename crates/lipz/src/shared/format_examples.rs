@@ -27,6 +27,7 @@ const EXAMPLES: &[(&str, &str, Option<&str>)] = &[
     ("live-link", "takes/*.csv --fps 30 -o voices", None),
     ("audio2face", "takes/*.json -o voices", None),
     ("arkit-json", "takes/*.json --file-rate 60 -o voices", None),
+    ("gltf", "animations/*.vrma -o voices", None),
     ("ovr", "dumps/*.csv --file-rate 60 --fps 30 -o voices", None),
     ("textgrid", "aligned/*.TextGrid --fps 30 -o voices", Some("voices -o aligned")),
     ("lipz-txt", "audio/*.lipz.txt -o voices", None),

@@ -15,6 +15,7 @@ pub(crate) mod locales;
 pub(crate) mod output_file;
 pub(crate) mod patterns;
 pub(crate) mod rewrite_mode;
+pub(crate) mod rig;
 pub(crate) mod run_flags;
 pub(crate) mod script_file;
 pub(crate) mod set_file;

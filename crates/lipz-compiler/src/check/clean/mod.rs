@@ -227,6 +227,7 @@ fn are_possible(options: &Options) -> bool {
         viseme_type,
         pseudo,
         gestures,
+        baked_rig,
         // A check covers these.
         text_limits: _,
         // The pass follows these.
@@ -253,7 +254,8 @@ fn are_possible(options: &Options) -> bool {
         rigs: _,
         recordings: _,
     } = options;
-    viseme_type.is_none() && !pseudo && gestures.keys != GestureKeys::Words && !checks::may_report_all(options)
+    let adds_curves = gestures.keys == GestureKeys::Words || baked_rig.is_some();
+    viseme_type.is_none() && !pseudo && !adds_curves && !checks::may_report_all(options)
 }
 
 /// Refuses an element that appears again.

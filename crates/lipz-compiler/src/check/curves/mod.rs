@@ -3,7 +3,7 @@
 mod ranges;
 
 use crate::clip::ClipData;
-use crate::project::KnownNames;
+use crate::project::{Options, rigs};
 use lipz_bank::face::{Emotion, FaceCurve};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use lipz_file::{RawJson, curve};
@@ -15,7 +15,7 @@ const SLIPS: usize = 2;
 /// Adds the curves of an element with this value to the clip, whose frames are known.
 pub(super) fn curves(
     value: &RawJson<'_>,
-    known_names: &KnownNames,
+    options: &Options,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> OfFile {
@@ -23,7 +23,7 @@ pub(super) fn curves(
     let mut curves = curve::parse(value, diagnostics).unwrap_or_default();
     curves.sort_by(|a, b| a.name.text.cmp(&b.name.text));
     for curve in &curves {
-        diagnostics.extend(unknown(curve, known_names));
+        diagnostics.extend(unknown(curve, options));
         diagnostics.extend(outside(curve, clip));
         diagnostics.extend(ranges::outside(curve));
         clip.curves.push(&curve.name.text, curve.keys.iter().map(|key| (key.frame, key.value)));
@@ -62,15 +62,17 @@ fn outside(curve: &curve::Curve<'_>, clip: &ClipData) -> Option<Diagnostic> {
 }
 
 /// Returns the diagnostic for a name that programs are unlikely to read.
-fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnostic> {
+fn unknown(curve: &curve::Curve<'_>, options: &Options) -> Option<Diagnostic> {
     let name: &str = &curve.name.text;
     // The curves of characters other than the speaker start with the name of the character.
     let (who, what) = who_and_what(name);
     let of_somebody = |name: &str| Emotion::from_name(name).is_some() || FaceCurve::from_name(name).is_some();
-    let registered = known_names.curves.as_ref();
+    let registered = options.known_names.curves.as_ref();
     let is_known = registered.is_some_and(|names| names.contains(name))
         || (who != "." && of_somebody(what))
-        || curve::is_arkit(name);
+        || curve::is_arkit(name)
+        || curve::LIVE_LINK_ANGLES.contains(&name)
+        || rigs::has_curve(name, &options.rigs);
     if is_known {
         return None;
     }
@@ -97,8 +99,8 @@ fn unknown(curve: &curve::Curve<'_>, known_names: &KnownNames) -> Option<Diagnos
     };
     let diagnostic = Diagnostic::at(Code::UnknownCurve, curve.name.span(), message);
     let diagnostic = diagnostic.note(
-        "the known curves are the emotions, the curves of docs/guides/faces.md, the 52 blend shapes \
-        of ARKit and the registered curves",
+        "the known curves are the emotions, the curves of docs/guides/faces.md, the articulators, the weights of \
+         rigs, the 52 blend shapes of ARKit and the registered curves",
     );
     let Some(near) = near.map(|near| format!("{who}{near}")) else {
         return Some(diagnostic.help("add it to `curves` in `[registry]` of lipz.toml if your rig has it"));

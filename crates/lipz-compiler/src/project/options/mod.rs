@@ -20,7 +20,7 @@ use crate::project::articulation::ArticulationSettings;
 use crate::project::babble::BabbleProfiles;
 use crate::project::face::FaceProfileSettings;
 use crate::project::pseudo_locale::locale_for;
-use crate::project::rigs::RigSettings;
+use crate::project::rigs::{RigSettings, WeightSpec};
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
@@ -88,6 +88,8 @@ pub struct Options {
     pub(crate) articulation: ArticulationSettings,
     /// The shapes of models.
     pub(crate) rigs: RigSettings,
+    /// The name and the weights of the rig whose weights become curves.
+    pub(crate) baked_rig: Option<(String, Vec<WeightSpec>)>,
     /// The conversion of emotions in texts and events to curves.
     pub(crate) emotions: EmotionOptions,
     /// The movements of faces during speech and listening.

@@ -4,7 +4,7 @@ use super::{EmotionOptions, FileLevels, Gestures, KnownNames, LocaleError, MinCo
 use crate::project::articulation::ArticulationSettings;
 use crate::project::babble::BabbleProfiles;
 use crate::project::face::FaceProfileSettings;
-use crate::project::rigs::RigSettings;
+use crate::project::rigs::{RigSettings, WeightSpec};
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
@@ -160,6 +160,13 @@ impl Options {
     #[must_use]
     pub fn rigs(self, rigs: RigSettings) -> Options {
         Options { rigs, ..self }
+    }
+
+    /// Sets the rig whose weights become ordinary curves of all clips with frames and a frame rate, for programs that do
+    /// not compute weights. Curves of the files with the same names stay.
+    #[must_use]
+    pub fn baked_rig(self, rig: impl Into<Option<(String, Vec<WeightSpec>)>>) -> Options {
+        Options { baked_rig: rig.into(), ..self }
     }
 
     /// Sets the conversion of emotions in texts and events to curves.

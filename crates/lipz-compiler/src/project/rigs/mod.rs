@@ -4,6 +4,8 @@ mod parse;
 
 pub use parse::{RigError, WeightSpec, inputs, weight};
 
+use lipz_bank::articulation::Articulator;
+use lipz_diagnostics::suggest::nearest;
 use lipz_layout::{RigRecord, RigTermRecord, RigWeightRecord};
 use std::collections::BTreeMap;
 use zerocopy::IntoBytes;
@@ -37,6 +39,31 @@ pub fn built_in(name: &str) -> Option<Vec<WeightSpec>> {
 
 /// The rigs of a project by name, each with its weights.
 pub type RigSettings = BTreeMap<String, Vec<WeightSpec>>;
+
+/// Returns the weights of the rig of a project with this name, or of the built-in one.
+///
+/// # Errors
+/// If neither exists: a help line with a similar name, or with all names.
+pub fn named(name: &str, project: &RigSettings) -> Result<Vec<WeightSpec>, String> {
+    project.get(name).cloned().or_else(|| built_in(name)).ok_or_else(|| {
+        let known: Vec<&str> = project.keys().map(String::as_str).chain(BUILT_IN.map(|(name, _)| name)).collect();
+        match nearest(name, known.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("name one of {}, or describe the rig in lipz.toml", known.join(", ")),
+        }
+    })
+}
+
+/// Whether a curve has the name of an articulator, or of a weight of a project's or a built-in rig.
+pub(crate) fn has_curve(name: &str, project: &RigSettings) -> bool {
+    let is_built_in = |text: &str| {
+        let names = text.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once(" = "));
+        names.map(|(name, _)| name.split(" [").next().unwrap_or(name)).any(|known| known == name)
+    };
+    Articulator::ALL.iter().any(|articulator| articulator.name() == name)
+        || project.values().flatten().any(|weight| weight.name == name)
+        || BUILT_IN.iter().any(|(_, text)| is_built_in(text))
+}
 
 /// Returns the section of the bank; empty without rigs. Settings limit names and counts to what fits.
 pub(crate) fn section(rigs: &RigSettings) -> Vec<u8> {

@@ -36,12 +36,14 @@ pub(super) fn read_over(
         diagnostics: Vec::new(),
         groups: Levels::new(),
         levels: BTreeMap::new(),
+        baked: None,
         locales: BTreeSet::new(),
     };
     let before = std::mem::take(&mut reading.settings.options.levels);
     for table in TABLES {
         reading.table(table, root.get_ref());
     }
+    reading.resolve_baked_rig();
     reading.unknown_names("", root.get_ref());
     let SettingsReader { mut settings, groups: mut levels, diagnostics: mut found, .. } = reading;
     levels.extend(std::mem::replace(&mut settings.options.levels, before));

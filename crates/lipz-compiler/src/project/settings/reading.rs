@@ -22,6 +22,8 @@ pub(super) struct SettingsReader<'t> {
     pub(super) groups: Levels,
     /// The position of each level.
     pub(super) levels: BTreeMap<Code, Span>,
+    /// The name of the rig to bake, and its position, until all rigs are read.
+    pub(super) baked: Option<(String, Span)>,
     /// The entries read with a locale as key, by table and locale.
     pub(super) locales: BTreeSet<(&'static str, String)>,
 }

@@ -2,7 +2,7 @@
 
 use super::reading::SettingsReader;
 use super::value::{NamedValue, span};
-use crate::project::rigs::{RigError, WeightSpec, built_in, built_in_names, inputs, weight};
+use crate::project::rigs::{RigError, WeightSpec, built_in, built_in_names, inputs, named, weight};
 use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
 use toml::de::DeValue;
 
@@ -77,6 +77,18 @@ impl SettingsReader<'_> {
             Err(RigError::Syntax) => {
                 self.refuse(value, "is not a sum of terms", "write terms, such as 0.35 opening - 0.2 jaw*closure");
                 None
+            }
+        }
+    }
+
+    /// Finds the rig to bake among those of the project and the built-in ones.
+    pub(super) fn resolve_baked_rig(&mut self) {
+        let Some((name, span)) = self.baked.take() else { return };
+        match named(&name, &self.settings.options.rigs) {
+            Ok(weights) => self.settings.options.baked_rig = Some((name, weights)),
+            Err(help) => {
+                let message = format!("there is no rig {} to bake", escape::quoted(&name));
+                self.diagnostics.push(Diagnostic::at(Code::SettingValue, span, message).help(help));
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::earlier_run::{EarlierFiles, EarlierRun, RecalledClip};
 use super::{Lint, Phases};
+use crate::bank::bake;
 use crate::check::{self, CleanFiles, ClipSpeech, convert};
 use crate::clip::{Batches, ClipData, Locales, source_record};
 use crate::files::FileReader;
@@ -108,14 +109,9 @@ impl<'o> Worker<'o> {
         self.phases.parse += self.stopwatch.time();
         let options = self.options.of(|| input.name());
         let is_made = match document {
-            Some(document) => make_clip(
-                &document,
-                options,
-                ClipSpeech::of(&input.key, options),
-                self.clips.locales(),
-                &mut self.clip,
-                &mut diagnostics,
-            ),
+            Some(document) => {
+                make_clip(&document, &input.key, options, self.clips.locales(), &mut self.clip, &mut diagnostics)
+            }
             None => {
                 fragment.iter().for_each(|fragment| check::fragment(fragment, options, &mut diagnostics));
                 options.levels.apply(&mut diagnostics);
@@ -150,16 +146,17 @@ impl<'o> Worker<'o> {
 /// which leave the clip unusable.
 fn make_clip(
     document: &Document<'_>,
+    key: &str,
     options: &Options,
-    spoken: ClipSpeech<'_>,
     locales: &mut Locales,
     clip: &mut ClipData,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> bool {
-    check::check(document, options, spoken, locales, clip, diagnostics);
+    check::check(document, options, ClipSpeech::of(key, options), locales, clip, diagnostics);
     if has_errors(options, diagnostics) {
         return false;
     }
+    bake(key, clip, options);
     if let Some(packed) = &options.locales {
         clip.keep_texts(packed, locales, options);
     }

@@ -3,13 +3,15 @@
 mod subtitles;
 mod texts;
 mod visemes;
+mod weights;
 
 use clap::Args;
 
-/// Export visemes, texts for translators, or subtitles.
+/// Export visemes, weights of 3D faces, texts for translators, or subtitles.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz export visemes moho voices -o switches
+  lipz export weights gltf voices -o animations
   lipz export texts po voices --locale de-de -o de-de.po
   lipz export subtitles vtt voices -o subtitles")]
 pub(crate) struct Export {
@@ -20,6 +22,7 @@ pub(crate) struct Export {
 subcommands! {
     Export.kind: ExportKind {
         Visemes(visemes::ExportVisemes),
+        Weights(weights::ExportWeights),
         Texts(texts::ExportTexts),
         Subtitles(subtitles::ExportSubtitles),
     }

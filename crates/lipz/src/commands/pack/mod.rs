@@ -63,6 +63,10 @@ pub(crate) struct PackArguments {
     #[arg(long, requires = "over")]
     keep_others: bool,
 
+    /// Add the weights of a rig as curves, for programs that do not compute them
+    #[arg(long, value_name = "RIG")]
+    bake: Option<String>,
+
     /// Write the dependencies of the bank to FILE, for Make, Ninja and CMake
     #[arg(long, value_name = "FILE")]
     depfile: Option<PathBuf>,

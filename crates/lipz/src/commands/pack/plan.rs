@@ -8,7 +8,7 @@ use crate::reporter::Reporter;
 use crate::shared::inputs::{FoundInputs, RunResult, with_found, with_inputs};
 use crate::shared::settings_file::Project;
 use crate::shared::split::Split;
-use crate::shared::{output_file, stdio};
+use crate::shared::{output_file, rig, stdio};
 use crate::{Outcome, console};
 use lipz_compiler::{Compiled, Compiler, DeliveredFiles, Input, Memory, Phases, Replace, dependencies, depfile};
 use lipz_sync::FactsCache;
@@ -55,6 +55,10 @@ impl Plan {
         let mut project = arguments.sources.project(reporter)?;
         let settings = &mut project.settings;
         arguments.audio.apply(&mut settings.audio, reporter)?;
+        if let Some(name) = &arguments.bake {
+            let rig = rig::named(name, &settings.options, reporter)?;
+            settings.options = mem::take(&mut settings.options).baked_rig(rig);
+        }
         let output = match (&arguments.output, &settings.output) {
             (Some(output), _) => output.clone(),
             (None, Some(output)) if stdio::is_meant(output) => {

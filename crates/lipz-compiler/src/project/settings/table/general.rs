@@ -151,4 +151,12 @@ pub(super) const GENERAL: &[Setting] = &[
         example: "false",
         read: |value, to| to.settings.options.strip = value.boolean(&mut to.diagnostics).unwrap_or_default(),
     },
+    Setting {
+        name: "bake",
+        flat_name: "bake",
+        about: "Rig whose weights become ordinary curves in the bank, for programs that do not compute weights.",
+        default: "no rig; programs compute weights",
+        example: "\"arkit\"",
+        read: |value, to| to.baked = value.text(&mut to.diagnostics).map(|name| (name.to_owned(), value.span())),
+    },
 ];
