@@ -1,6 +1,6 @@
 /** Drawn faces for pages of games, previews and pictures, as SVG in a page or as text. */
 
-import type { Emotion, Viseme, VisemeType } from "./lipz.js";
+import type { Articulation, Emotion, Viseme, VisemeType } from "./lipz.js";
 
 /**
  * The pose of a face. Missing members are neutral, and numbers are clamped to their range. Angles are in degrees: pitch
@@ -11,6 +11,8 @@ export interface Pose {
   /** The mouth shape; rest if it is undefined or not a code of the type. */
   readonly viseme?: Viseme;
   readonly visemeType?: VisemeType | undefined;
+  /** The movement of the mouth instead of a viseme, with values from 0 to 1: `clip.articulationAt(time)`. */
+  readonly articulation?: Readonly<Partial<Articulation>> | undefined;
   /** Values from 0 to 10, whose effects are added: `clip.emotionsAt(time).values`. */
   readonly emotions?: Readonly<Partial<Record<Emotion, number>>>;
   /** The closure of the lids, from 0 to 1. */

@@ -6,7 +6,7 @@
 use lipz_testkit::exercise;
 use lipz_testkit::golden::dump;
 use lipz_testkit::golden::{
-    CURVES, DRAMA, DUBBED, FACES, LONG, PHONES, RECORDED, SMALL, SPECIALS, STRIPPED, WIDE, verified,
+    CURVES, DRAMA, DUBBED, FACES, LONG, PHONES, RECORDED, RIGS, SMALL, SPECIALS, STRIPPED, WIDE, verified,
 };
 use std::path::Path;
 
@@ -60,6 +60,11 @@ fn faces() {
 #[test]
 fn phones() {
     check(PHONES, "phones.dump");
+}
+
+#[test]
+fn rigs() {
+    check(RIGS, "rigs.dump");
 }
 
 #[test]

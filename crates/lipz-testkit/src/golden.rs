@@ -14,6 +14,8 @@ pub static FACES: &[u8] = include_bytes!("../../../fixtures/banks/v1/faces.lipzb
 pub static SPECIALS: &[u8] = include_bytes!("../../../fixtures/banks/v1/specials.lipzbank");
 /// Phones, articulation profiles and rigs.
 pub static PHONES: &[u8] = include_bytes!("../../../fixtures/banks/v1/phones.lipzbank");
+/// All built-in rigs, and every English phone.
+pub static RIGS: &[u8] = include_bytes!("../../../fixtures/banks/v1/rigs.lipzbank");
 /// A line with a dub, which another voice falls back to.
 pub static DUBBED: &[u8] = include_bytes!("../../../fixtures/banks/v1/dubbed.lipzbank");
 pub static DRAMA: &[u8] = include_bytes!("../../../fixtures/banks/v1/drama.lipzbank");

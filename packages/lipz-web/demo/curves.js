@@ -32,18 +32,17 @@ export class Curves {
     onDrag(element, (x) => this.#timeAt(x), scrub, ({ target }) => Boolean(target.closest("summary")));
   }
 
-  /** Shows the curves of a clip, if it has any. */
-  show(clip) {
+  /** Shows the curves of a clip, if it has any, or other ones. */
+  show(clip, curves = clip.curves, title = curves.length === 1 ? "1 curve" : `${curves.length} curves`, isOpen = curves.length <= MOST_OPEN) {
     this.#clip = clip;
-    const { curves } = clip;
     this.#element.hidden = curves.length === 0;
     const felt = EMOTIONS.map((name) => curves.find((curve) => curve.name === name)).filter(Boolean);
     this.#band.toggleAttribute("hidden", felt.length === 0);
     this.#band.replaceChildren(...areasOf(felt, clip.frameCount).map(area));
     this.#rows = curves.map((curve, index) => row(curve, index, clip.frameCount));
     this.#list.replaceChildren(...this.#rows.map(({ item }) => item));
-    this.#summary.textContent = curves.length === 1 ? "1 curve" : `${curves.length} curves`;
-    this.#element.querySelector("details").open = curves.length <= MOST_OPEN;
+    this.#summary.textContent = title;
+    this.#element.querySelector("details").open = isOpen;
     this.look(this.#view);
   }
 

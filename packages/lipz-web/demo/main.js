@@ -3,6 +3,7 @@
 import { FaceDrawing, VISEMES } from "../face.js";
 import { openDialogue } from "../lipz.js";
 import { asked, follow, forget } from "./address.js";
+import { Articulators } from "./articulators.js";
 import { Clips } from "./clips.js";
 import { Clock } from "./clock.js";
 import { onFiles, opened } from "./files.js";
@@ -24,7 +25,8 @@ const $ = (id) => document.getElementById(id);
 const clock = new Clock();
 const face = new FaceDrawing($("face"));
 const curves = new Curves($("curves"), scrub);
-const timeline = new Timeline($("timeline"), scrub, (view) => curves.look(view));
+const articulators = new Articulators($("articulation"), scrub);
+const timeline = new Timeline($("timeline"), scrub, (view) => [curves, articulators].forEach((box) => box.look(view)));
 const clips = new Clips($("clip"), $("clips"), (key) => choose(key));
 
 let dialogue;
@@ -53,6 +55,7 @@ function choose(key, time = 0) {
   clock.load(clip.duration, levels);
   timeline.show(clip, levels, locale());
   curves.show(clip);
+  articulators.show(clip);
   seek(time);
 }
 
@@ -124,6 +127,7 @@ function show() {
   face.show(poseAt(cursor, time));
   timeline.mark(time, segment, text?.text, feeling);
   curves.mark(time);
+  articulators.mark(time);
   $("feeling").textContent = feeling;
   $("viseme").textContent = viseme;
   $("viseme").title = $("viseme").ariaLabel = `Mouth shape ${viseme}: ${VISEMES[clip.visemeType][viseme] ?? "none"}`;
@@ -229,6 +233,7 @@ function replace(found) {
   clock.load(clip.duration, levels);
   timeline.update(clip, levels, locale());
   curves.show(clip);
+  articulators.show(clip);
   show();
 }
 

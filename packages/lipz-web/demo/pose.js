@@ -13,6 +13,9 @@ const UP = 8;
 /** The seconds for which eyes stay on a target of `sees`: one, as in the built-in profile for any target. */
 const SEEN = 1;
 
+/** Curves of ARKit that every recorded face has. */
+const RECORDED = ["jawOpen", "mouthClose", "mouthFunnel"];
+
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** Returns a function from a time and a cursor to the pose. The curves of the clip are looked up only once. */
@@ -22,6 +25,9 @@ export function posesOf(clip) {
   // Without curves of emotion, the word in an event sets the face: `feels sad`.
   const isFelt = others.length < curves.length;
   const sights = sightsOf(clip);
+  const names = new Set(others.map(({ name }) => name));
+  // Curves of a recorded face move the whole mouth. Without them, it moves as in a game.
+  const isRecorded = RECORDED.every((name) => names.has(name));
   return (cursor, time) => {
     const { feels, staresAt } = cursor.state();
     const last = sights.filter(({ since }) => since <= time).at(-1);
@@ -29,7 +35,8 @@ export function posesOf(clip) {
     const emotions = isFelt ? clip.emotionsAt(time).values : emotionsOf(feels);
     const shapes = Object.fromEntries(others.map((curve) => [curve.name, curve.valueAt(time)]));
     const face = clip.faceAt(time, undefined, undefined, lookedAt && placeOf(lookedAt));
-    return { viseme: cursor.viseme, visemeType: clip.visemeType, emotions, shapes, ...face, ...(still.matches && RESTLESS) };
+    const articulation = isRecorded ? {} : clip.articulationAt(time);
+    return { articulation, emotions, shapes, ...face, ...(still.matches && RESTLESS) };
   };
 }
 

@@ -8,7 +8,7 @@ import { weightsOf } from "./emotion.js";
 import { browParts, eyeParts } from "./eyes.js";
 import { headParts, turnOf } from "./head.js";
 import { mouthParts } from "./lips.js";
-import { lipsOf, shapeOf } from "./mouth.js";
+import { lipsOf, shapeOf, shapeOfArticulation } from "./mouth.js";
 import { moodParts, skinOf, skinParts } from "./skin.js";
 
 /** The limits of each number in a pose. A flat face can turn only by a limited angle. */
@@ -51,7 +51,8 @@ export function geometry(given, id) {
   const felt = new Map(Object.entries(weightsOf(given.emotions)));
   const pose = limited(given, felt);
   const weight = weights(felt, pose);
-  const lips = lipsOf(shapeOf(pose.viseme, pose.visemeType), weight);
+  const shape = pose.articulation ? shapeOfArticulation(pose.articulation) : shapeOf(pose.viseme, pose.visemeType);
+  const lips = lipsOf(shape, weight);
   const turn = turnOf(pose);
   return {
     ...headParts(pose, turn, lips.jaw, skinOf(weight), weight),

@@ -89,6 +89,44 @@ export function shapeOf(viseme = "-", type = undefined) {
   return Object.hasOwn(shapes, viseme) ? shapes[viseme] : REST;
 }
 
+/** The values of an articulation at rest. */
+const AT_REST = { jaw: 0.05, opening: 0.12, rounding: 0.1 };
+/** The drop of the jaw and the distance of the lips in "father", and the greatest height of the upper lip. */
+const FATHER = { jaw: 28, gap: 38, up: 6 };
+/** The part of the tongue that is out of the mouth in "thin". */
+const BETWEEN_TEETH = 0.3;
+/** How far the corners move inwards for round lips, and outwards for spread and for pressed lips. */
+const CORNERS = { usual: 24, round: 16, spread: 6, pressed: 1.5 };
+
+/** The shape of a mouth that moves freely: `clip.articulationAt(time)`. */
+export function shapeOfArticulation(articulation) {
+  const value = (name) => {
+    const rest = AT_REST[name] ?? 0;
+    return Math.max(0, Math.min(1, (Number(articulation[name] ?? 0) - rest) / (1 - rest)));
+  };
+  const [round, teeth, closed, spread] = ["rounding", "teeth", "closure", "spreading"].map(value);
+  const jaw = FATHER.jaw * value("jaw");
+  const gap = REST.up + REST.low + FATHER.gap * value("opening");
+  const mixed = (from, to, part) => from + (to - from) * part;
+  // The upper lip takes part of a small opening, and the lower lip the rest.
+  const up = mixed(Math.min(FATHER.up, gap * 0.4), BITE.up, teeth);
+  const bottom = mixed(gap - Math.min(FATHER.up, gap * 0.4), BITE.low, teeth);
+  const busy = Math.max(0.85 * Math.max(round, teeth), 0.6 * Math.max(spread, value("tongueTip")), 0.5 * value("jaw"));
+  return {
+    width: CORNERS.usual - CORNERS.round * round + CORNERS.spread * spread + CORNERS.pressed * closed,
+    up: up * (1 - closed),
+    jaw,
+    low: bottom * (1 - closed) - jaw,
+    round,
+    lip: mixed(1 + 0.4 * round, CLOSED.lip, closed),
+    tongue: 0.25 + 0.4 * value("tongueBack"),
+    tip: value("tongueTip") * Math.min(1, gap / 12),
+    out: BETWEEN_TEETH * value("tongueOut"),
+    bite: teeth > 0.5 ? 1 : 0,
+    free: (1 - closed) * (1 - busy),
+  };
+}
+
 /** The corners and lips of a shape, combined with the weights of the face: `weight(name)` is from 0 to 1. */
 export function lipsOf(shape, weight) {
   const { free } = shape;
@@ -96,14 +134,18 @@ export function lipsOf(shape, weight) {
   const bent = 0.35 + 0.65 * free;
   const pucker = weight("mouthPucker");
   const funnel = weight("mouthFunnel") * free;
-  const jaw = shape.jaw + free * (30 * weight("jawOpen") * (1 - shape.jaw / 45));
+  const lowered = free * (30 * weight("jawOpen") * (1 - shape.jaw / 45));
+  const jaw = shape.jaw + lowered;
+  // Behind closed lips, the jaw stays open.
+  const closed = Math.min(lowered, free * 30 * weight("mouthClose"));
+  const hanging = Math.max(0, Math.min(jaw, jaw + shape.low) - closed);
   const side = (name) => {
     const smile = weight(`mouthSmile${name}`);
     const frown = weight(`mouthFrown${name}`);
     const stretch = weight(`mouthStretch${name}`);
     return {
       width: (shape.width + bent * (5 * smile + 6 * stretch - frown)) * (1 - 0.55 * pucker) * (1 - 0.3 * funnel),
-      corner: bent * (8 * frown + 3 * stretch - 11 * smile) + jaw * 0.3 * (1 - smile),
+      corner: bent * (8 * frown + 3 * stretch - 11 * smile) + hanging * 0.3 * (1 - smile),
       up: shape.up + free * (7 * weight(`mouthUpperUp${name}`) + 3 * weight(`noseSneer${name}`)) + 5 * funnel,
     };
   };
@@ -111,7 +153,7 @@ export function lipsOf(shape, weight) {
     left: side("Left"),
     right: side("Right"),
     jaw,
-    bottom: jaw + shape.low + free * (7 * both("mouthLowerDown") + 4 * funnel),
+    bottom: jaw - closed + shape.low + free * (7 * both("mouthLowerDown") + 4 * funnel),
     shift: 7 * (weight("mouthLeft") - weight("mouthRight")) * (0.4 + 0.6 * free),
     round: Math.max(shape.round, funnel),
     lip: shape.lip * (1 - 0.35 * both("mouthPress")) * (1 + 0.4 * pucker),
@@ -119,6 +161,6 @@ export function lipsOf(shape, weight) {
     isBitten: shape.bite > 0,
     tongue: shape.tongue,
     tip: shape.tip,
-    tongueOut: weight("tongueOut") * free,
+    tongueOut: Math.max(shape.out ?? 0, weight("tongueOut") * free),
   };
 }

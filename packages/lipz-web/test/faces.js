@@ -174,6 +174,27 @@ export async function fingers(demo, same) {
   at(0.3, "a drag that the browser takes over");
 }
 
+/** The face moves between the frames of a clip, and the articulators are curves. */
+export async function articulation(demo, same) {
+  const { page, player } = await demo({ clip: "act1/mara-good-evening" });
+  const { fps, frameCount } = player.clip;
+  const inside = (time) => (player.seek(time), part(page, "inside").getAttribute("d"));
+  const times = Array.from({ length: frameCount * 4 }, (_, index) => (index / 4 + 0.1) / (fps.numerator / fps.denominator));
+  const shapes = times.map(inside);
+  const still = shapes.filter((shape, index) => index > 0 && shape === shapes[index - 1]).length;
+  same(new Set(shapes).size > frameCount, true, `more mouths than frames: ${new Set(shapes).size}, ${still} repeated`);
+  const section = page.getElementById("articulation");
+  same(section.hidden, false, "the box");
+  same(section.querySelector("summary").textContent, "9 articulators", "its title");
+  same(section.querySelectorAll("li").length, 0, "nothing is drawn while it is closed");
+  section.querySelector("details").open = true;
+  await soon();
+  same(Array.from(section.querySelectorAll(".name"), (name) => name.textContent).slice(0, 3).join(), "jaw,opening,closure", "names");
+  const values = () => section.querySelector(".value").textContent;
+  const moving = new Set(times.map((time) => (player.seek(time), values())));
+  same(moving.size > 10, true, "the jaw moves");
+}
+
 /** Space folds the curves if they have the focus, and does not play. */
 export async function folding(demo, same) {
   const { page, window, player } = await demo({ ...FACES, clip: "rig" });

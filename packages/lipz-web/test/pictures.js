@@ -8,7 +8,7 @@ import { levelsOf } from "../demo/levels.js";
 import { geometry } from "../face/geometry.js";
 import { markup, PARTS } from "../face/parts.js";
 import { EMOTION_COLOURS, faceMarkup, VIEW_BOX, VISEMES } from "../face.js";
-import { EMOTIONS, openDialogue } from "../node.js";
+import { ARTICULATORS, EMOTIONS, openDialogue } from "../node.js";
 
 const [LEFT, TOP, WIDTH, HEIGHT] = VIEW_BOX;
 const INK = "#20242e";
@@ -136,6 +136,64 @@ function shapes() {
   return JSON.stringify(Object.fromEntries(Object.entries(VISEMES).map(drawn)), null, 1) + "\n";
 }
 
+/** Groups of mouths in rows. A group has a title, and each mouth a heading and a line below it. */
+function mouths(title, columns, groups) {
+  const parts = aroundMouth(PARTS);
+  const [wide, high, gap, titled] = [118, 124, 12, 26];
+  let [top, count] = [12, 0];
+  const drawn = groups.map(([name, cells]) => {
+    const start = top + (name === "" ? 0 : titled);
+    top = start + Math.ceil(cells.length / columns) * high + 4;
+    const all = cells.map(([heading, line, articulation], index) => {
+      const [x, y] = [12 + (index % columns) * wide, start + Math.floor(index / columns) * high];
+      const mouth = markup(parts, geometry({ articulation }, `m${count++}`), false);
+      const inner = wide - gap;
+      return (
+        `<svg x="${x + gap / 2}" y="${y}" viewBox="-66 -6 132 108" width="${inner}" height="${Math.round((inner * 108) / 132)}">${mouth}</svg>` +
+        text(x + wide / 2, y + 100, heading.length > 12 ? 10 : 13, heading, `text-anchor="middle" font-weight="700" fill="${INK}"`) +
+        text(x + wide / 2, y + 114, 10.5, line, `text-anchor="middle" fill="${FAINT}"`)
+      );
+    });
+    return (name === "" ? "" : text(18, start - 8, 14, name, `font-weight="700" fill="${FAINT}"`)) + all.join("");
+  });
+  return picture(columns * wide + 24, top + 6, title, drawn.join(""));
+}
+
+/** Each articulator at its largest value. The tongue is only visible in an open mouth. */
+function articulators() {
+  const open = { jaw: 0.55, opening: 0.5 };
+  const around = { jaw: { opening: 0.3 }, tongueTip: open, tongueOut: open, tongueBack: open, spreading: { opening: 0.3 } };
+  const spelled = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+  const cells = ARTICULATORS.map((name) => [spelled(name), name === "jaw" ? "lips together below" : "", { ...around[name], [name]: 1 }]);
+  cells[0][1] = "with slightly open lips";
+  cells.filter(([name]) => name.startsWith("tongue")).forEach((cell) => (cell[1] = "in an open mouth"));
+  return mouths("The nine articulators, each at 1000", 5, [["", cells]]);
+}
+
+/** The mouth of each weight of a rig that speech moves: that of the English phone with the largest weight. */
+async function rigs(names, title, columns) {
+  const dialogue = await openDialogue([new URL("./banks/rigs.lipzbank", import.meta.url)]);
+  const clip = dialogue.clip("english");
+  const phones = Array.from({ length: 39 }, (_, index) => 0.3 + index * 0.4);
+  const groups = names.map((name) => {
+    const rig = dialogue.rig(name);
+    const rows = phones.map((time) => Array.from(rig.weights(clip.articulationAt(time))));
+    const rest = Array.from(rig.weights(clip.articulationAt(0)));
+    const most = rig.weightNames.map((_, weight) => Math.max(...rows.map((row) => row[weight])));
+    const cells = rig.weightNames.flatMap((weight, index) => {
+      if (weight.endsWith("Right") || most[index] < rest[index] + 0.1) return [];
+      const best = rows.findIndex((row) => row[index] === most[index]);
+      return [[weight.replace(/Left$/, ""), `${ENGLISH[best]} ${most[index].toFixed(2)}`, clip.articulationAt(phones[best])]];
+    });
+    return [name, cells];
+  });
+  return mouths(title, columns, groups);
+}
+
+/** The phones of the clip in the bank, in the order of their times. */
+const ENGLISH =
+  "AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R S SH T TH UH UW V W Y Z ZH".split(" ");
+
 /** All pictures, by file name. */
 export async function pictures() {
   return {
@@ -144,6 +202,9 @@ export async function pictures() {
     "rms.svg": visemes("rms", "The mouth shapes of the viseme type rms", 6),
     "emotions.svg": emotions(),
     "mixes.svg": mixes(),
+    "articulators.svg": articulators(),
+    "rigs-heads.svg": await rigs(["arkit", "facefx", "vrm", "second-life"], "Shapes of heads, at the English phone that moves each most", 9),
+    "rigs-visemes.svg": await rigs(["ovr", "talking-heads"], "Visemes as weights, at the English phone that moves each most", 8),
     "shapes.json": shapes(),
     "playing.svg": await playing(1.1),
   };

@@ -44,6 +44,7 @@ assets! {
     "web/curve.js"
     "web/demo/colours.css"
     "web/demo/curves.css"
+    "web/demo/articulators.js"
     "web/demo/curves.js"
     "web/demo/drag.js"
     "web/demo/levels.js"

@@ -2,6 +2,7 @@
 
 import { FaceDrawing, VISEMES } from "../web/face.js";
 import { openDialogue } from "../web/lipz.js";
+import { Articulators } from "../web/demo/articulators.js";
 import { Curves } from "../web/demo/curves.js";
 import { levelsOf } from "../web/demo/levels.js";
 import { posesOf, withType } from "../web/demo/pose.js";
@@ -25,6 +26,7 @@ export class Player {
   #face = new FaceDrawing($("face"));
   #scrub = (time, isDown) => this.scrub(time, isDown);
   #curves = new Curves($("curves"), this.#scrub);
+  #articulators = new Articulators($("articulation"), this.#scrub);
   #tracks = new Tracks(this.#scrub);
   #timeline = new Timeline($("timeline"), this.#scrub, (view) => this.#look(view));
   #problems = new Problems($("problems"), (frame) => this.seek(this.#clip.startOfFrame(frame) ?? 0));
@@ -191,6 +193,7 @@ export class Player {
       this.#poseAt = posesOf(this.#clip);
       this.#tracks.clip = this.#clip;
       this.#curves.show(this.#clip);
+      this.#articulators.show(this.#clip);
       this.#timeline[isSame ? "update" : "show"](this.#clip, levelsOf(this.#clip), this.#locale);
     } else this.#blank();
     this.#languages();
@@ -201,7 +204,7 @@ export class Player {
   /** Clears the view, so that nothing of a different clip remains. */
   #blank() {
     this.clock.pause(0);
-    $("curves").hidden = true;
+    $("curves").hidden = $("articulation").hidden = true;
     this.#face.show({});
     for (const id of ["subtitle", "other", "feeling", "state", "viseme", "time"]) $(id).textContent = "";
     $("viseme").title = "";
@@ -241,6 +244,7 @@ export class Player {
 
   #look(view) {
     this.#curves.look(view);
+    this.#articulators.look(view);
     this.#tracks.look(view);
     this.#editor.look();
   }
@@ -326,6 +330,7 @@ export class Player {
     this.#timeline.mark(time, segment, main?.text, feeling);
     this.#tracks.mark(time);
     this.#curves.mark(time);
+    this.#articulators.mark(time);
     this.#editor.mark(segment);
     say($("subtitle"), main, $("locale").value);
     say($("other"), beside, $("beside").value);
