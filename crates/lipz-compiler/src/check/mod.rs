@@ -5,6 +5,7 @@ mod blank;
 mod checks;
 mod clean;
 mod clip_speech;
+mod closed_lips;
 pub(crate) mod convert;
 mod curves;
 mod elements;

@@ -245,4 +245,5 @@ codes! {
     UnknownPhone "LZ2302" "unknown-phone" Error "a phone is unknown"
     PhoneOrder "LZ2303" "phone-order" Error "the phones are not in the order of their times"
     PhoneRange "LZ2304" "phone-range" Error "a phone starts after the end of the clip"
+    PhonesContradict "LZ2305" "phones-contradict" Warning "phones and visemes close the lips at different times"
 }
