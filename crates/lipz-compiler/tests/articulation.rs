@@ -154,3 +154,25 @@ fn phones_survive_a_round_trip_as_written() {
         assert_eq!(document.string("phones"), Some(phones));
     }
 }
+
+#[test]
+fn a_profile_has_its_own_targets() {
+    let settings =
+        "[articulation.phones]\nM = \"jaw 0\"\n[articulation.otto.phones]\nAA = \"opening 20, rounding 80\"\n";
+    let settings = lipz_compiler::settings::Settings::parse(settings, "", "").unwrap();
+    let packed = Compiler::new(settings.options).compile(&[Input::from_bytes("a", MAMA)]).into_bank().unwrap();
+    with(&packed, |own, clip| {
+        let of = |profile: &str, ms: i64, articulator| {
+            let profile = own.articulation(profile).unwrap_or(own.default_articulation());
+            clip.articulation_at(Micros(ms * 1000), &profile).thousandths(articulator)
+        };
+        let vowel = |name, articulator| of(name, 620, articulator);
+        assert!(vowel("otto", Articulator::Opening) < 300 && vowel("default", Articulator::Opening) > 700);
+        assert!(vowel("otto", Articulator::Rounding) > 600 && vowel("default", Articulator::Rounding) < 200);
+        assert_eq!(vowel("otto", Articulator::Jaw), vowel("default", Articulator::Jaw), "what it does not set");
+        with(&bank(MAMA), |usual, clip| {
+            let jaw = clip.articulation_at(Micros(450_000), &usual.default_articulation());
+            assert!(of("otto", 450, Articulator::Jaw) < jaw.thousandths(Articulator::Jaw), "the project's own");
+        });
+    });
+}

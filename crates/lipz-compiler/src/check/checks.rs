@@ -6,8 +6,7 @@ use super::{blank, closed_lips, readability, texts, visemes};
 use crate::project::Options;
 use lipz_diagnostics::Diagnostic;
 
-const LISTS: [&[Check]; 5] =
-    [texts::CHECKS, readability::CHECKS, visemes::CHECKS, blank::CHECKS, closed_lips::CHECKS];
+const LISTS: [&[Check]; 5] = [texts::CHECKS, readability::CHECKS, visemes::CHECKS, blank::CHECKS, closed_lips::CHECKS];
 
 fn all() -> impl Iterator<Item = &'static Check> {
     LISTS.into_iter().flatten()

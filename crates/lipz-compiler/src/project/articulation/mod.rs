@@ -3,7 +3,7 @@
 mod targets;
 
 use lipz_bank::articulation::ArticulationProfile;
-use lipz_layout::ArticulationRecord;
+use lipz_layout::{ArticulationRecord, PhoneTargetRecord};
 use std::array;
 use std::collections::BTreeMap;
 use zerocopy::IntoBytes;
@@ -42,6 +42,10 @@ pub const SETTINGS: [ArticulationSetting; COUNT] = [
     setting("level", "decibels", -127, 0),
 ];
 
+/// The targets of a phone in percent, in the order of the bank's record.
+pub const TARGET_NAMES: [&str; 7] =
+    ["jaw", "opening", "rounding", "spreading", "tongue_tip", "tongue_out", "tongue_back"];
+
 /// Returns the numbers of a profile, in the order of [`SETTINGS`].
 pub fn numbers(profile: &ArticulationProfile<'_>) -> [i16; COUNT] {
     // The reader accepts percentages up to 300.
@@ -49,24 +53,40 @@ pub fn numbers(profile: &ArticulationProfile<'_>) -> [i16; COUNT] {
     [percent(profile.gain_percent()), percent(profile.jaw_percent()), profile.lead_ms(), profile.level_db()]
 }
 
+/// The percentages of a phone's targets that a profile changes, in the order of [`TARGET_NAMES`].
+pub type TargetNumbers = [Option<u8>; TARGET_NAMES.len()];
+
+/// The settings of a profile. Missing ones are those of the profile that it is based on.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ProfileSettings {
+    /// Its numbers, in the order of [`SETTINGS`].
+    pub numbers: ArticulationNumbers,
+    /// Its own targets of phones, by the number of the phone.
+    pub targets: BTreeMap<u8, TargetNumbers>,
+}
+
 /// The articulation profiles of a project.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ArticulationSettings {
     /// The project's own profile, based on [`ArticulationProfile::DEFAULT`].
-    pub base: ArticulationNumbers,
+    pub base: ProfileSettings,
     /// Other profiles by name, based on `base`. Names are not empty, and at most 65,535 bytes long.
-    pub named: BTreeMap<String, ArticulationNumbers>,
+    pub named: BTreeMap<String, ProfileSettings>,
 }
 
 impl ArticulationSettings {
     /// Returns the section of the bank. It always has the profile `default`, which has the targets of all phones.
     pub(crate) fn section(&self) -> Vec<u8> {
-        let base = on_top_of(numbers(&ArticulationProfile::DEFAULT), &self.base);
-        let mut profiles: BTreeMap<&str, [i16; COUNT]> = BTreeMap::from([(DEFAULT_PROFILE, base)]);
-        profiles.extend(self.named.iter().map(|(name, own)| (name.as_str(), on_top_of(base, own))));
-        let targets: Vec<_> = targets::TARGETS.into_iter().map(targets::record).collect();
+        let base = on_top_of(numbers(&ArticulationProfile::DEFAULT), &self.base.numbers);
+        let base_targets =
+            with_targets(targets::TARGETS.into_iter().map(targets::record).collect(), &self.base.targets);
+        let mut profiles = BTreeMap::from([(DEFAULT_PROFILE, (base, base_targets.clone()))]);
+        for (name, own) in &self.named {
+            let targets = with_targets(base_targets.clone(), &own.targets);
+            profiles.insert(name.as_str(), (on_top_of(base, &own.numbers), targets));
+        }
         let mut bytes = Vec::new();
-        for (name, numbers) in profiles {
+        for (name, (numbers, targets)) in profiles {
             bytes.extend_from_slice(record(numbers, name, targets.len()).as_bytes());
             bytes.extend_from_slice(name.as_bytes());
             bytes.extend_from_slice(targets.as_bytes());
@@ -78,6 +98,17 @@ impl ArticulationSettings {
 /// Returns the values of a profile that sets `own` and inherits the rest from another.
 fn on_top_of(other: [i16; COUNT], own: &ArticulationNumbers) -> [i16; COUNT] {
     array::from_fn(|place| own[place].unwrap_or(other[place]))
+}
+
+/// Returns the targets of a profile that changes some of them.
+fn with_targets(mut targets: Vec<PhoneTargetRecord>, own: &BTreeMap<u8, TargetNumbers>) -> Vec<PhoneTargetRecord> {
+    for (number, changed) in own {
+        let Some(target) = targets.get_mut(usize::from(*number)) else { continue };
+        for (percent, changed) in target.percent.iter_mut().zip(changed) {
+            *percent = changed.unwrap_or(*percent);
+        }
+    }
+    targets
 }
 
 fn record([gain, jaw, lead_ms, level_db]: [i16; COUNT], name: &str, target_count: usize) -> ArticulationRecord {

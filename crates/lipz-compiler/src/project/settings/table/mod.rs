@@ -112,7 +112,8 @@ pub const TABLES: &[Table] = &[
             profile, and others in [articulation.NAME]. `gain` is the opening in percent of the default, and `jaw` \
             that of the jaw alone. `lead` is how many milliseconds the mouth is ahead of the audio. `level` is the \
             level of the speech, in decibels relative to full scale, at which the mouth opens as usual; louder lines \
-            open it wider. Settings missing from a named profile come from the project's own.",
+            open it wider. The table `phones` of a profile changes the targets of phones, in percent. Settings missing \
+            from a named profile come from the project's own.",
         content: Content::Map(ARTICULATION),
     },
     Table {
@@ -197,7 +198,13 @@ const ARTICULATION: Map = Map {
     name: "SETTING",
     flat_name: "",
     default: "the profile of docs/guides/articulation.md",
-    examples: &["gain = 100", "jaw = 100", "lead = 10", "level = -20", "mumbler = { gain = 60, jaw = 40 }"],
+    examples: &[
+        "gain = 100",
+        "jaw = 100",
+        "lead = 10",
+        "level = -20",
+        "mumbler = { gain = 60, jaw = 40, phones = { AA = \"opening 60\" } }",
+    ],
     read: |name, value, to| to.articulation(name, value),
 };
 
