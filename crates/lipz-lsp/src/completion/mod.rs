@@ -1,9 +1,11 @@
-//! Completion: names of elements and curves, viseme types, rates, the words of events, and emotions in texts.
+//! Completion: names of elements and curves, viseme types, rates, the words of events, emotions in texts,
+//! and phones.
 
 mod curves;
 mod emotions;
 mod events;
 mod names;
+mod phones;
 
 use crate::context::{Context, context};
 use crate::document::Document;
@@ -67,6 +69,10 @@ pub(crate) fn complete(
             let word = events::word_around(text, start, at);
             (events::offers(before, known), word)
         }
+        Context::Text("phones", start) => {
+            let name = phones::name_around(text, start, at);
+            (phones::offers(text.get(word_start(text, start, at)..at).unwrap_or_default()), name)
+        }
         Context::Text(name, start) if text_name(name).is_some() => {
             let before = text.get(start..at).unwrap_or_default();
             (emotions::in_braces(before, known), emotions::word_around(text, start, at))
@@ -120,6 +126,11 @@ fn quoted(offers: Vec<Offer>) -> Vec<Offer> {
 
 fn rates() -> Vec<Offer> {
     RATES.into_iter().map(|rate| Offer::new(rate, "frames per second", CompletionItemKind::VALUE)).collect()
+}
+
+/// Returns the start of the word that ends at byte `at` of a string that starts at `start`.
+fn word_start(text: &str, start: usize, at: usize) -> usize {
+    text.get(start..at).and_then(|before| before.rfind(' ')).map_or(start, |space| start + space + 1)
 }
 
 /// Returns the end of the string that contains byte `at`: at its quote, or at the end of the line.

@@ -1,6 +1,7 @@
 //! Hover: the position in the clip, a description of the content, and its diagnostics.
 
 pub(crate) mod element;
+mod phone;
 mod shape;
 
 use crate::convert;
@@ -9,7 +10,7 @@ use crate::project::KnownProject;
 use crate::timing::{Timing, decoded, element_at, frames, segment_at};
 use lipz_diagnostics::{Code, Span};
 use lipz_file::locale::text_name;
-use lipz_file::{Element, JsonString, Value, text};
+use lipz_file::{Element, JsonString, Value, phones, text};
 use lipz_types::VisemeType;
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
 
@@ -69,6 +70,7 @@ impl HoverClip<'_> {
         };
         match (name, place) {
             ("visemes", Some((string, at))) => self.code(string, at),
+            (phones::ELEMENT, Some((string, at))) => phone::about(string, at),
             (_, Some((string, at))) if name == "events" || text_name(name).is_some() => self.segment(string, at),
             _ => element::about(name).map(|(title, about)| (format!("**{title}**\n\n{about}"), element.name.span())),
         }
@@ -145,5 +147,13 @@ mod tests {
         let (text_of_z, about) = at("{ \"visemes\": \"MA§Z\", \"viseme_type\": \"blair\", }");
         assert!(text_of_z.contains("**LZ0401** foreign-code") && about == "Z", "{text_of_z}: {text}");
         assert_eq!(at("{ §}"), Default::default());
+    }
+
+    #[test]
+    fn a_phone_has_its_symbol_and_its_time() {
+        let (text, about) = at(r#"{ "visemes": "-SE--", "fps": 10, "phones": "sil@0 D§H@191 AH@232" }"#);
+        assert_eq!((text.as_str(), about.as_str()), ("**DH**, IPA `ð`: 0.191 s–0.232 s", "DH@191"));
+        let (text, _) = at(r#"{ "visemes": "-SE--", "fps": 10, "phones": "s§il@0" }"#);
+        assert_eq!(text, "silence: 0.000 s to the end of the clip");
     }
 }
