@@ -1,5 +1,6 @@
 //! One clip, as a line of a list or in full.
 
+use crate::clip::ClipPhones;
 use lipz_bank::curve::Curve;
 use lipz_bank::{Clip, ClipId, Dialogue, Event, EventName, Fps, Locale, Recording, Segment, VisemeType};
 use std::borrow::Cow;
@@ -75,6 +76,9 @@ pub struct ClipDetails<'d> {
     pub segments: Vec<SegmentDetails<'d>>,
     /// Its curves, sorted by name.
     pub curves: Vec<CurveDetails<'d>>,
+    /// Its phones with their times, as spelled in the file; `None` without phones.
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
+    pub phones: Option<String>,
     /// The recording that it was made for; `None` if the bank has no data about it.
     #[cfg_attr(feature = "json", serde(serialize_with = "crate::views::json::recording"))]
     pub recording: Option<Recording>,
@@ -160,6 +164,9 @@ pub struct SegmentText<'d> {
     pub is_fallback: bool,
 }
 
+/// The approximate number of bytes that a phone takes.
+const PHONE_BYTES: usize = 12;
+
 /// The approximate number of bytes that a key of a curve takes.
 const KEY_BYTES: usize = 24;
 
@@ -183,6 +190,9 @@ impl<'d> ClipDetails<'d> {
             locales.iter().try_for_each(|locale| take(segment.text(*locale).map_or(0, |text| text.len())))
         };
         if clip.segments().try_for_each(fits).is_none() {
+            return false;
+        }
+        if take((clip.phones().count() as usize).saturating_mul(PHONE_BYTES)).is_none() {
             return false;
         }
         let fits_curve = |curve: Curve<'_>| {
@@ -217,11 +227,19 @@ impl<'d> ClipDetails<'d> {
             frames: clip.frames().iter().map(|&code| code as char).collect(),
             segments: segments.collect(),
             curves: clip.curves().map(|curve| CurveDetails::from(&curve)).collect(),
+            phones: phones_of(clip),
             recording: clip.recording(),
             voice: clip.voice().map(|voice| dialogue.voice_tag(voice)),
             original: clip.original().map(|original| original.key()),
         }
     }
+}
+
+/// Returns the phones of a clip, as spelled in its file.
+pub(super) fn phones_of(clip: &Clip<'_>) -> Option<String> {
+    let mut phones = ClipPhones::default();
+    phones.recall(clip);
+    phones.text()
 }
 
 impl<'d> From<Event<'d>> for SegmentEvent<'d> {

@@ -1,6 +1,8 @@
 //! The summary of a dialogue.
 
 use crate::bank::dialogue::{TaggedLocale, banks, clips_by_key, length_bytes, locales_by_tag, patches, sections};
+use crate::project::articulation::numbers;
+use lipz_bank::articulation::ArticulationProfile;
 use lipz_bank::babble::Babble;
 use lipz_bank::face::FaceProfile;
 use lipz_bank::{Bank, Clip, Dialogue, Voice};
@@ -64,6 +66,51 @@ pub struct BankSummary<'d> {
     /// The face profiles.
     #[cfg_attr(feature = "json", serde(serialize_with = "faces"))]
     pub faces: Vec<FaceProfile<'d>>,
+    /// The articulation profiles.
+    pub articulation: Vec<ArticulationSummary<'d>>,
+    /// The rigs.
+    pub rigs: Vec<RigSummary<'d>>,
+}
+
+/// An articulation profile of a bank.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ArticulationSummary<'d> {
+    /// Its name.
+    pub name: &'d str,
+    /// How wide the mouth opens, in percent of the targets.
+    pub gain_percent: u16,
+    /// How far the jaw moves, in percent of the targets.
+    pub jaw_percent: u16,
+    /// How many milliseconds the mouth is ahead of the audio.
+    pub lead_ms: i16,
+    /// The level of speech at which the mouth opens as the targets state, in decibels relative to full scale.
+    pub level_db: i16,
+}
+
+/// A rig of a bank.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct RigSummary<'d> {
+    /// Its name.
+    pub name: &'d str,
+    /// The names of its weights.
+    pub weights: Vec<&'d str>,
+}
+
+impl<'d> ArticulationSummary<'d> {
+    fn new(profile: &ArticulationProfile<'d>) -> Self {
+        let [.., lead_ms, level_db] = numbers(profile);
+        ArticulationSummary {
+            name: profile.name(),
+            gain_percent: profile.gain_percent(),
+            jaw_percent: profile.jaw_percent(),
+            lead_ms,
+            level_db,
+        }
+    }
 }
 
 /// The statements of a layer about the banks below it.
@@ -136,6 +183,11 @@ impl<'d> BankSummary<'d> {
             sections: sections(dialogue),
             babble: dialogue.babbles().collect(),
             faces: dialogue.face_profiles().collect(),
+            articulation: dialogue.articulations().map(|profile| ArticulationSummary::new(&profile)).collect(),
+            rigs: dialogue
+                .rigs()
+                .map(|rig| RigSummary { name: rig.name(), weights: rig.weight_names().collect() })
+                .collect(),
         }
     }
 }

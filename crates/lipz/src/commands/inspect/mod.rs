@@ -292,6 +292,13 @@ fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Rep
         let tag = String::from_utf8_lossy(&tag.0);
         let _ = writeln!(text, "  {:<12} {:>12}", escape::text(&tag), console::grouped(*bytes));
     }
+    text.push_str(&profiles(summary));
+    reporter.print(&text)
+}
+
+/// Returns the profiles of babble, faces and articulation, and the rigs.
+fn profiles(summary: &BankSummary<'_>) -> String {
+    let mut text = String::new();
     for babble in &summary.babble {
         let _ = writeln!(text, "\n  babble {}, {:.3} digits a second", escape::text(babble.name()), babble.rate());
         let loops =
@@ -307,5 +314,20 @@ fn summary(summary: &BankSummary<'_>, path: &str, json: bool, reporter: &mut Rep
             let _ = writeln!(text, "  {:<16} {:>8}", setting.name, setting.shown(number).to_string());
         }
     }
-    reporter.print(&text)
+    for profile in &summary.articulation {
+        let _ = writeln!(
+            text,
+            "\n  articulation {}: gain {} %, jaw {} %, lead {} ms, level {} dB",
+            escape::text(profile.name),
+            profile.gain_percent,
+            profile.jaw_percent,
+            profile.lead_ms,
+            profile.level_db
+        );
+    }
+    for rig in &summary.rigs {
+        let weights = console::counted(rig.weights.len(), "weight");
+        let _ = writeln!(text, "\n  rig {}: {weights}", escape::text(rig.name));
+    }
+    text
 }

@@ -6,6 +6,7 @@ mod palette;
 mod ruler;
 mod texts;
 
+use super::clip::phones_of;
 use lipz_bank::curve::Curve;
 use lipz_bank::{Clip, Dialogue, Fps, Locale, Recording, Segment};
 use lipz_diagnostics::escape;
@@ -79,6 +80,9 @@ impl Timeline {
             details(&mut out, &segment, &locales, columns);
         }
         curves(&mut out, clip, columns);
+        if let Some(phones) = phones_of(clip) {
+            line(&mut out, "phones", &phones, Columns { tag: columns.tag.max("phones".len()), ..columns });
+        }
         out
     }
 }
