@@ -12,6 +12,7 @@ mod editors;
 mod features;
 mod forward;
 mod fuzz;
+mod mouth_score;
 mod msrv;
 mod packages;
 mod page;
@@ -98,6 +99,8 @@ enum Task {
     Recogniser,
     /// Measure lip sync on sentences of speech synthesisers, compared with PocketSphinx
     SpeechScore,
+    /// Compare computed mouths with coils on jaw and lips, and with OpenFaceFX
+    MouthScore,
     /// Search for inputs that violate a guarantee for arbitrary bytes
     Fuzz(fuzz::Settings),
 }
@@ -135,6 +138,7 @@ fn main() -> ExitCode {
         Task::SpeechUnits => speech_units::run(),
         Task::Recogniser => recogniser::run(),
         Task::SpeechScore => speech_score::run(),
+        Task::MouthScore => mouth_score::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),
         Task::Dist(settings) => dist::run(&settings),
         Task::Site => site::run(),
