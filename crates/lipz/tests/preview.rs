@@ -266,3 +266,37 @@ fn a_retake_is_noticed() {
     let changed = preview.get(&format!("api/changes?since={before}")).json()["version"].as_u64();
     assert_ne!(changed, Some(before), "the page hears of it");
 }
+
+#[test]
+fn a_clip_shows_the_images_of_its_character() {
+    let scene = Scene::new();
+    let clip =
+        |key: &str| scene.write(&format!("v/{key}.lipz"), r#"{ "visemes": "MA-", "fps": 24, "text_en-us": "Hi." }"#);
+    ["mara-hello", "otto-hello", "crowd"].into_iter().for_each(clip);
+    scene.write("art/A.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    scene.write("art/rest.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    scene.write("art/mara.png", [0x89, b'P', b'N', b'G', 0]);
+    scene.write("art/secret.png", "not an image");
+    let settings = |otto: &str| {
+        let names = "[registry]\ncharacters = [\"mara\", \"Otto\"]\n";
+        let sprites = "[sprites]\ndefault = \"art/{code}.svg\"\nmara = \"art/mara.png#-MA\"\n";
+        scene.write("lipz.toml", format!("sources = [\"v\"]\n{names}{sprites}{otto}"));
+    };
+    settings("otto = \"art/secret.png#-MA\"\n");
+    let preview = Preview::start(&scene, &[]);
+    let sets = preview.get("api/sprites").json();
+    assert_eq!(sets["mara"]["codes"], "-MA");
+    let images = sets["default"]["images"].as_object().unwrap();
+    assert_eq!(images.keys().collect::<Vec<_>>(), ["-", "A"]);
+    assert!(images["A"].as_str().unwrap().starts_with("data:image/svg+xml;base64,"));
+    assert!(sets.get("otto").is_none() && !sets.to_string().contains("bm90IGFu"), "other files stay out: {sets}");
+    let list = preview.get("api/clips").json();
+    assert!(list.to_string().contains("it is not an image"), "{list}");
+    let of = |key: &str| preview.get(&format!("api/clip?key={key}")).json()["sprites"].clone();
+    assert_eq!([of("mara-hello"), of("otto-hello"), of("crowd")], ["mara", "default", "default"]);
+    drop(preview);
+    settings("otto = \"art/rest.svg#-\"\n");
+    assert_eq!(lipz(scene.path(), ["preview", "--output", "site"]).code, 0);
+    let script = fs::read_to_string(scene.path().join("site/data/sprites.js")).unwrap();
+    assert!(script.contains("\"otto\":{\"sheet\":\"data:image/svg+xml"), "{script}");
+}

@@ -1,6 +1,6 @@
 // The address of the page: its clip, locale and time.
 
-/** The values in the address: `bank`, `clip`, `locale` and `at`, each a string or undefined. */
+/** The values in the address: `bank`, `clip`, `locale`, `at` and `sprites`, each a string or undefined. */
 export function asked() {
   return Object.fromEntries(new URLSearchParams(location.search));
 }
@@ -17,7 +17,8 @@ export function follow(bank, clip, locale, time) {
 }
 
 function write(bank, clip, locale, time) {
-  const query = new URLSearchParams({ ...(bank && { bank }), clip, ...(locale && { locale }), ...(time > 0 && { at: time.toFixed(2) }) });
+  const { sprites } = asked();
+  const query = new URLSearchParams({ ...(sprites && { sprites }), ...(bank && { bank }), clip, ...(locale && { locale }), ...(time > 0 && { at: time.toFixed(2) }) });
   // Slashes are allowed in a query, and easier to read.
   history.replaceState(null, "", `?${query.toString().replaceAll("%2F", "/")}`);
 }

@@ -11,6 +11,7 @@ import { onKeys } from "./keys.js";
 import { Curves } from "./curves.js";
 import { levelsOf } from "./levels.js";
 import { posesOf, withType } from "./pose.js";
+import { SpriteDrawing, spritesOf } from "./sprites.js";
 import { Timeline } from "./timeline.js";
 
 /** The banks next to the page, each with its initial clip. The first bank is the default. */
@@ -24,6 +25,9 @@ const MOST_DUE = 4;
 const $ = (id) => document.getElementById(id);
 const clock = new Clock();
 const face = new FaceDrawing($("face"));
+const sprite = new SpriteDrawing($("sprite"));
+/** The images in the address instead of the face: `mouths/{code}.svg`, or a sheet with its codes. */
+const { sprites: images } = asked();
 const curves = new Curves($("curves"), scrub);
 const articulators = new Articulators($("articulation"), scrub);
 const timeline = new Timeline($("timeline"), scrub, (view) => [curves, articulators].forEach((box) => box.look(view)));
@@ -51,6 +55,8 @@ function choose(key, time = 0) {
   cursor = clip.cursor();
   settle();
   poseAt = posesOf(clip);
+  sprite.sprites = images && spritesOf(images, Object.keys(VISEMES[clip.visemeType]));
+  $("face").toggleAttribute("hidden", sprite.isShown);
   const levels = levelsOf(clip);
   clock.load(clip.duration, levels);
   timeline.show(clip, levels, locale());
@@ -124,7 +130,8 @@ function show() {
   const { viseme, segment } = cursor;
   const text = segment?.text(locale());
   const feeling = felt(clip.emotionsAt(time));
-  face.show(poseAt(cursor, time));
+  if (sprite.isShown) sprite.show(viseme);
+  else face.show(poseAt(cursor, time));
   timeline.mark(time, segment, text?.text, feeling);
   curves.mark(time);
   articulators.mark(time);

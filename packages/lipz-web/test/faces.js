@@ -195,6 +195,22 @@ export async function articulation(demo, same) {
   same(moving.size > 10, true, "the jaw moves");
 }
 
+/** Images in the address replace the face: one per viseme, or a sheet. */
+export async function sprites(demo, same) {
+  const clip = "act1/mara-good-evening";
+  const { page, player } = await demo({ clip, sprites: "mouths/{code}.svg" });
+  const { style } = page.getElementById("sprite");
+  same(page.getElementById("face").hasAttribute("hidden"), true, "no face");
+  const start = player.clip.startOfFrame(Array.from(player.clip.frames).indexOf("M"));
+  player.seek(start);
+  same(style.backgroundImage.includes("mouths/M.svg"), true, style.backgroundImage);
+  const sheet = await demo({ clip, sprites: "mouths.png#-MAOESUFLW" });
+  sheet.player.seek(start);
+  const shown = sheet.page.getElementById("sprite").style;
+  same(shown.backgroundPosition.startsWith("11.1"), true, `the second of ten: ${shown.backgroundPosition}`);
+  same(shown.backgroundSize, "1000% 100%", "its size");
+}
+
 /** Space folds the curves if they have the focus, and does not play. */
 export async function folding(demo, same) {
   const { page, window, player } = await demo({ ...FACES, clip: "rig" });

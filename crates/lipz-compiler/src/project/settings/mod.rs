@@ -22,6 +22,8 @@ mod read;
 mod reading;
 #[cfg(feature = "settings")]
 mod rig;
+#[cfg(feature = "settings")]
+mod sprites;
 mod sync;
 #[cfg(feature = "settings")]
 mod syntax;
@@ -45,6 +47,7 @@ pub use value::is_word;
 use crate::project::{Options, Voices};
 use crate::sources::{Input, Inputs, discover};
 use lipz_diagnostics::{DiagnosticsError, Report};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The settings of a project: its Lipz files, its bank, and the options for packing.
@@ -69,11 +72,22 @@ pub struct Settings {
     pub audio: Audio,
     /// The rules for making visemes from them.
     pub sync: Sync,
+    /// The images of characters' mouths for previews, by character; `default` is for all others.
+    pub sprites: BTreeMap<String, Sprites>,
     /// The options for packing the bank.
     pub options: Options,
     /// The warnings about the settings file.
     #[cfg(feature = "settings")]
     warnings: Option<Report>,
+}
+
+/// The images of a character's mouth.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Sprites {
+    /// A file per viseme code: the path with `{code}`, which stands for the code, or for `rest`.
+    Files(PathBuf),
+    /// A single file with images of the same width, from left to right in the order of these codes.
+    Sheet(PathBuf, String),
 }
 
 impl Settings {

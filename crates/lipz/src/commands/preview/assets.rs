@@ -51,6 +51,7 @@ assets! {
     "web/demo/plots.js"
     "web/demo/pose.js"
     "web/demo/timeline.css"
+    "web/demo/sprites.js"
     "web/demo/timeline.js"
     "web/dialogue.js"
     "web/error.js"

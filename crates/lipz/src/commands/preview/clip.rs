@@ -26,6 +26,8 @@ pub(super) struct ClipPage {
     #[serde(skip_serializing_if = "Option::is_none")]
     phones: Option<Vec<Phone>>,
     has_sound: bool,
+    /// The name of the images that show its mouth; `None` for the drawn face.
+    sprites: Option<String>,
     diagnostics: Vec<PlacedDiagnostic>,
 }
 
@@ -80,6 +82,7 @@ impl ClipPage {
             // A file that cannot be read completely cannot be edited.
             source: document.is_some().then(|| source.clone()).flatten(),
             has_sound: version.recordings.find(key).is_some(),
+            sprites: version.sprites.of(version.characters().get(key)).map(str::to_owned),
             diagnostics: placed(&version.reports_of(key)),
             elements,
         })
@@ -100,6 +103,7 @@ impl ClipPage {
             spoken: None,
             phones: None,
             has_sound: version.recordings.find(key).is_some(),
+            sprites: None,
             diagnostics: Vec::new(),
         }
     }

@@ -71,6 +71,7 @@ impl PageExport<'_> {
         self.script("clips", &listing)?;
         self.script("bank", &STANDARD.encode(version.bank.as_slice()))?;
         let wasm = assets::named("web/lipz.wasm").map_or(&[][..], |asset| asset.bytes);
+        self.script("sprites", version.sprites.as_ref())?;
         self.script("wasm", &STANDARD.encode(wasm))?;
         let (mut sounds, mut left_out) = (0, Vec::new());
         for (place, key) in listing.keys().enumerate() {

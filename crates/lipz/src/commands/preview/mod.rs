@@ -13,6 +13,7 @@ mod placed_diagnostic;
 mod project_file;
 mod server;
 mod shared_version;
+mod sprites;
 mod version;
 
 use crate::CommandResult;

@@ -118,6 +118,7 @@ impl Preview {
                 Ok(heard) => json(200, &phones(&heard)),
                 Err(report) => plain(500, &report.to_string()),
             },
+            "api/sprites" => json(200, version.sprites.as_ref()),
             "api/sound" => match version.recordings.find(&key).map(project_file::open_recording) {
                 Some(Ok(file)) => Answer { body: Body::File(file), ..bytes("application/octet-stream", Vec::new()) },
                 Some(Err(report)) => plain(404, &report.to_string()),

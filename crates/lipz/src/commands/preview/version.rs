@@ -2,6 +2,7 @@
 
 use super::characters::{self, Characters};
 use super::hearing::Hearing;
+use super::sprites::SpriteSets;
 use crate::console;
 use crate::shared::inputs::with_inputs;
 use lipz_bank::files::DialogueFile;
@@ -39,6 +40,7 @@ pub(super) struct Version {
     pub(super) words: BTreeMap<String, WordTimes>,
     pub(super) recordings: Arc<Recordings>,
     pub(super) hearing: Arc<Hearing>,
+    pub(super) sprites: Arc<SpriteSets>,
     /// The options for packing drafts of a clip.
     pub(super) options: Options,
     /// Computed for the first list, then kept, because diagnostics that are added later do not change the clips.
@@ -131,7 +133,9 @@ pub(super) fn load(settings: &Settings, remembered: &mut PreviewMemory) -> (Vers
         options = compiler.options().clone();
         packed(compiler, inputs, clips)
     });
+    let (sprites, missing) = SpriteSets::read(settings);
     let mut version = Version {
+        sprites: Arc::new(sprites),
         name: settings.sources.iter().map(|source| console::path(source)).collect::<Vec<_>>().join(", "),
         bank: Arc::new(worked.compiled.bank.unwrap_or_default()),
         words: lipz_sync::word_times(settings, &worked.inputs).unwrap_or_default(),
@@ -145,6 +149,7 @@ pub(super) fn load(settings: &Settings, remembered: &mut PreviewMemory) -> (Vers
         Content::Bytes { .. } => None,
     }));
     version.add(&worked.reports);
+    version.add(&missing);
     (version, worked.inputs.into_owned())
 }
 

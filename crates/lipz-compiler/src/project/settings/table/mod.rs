@@ -123,6 +123,13 @@ pub const TABLES: &[Table] = &[
             input, or the product of two inputs.",
         content: Content::Map(RIG),
     },
+    Table {
+        name: "sprites",
+        about: "Images of characters' mouths, which `lipz preview` shows instead of the drawn face. Each is a path with \
+            `{code}`, which stands for a viseme code or for `rest`, or a sheet with images of the same width and, after \
+            `#`, their codes from left to right. `default` is for all characters that are not listed.",
+        content: Content::Map(SPRITES),
+    },
 ];
 
 const EMOTIONS: Map = Map {
@@ -206,6 +213,14 @@ const ARTICULATION: Map = Map {
         "mumbler = { gain = 60, jaw = 40, phones = { AA = \"opening 60\" } }",
     ],
     read: |name, value, to| to.articulation(name, value),
+};
+
+const SPRITES: Map = Map {
+    name: "CHARACTER",
+    flat_name: "",
+    default: "a drawn face",
+    examples: &["default = \"mouths/{code}.svg\"", "mara = \"art/mara.png#-MAOESUFLW\""],
+    read: |name, value, to| to.sprites(name, value),
 };
 
 const RIG: Map = Map {

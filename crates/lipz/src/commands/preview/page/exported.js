@@ -32,6 +32,7 @@ globalThis.lipzExport = {
   bank: async () => ({ bytes: bytes(await loaded("bank")), tag: (await loaded("clips")).bank }),
   wasm: async () => bytes(await loaded("wasm")),
   clip: async (key) => loaded(`clip-${await place(key)}`),
+  sprites: () => loaded("sprites"),
   phones: async (key) => (await loaded(`clip-${await place(key)}`)).phones,
   sound: async (key) => bytes(await loaded(`sound-${await place(key)}`)),
 };

@@ -6,6 +6,7 @@ import { Articulators } from "../web/demo/articulators.js";
 import { Curves } from "../web/demo/curves.js";
 import { levelsOf } from "../web/demo/levels.js";
 import { posesOf, withType } from "../web/demo/pose.js";
+import { SpriteDrawing } from "../web/demo/sprites.js";
 import { Timeline } from "../web/demo/timeline.js";
 import { Editor } from "./editor.js";
 import { Problems } from "./problems.js";
@@ -24,6 +25,7 @@ const $ = (id) => document.getElementById(id);
 export class Player {
   clock = new Clock();
   #face = new FaceDrawing($("face"));
+  #sprite = new SpriteDrawing($("sprite"));
   #scrub = (time, isDown) => this.scrub(time, isDown);
   #curves = new Curves($("curves"), this.#scrub);
   #articulators = new Articulators($("articulation"), this.#scrub);
@@ -151,6 +153,9 @@ export class Player {
 
   /** Shows a clip from the bank or, if it has errors, the correct parts of its file. */
   async #take(page) {
+    const sets = page.sprites ? await source.sprites() : {};
+    this.#sprite.sprites = sets[page.sprites];
+    $("face").toggleAttribute("hidden", this.#sprite.isShown);
     this.#offer();
     this.#draw(this.#dialogue);
     this.#diagnose(page.diagnostics);
@@ -326,7 +331,8 @@ export class Player {
     const segment = this.#clip.frameCount > 0 ? this.#cursor.segment : this.#clip.segments[0];
     const [main, beside] = [this.#locale, this.#beside].map((locale) => segment?.text(locale));
     const feeling = felt(this.#clip.emotionsAt(time));
-    this.#face.show(this.#poseAt(this.#cursor, time));
+    if (this.#sprite.isShown) this.#sprite.show(viseme);
+    else this.#face.show(this.#poseAt(this.#cursor, time));
     this.#timeline.mark(time, segment, main?.text, feeling);
     this.#tracks.mark(time);
     this.#curves.mark(time);

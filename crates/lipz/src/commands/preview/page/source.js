@@ -31,6 +31,7 @@ const server = {
     return { bytes: await response.arrayBuffer(), tag: response.headers.get("ETag")?.replaceAll('"', "") };
   },
   clip: async (key) => (await got("clip", { key })).json(),
+  sprites: async () => (await got("sprites")).json(),
   phones: async (key) => (await got("phones", { key })).json(),
   sound: async (key) => (await got("sound", { key })).arrayBuffer(),
   changed: async (since) => (await (await got("changes", { since })).json()).version,
