@@ -131,12 +131,16 @@ def score(curves, utterances):
 
 def main(program, fixtures, work):
     documents = {file.stem: json.loads(file.read_text()) for file in sorted(fixtures.glob("*.lipz"))}
-    hand, own, plain = project(work / "hand"), project(work / "own", "[sync]\nphones = true\n"), project(work / "plain")
+    with_phones = "[sync]\nphones = true\n"
+    hand, own, plain = project(work / "hand"), project(work / "own", with_phones), project(work / "plain")
+    heard = project(work / "heard", with_phones)
     for name, document in documents.items():
         (hand / "voices" / f"{name}.lipz").write_text(json.dumps(document))
         text = {key: value for key, value in document.items() if key.startswith("text")}
         (own / "voices" / f"{name}.lipz").write_text(json.dumps(text))
-    lipz(program, "sync", own / "voices", "--audio", fixtures, "--config", own / "lipz.toml")
+        (heard / "voices" / f"{name}.lipz").write_text("{}")
+    for synced in (own, heard):
+        lipz(program, "sync", synced / "voices", "--audio", fixtures, "--config", synced / "lipz.toml")
     synced = {name: json.loads((own / "voices" / f"{name}.lipz").read_text()) for name in documents}
     for name, document in synced.items():
         without = {key: value for key, value in document.items() if key != "phones"}
@@ -173,6 +177,7 @@ def main(program, fixtures, work):
         "OpenFaceFX, hand-labelled phones": rival(documents, False),
         "articulation from these visemes": cut(exported(program, plain)),
         "articulation from hand-labelled phones": cut(exported(program, hand)),
+        "articulation from phones recognised without the text": cut(exported(program, heard)),
         "articulation from the phones of lipz sync": cut(exported(program, own)),
     }
     print("| source | jaw | opening | protrusion | peak speed | closed *p*, *b*, *m* |\n| --- | --: | --: | --: | --- | --: |")

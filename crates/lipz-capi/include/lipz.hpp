@@ -208,7 +208,7 @@ struct Curve : lipz_curve {
 /// The shapes of a model, whose weights follow from articulation, emotions and the face.
 struct Rig : lipz_rig {
     Rig(const lipz_dialogue &of, const lipz_rig &rig) noexcept : lipz_rig(rig), dialogue(&of) {}
-    /// Returns the name of a weight; empty if there is none.
+    /// Returns the name of a weight, or an empty string.
     std::string_view weight_name(std::uint32_t index) const noexcept {
         return view(answer<lipz_string>([&](auto *out) { return lipz_rig_weight_name(dialogue, this, index, out); })
                         .value_or(lipz_string{nullptr, 0}));

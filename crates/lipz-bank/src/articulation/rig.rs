@@ -77,7 +77,7 @@ impl<'data> Rig<'data> {
         self.weights.len()
     }
 
-    /// Returns the name of the weight with this index; empty if there is none.
+    /// Returns the name of the weight with this index, or an empty string.
     pub fn weight_name(&self, index: usize) -> &'data str {
         let start = |index: usize| {
             let before = index.checked_sub(1).and_then(|before| self.weights.get(before));

@@ -34,7 +34,5 @@ fn write(animation: &FaceAnimation, _: &mut Vec<Diagnostic>) -> Vec<u8> {
         "facsNames": names,
         "weightMat": rows,
     });
-    let mut bytes = file.to_string().into_bytes();
-    bytes.push(b'\n');
-    bytes
+    format!("{file}\n").into_bytes()
 }

@@ -1,6 +1,6 @@
 //! Animations of Godot 4, `.tres`: blend shapes of the node `Face`.
 
-use super::keys::{keys, spell};
+use super::keys::{keys, quoted, spell};
 use super::{FaceAnimation, WeightFormat};
 use lipz_diagnostics::Diagnostic;
 use std::fmt::Write;
@@ -42,9 +42,4 @@ fn write(animation: &FaceAnimation, _: &mut Vec<Diagnostic>) -> Vec<u8> {
         );
     }
     file.into_bytes()
-}
-
-/// Returns a string as Godot's text resources spell it.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }

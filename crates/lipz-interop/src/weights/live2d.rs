@@ -40,9 +40,7 @@ fn write(animation: &FaceAnimation, _: &mut Vec<Diagnostic>) -> Vec<u8> {
         },
         "Curves": curves,
     });
-    let mut bytes = file.to_string().into_bytes();
-    bytes.push(b'\n');
-    bytes
+    format!("{file}\n").into_bytes()
 }
 
 /// Returns the first point, and for each other point the identifier of its segment before it.

@@ -1,6 +1,6 @@
 //! Animation clips of Unity, `.anim`: blend shapes of the object that has the animator. Unity's weights are percentages.
 
-use super::keys::{WeightKey, keys, spell};
+use super::keys::{WeightKey, keys, quoted, spell};
 use super::{FaceAnimation, WeightFormat};
 use lipz_diagnostics::Diagnostic;
 use std::fmt::Write;
@@ -77,9 +77,4 @@ fn curve(file: &mut String, name: &str, keys: &[WeightKey]) {
          classID: {RENDERER}\n    script: {{fileID: 0}}\n    flags: 16\n",
         quoted(&format!("blendShape.{name}"))
     );
-}
-
-/// Returns a string in YAML's double quotes.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
