@@ -107,6 +107,11 @@ pub fn write(is_guessed: bool, level_db: Option<i8>, phones: impl IntoIterator<I
     guessed.into_iter().chain(level).chain(phones).collect::<Vec<_>>().join(" ")
 }
 
+/// Whether the phones of an element's value were recognised without the text of the recording.
+pub fn are_guessed(value: &str) -> bool {
+    words(value).next() == Some(GUESSED)
+}
+
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(is_white_space).filter(|word| !word.is_empty())
 }

@@ -5,7 +5,7 @@ mod support;
 
 use std::fs;
 use support::sound::{RATE_HZ, voice, wav};
-use support::{Scene, lipz, tree};
+use support::{Scene, lipz, repository, tree};
 
 /// Silence, a second of voice, a pause, another second of voice, silence: 2.9 s, 70 frames.
 const LINE: &[(bool, u32)] = &[(false, 300), (true, 1000), (false, 400), (true, 1000), (false, 200)];
@@ -268,4 +268,32 @@ fn what_is_odd_is_reported() {
     scene.write("rec/a.wav", &whole[..whole.len() - 5001]);
     scene.expect("LZ1711-damaged-sound", &["sync", "rec/a.wav", "-o", "cut", "--quiet", "--allow", "LZ1708"]);
     scene.finish(14);
+}
+
+/// Without a text, the opening of the lips follows the probabilities of all phones, in a curve that belongs to lipz while
+/// the phones are guessed.
+#[test]
+fn recordings_without_a_text_get_the_opening_of_the_lips() {
+    let scene = Scene::new();
+    scene.write("rec/bobby.wav", fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap());
+    scene.write("lipz.toml", "sources = [\"v\"]\n[audio]\nfolder = \"rec\"\n[sync]\nphones = true\n");
+    let file = || fs::read_to_string(scene.path().join("v/bobby.lipz")).unwrap();
+    let sync = || lipz(scene.path(), ["sync", "--config", "default-locale=en-us"]);
+    scene.write("v/bobby.lipz", r#"{ "curves": { "joy": "0:2" } }"#);
+    sync();
+    let guessed = file();
+    assert!(
+        guessed.contains("\"guessed ") && guessed.contains("\"opening\"") && guessed.contains("\"joy\""),
+        "{guessed}"
+    );
+    // With a text, the phones are certain, and the curve goes.
+    scene.write("v/bobby.lipz", guessed.replacen('{', "{ \"text_en-us\": \"Bobby ripped the ledger.\",", 1));
+    sync();
+    let certain = file();
+    assert!(!certain.contains("opening") && certain.contains("\"joy\"") && certain.contains("B@"), "{certain}");
+    // A curve of the animator stays.
+    scene.write("v/bobby.lipz", r#"{ "curves": { "opening": "0:0.25" } }"#);
+    sync();
+    let kept = file();
+    assert!(kept.contains("\"guessed ") && kept.contains("\"0:0.25\""), "{kept}");
 }

@@ -7,6 +7,7 @@ mod graph;
 mod history;
 mod loose_aligner;
 mod phones;
+mod posterior;
 mod quiet;
 mod search;
 mod steady;

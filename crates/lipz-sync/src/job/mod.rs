@@ -16,6 +16,7 @@ mod results;
 pub(crate) mod review_list;
 pub(crate) mod run;
 mod settings_hash;
+mod soft_opening;
 pub(crate) mod store;
 mod sync_run;
 mod target;

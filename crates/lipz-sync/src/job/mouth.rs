@@ -1,14 +1,14 @@
 //! Conversion of a recording and its script to frames, and the words to check by ear.
 
 use crate::job::progress::Progress;
-use crate::job::{SyncOptions, grid, phone_track};
+use crate::job::{SyncOptions, grid, phone_track, soft_opening};
 use lipz_compiler::{WordTime, WordTimes};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::JsonString;
 use lipz_speech::{
     AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms,
 };
-use lipz_types::{Fps, VisemeType};
+use lipz_types::{CurveValue, Fps, VisemeType};
 use std::ops::Range;
 
 /// The confidence below which a word is doubtful.
@@ -31,6 +31,8 @@ pub(super) struct HeardMouth {
     mismatches: Vec<Mismatch>,
     /// The value of the element `phones`, if there are phones.
     pub(super) phone_track: Option<String>,
+    /// The keys of the opening of the lips, if the recording has no text and the project wants phones.
+    pub(super) opening: Vec<(u32, CurveValue)>,
     /// The alignment and the visemes, as a TextGrid.
     pub(super) grid: Option<String>,
 }
@@ -85,7 +87,11 @@ pub(super) fn make(
     let Alignment { words, phones, .. } = alignment;
     let is_guessed = is_unwritten && !is_corrected;
     let phone_track = phone_track::text(&phones, is_guessed, sound.level_db());
-    HeardMouth { codes, segment_starts, words, phones, phone_track, doubtful, mismatches, grid }
+    let opening = match is_guessed && options.phones && phone_track.is_some() {
+        true => soft_opening::keys(&aligner, sound, &phones, fps, codes.len()),
+        false => Vec::new(),
+    };
+    HeardMouth { codes, segment_starts, words, phones, phone_track, opening, doubtful, mismatches, grid }
 }
 
 /// Returns the times of the words of `text`, from which `script` was made.

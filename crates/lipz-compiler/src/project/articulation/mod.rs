@@ -4,6 +4,7 @@ mod targets;
 
 use lipz_bank::articulation::ArticulationProfile;
 use lipz_layout::{ArticulationRecord, PhoneTargetRecord};
+use lipz_types::Phone;
 use std::array;
 use std::collections::BTreeMap;
 use zerocopy::IntoBytes;
@@ -45,6 +46,11 @@ pub const SETTINGS: [ArticulationSetting; COUNT] = [
 /// The targets of a phone in percent, in the order of the bank's record.
 pub const TARGET_NAMES: [&str; 7] =
     ["jaw", "opening", "rounding", "spreading", "tongue_tip", "tongue_out", "tongue_back"];
+
+/// Returns the built-in targets of a phone in percent, in the order of [`TARGET_NAMES`].
+pub fn phone_targets(phone: Phone) -> [u8; TARGET_NAMES.len()] {
+    targets::TARGETS.get(usize::from(phone.number())).map(|row| row.1).unwrap_or_default()
+}
 
 /// Returns the numbers of a profile, in the order of [`SETTINGS`].
 pub fn numbers(profile: &ArticulationProfile<'_>) -> [i16; COUNT] {
@@ -128,7 +134,6 @@ fn record([gain, jaw, lead_ms, level_db]: [i16; COUNT], name: &str, target_count
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lipz_types::Phone;
 
     #[test]
     fn each_phone_has_the_row_with_its_name() {
