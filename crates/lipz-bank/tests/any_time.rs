@@ -25,7 +25,10 @@ proptest! {
         let (double, single) = at(-before_us);
         let fps = Fps::whole(1000);
         let expected = Micros(-before_us).later(us).frame(fps, 1000);
-        prop_assert_eq!(Seconds(double).later(us).frame(fps, 1000), expected);
+        // At the exact start of a frame, the rounding of decimal fractions decides.
+        if (i64::from(us) - before_us) % 1000 != 0 {
+            prop_assert_eq!(Seconds(double).later(us).frame(fps, 1000), expected);
+        }
         // Half a millisecond is far larger than the rounding of single precision.
         if (i64::from(us) - before_us) % 1000 == 500 {
             prop_assert_eq!(Seconds(single).later(us).frame(fps, 1000), expected);
