@@ -109,3 +109,18 @@ fn phones_follow_the_recording() {
     let merged = same.merge(&unchanged, &MergeOptions::new());
     assert!(merged.diagnostics.is_empty() && merged.document.get(phones::ELEMENT).is_some());
 }
+
+/// Memory follows the size of the file, even if each frame names another shape or times are far apart.
+#[test]
+fn faces_with_too_many_values_are_refused() {
+    let refused = |format: &str, bytes: &str| {
+        let imported = import(formats::find(format).unwrap(), bytes.as_bytes(), &ImportOptions::new());
+        let codes: Vec<Code> = imported.diagnostics.iter().map(|diagnostic| diagnostic.code).collect();
+        assert!(imported.clips.is_empty() && codes == [Code::ForeignValue], "{codes:?}");
+    };
+    let frames: String = (0..1_200).map(|frame| format!("{{\"s{frame}\":1}},")).collect();
+    refused("arkit-json", &format!("[{frames}{{}}]"));
+    let shapes: String = (0..100).map(|shape| format!("\"s{shape}\":0.5,")).collect();
+    let frame = |time: u32| format!("{{{shapes}\"time\":{time}}}");
+    refused("arkit-json", &format!("{{\"fps\":60,\"frames\":[{},{}]}}", frame(0), frame(60_000_000)));
+}

@@ -24,8 +24,10 @@ struct Stretch {
 }
 
 impl Stretch {
-    fn is_near(self, other: Stretch) -> bool {
-        self.start_ms <= other.end_ms + NEAR_MS && other.start_ms <= self.end_ms + NEAR_MS
+    /// Whether one of some stretches, which are in the order of their times, is near.
+    fn is_near(self, stretches: &[Stretch]) -> bool {
+        let first = stretches.partition_point(|other| other.end_ms + NEAR_MS < self.start_ms);
+        stretches.get(first).is_some_and(|other| other.start_ms <= self.end_ms + NEAR_MS)
     }
 }
 
@@ -57,9 +59,8 @@ fn closed_lips(file: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
         }
         frame += run.len();
     }
-    let is_seen = |phone: Stretch| runs.iter().any(|run| run.is_near(phone));
     let is_long = |phone: Stretch| phone.end_ms.saturating_sub(phone.start_ms) >= SHORTEST_MS;
-    let unseen: Vec<_> = closed.iter().filter(|(_, phone)| is_long(*phone) && !is_seen(*phone)).collect();
+    let unseen: Vec<_> = closed.iter().filter(|(_, phone)| is_long(*phone) && !phone.is_near(&runs)).collect();
     let mut found = None;
     if let Some((phone, _)) = unseen.first() {
         let message = format!(
@@ -70,8 +71,8 @@ fn closed_lips(file: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
         let diagnostic = Diagnostic::at(Code::PhonesContradict, phone.span, message);
         found = Some((diagnostic, unseen.len(), "phones close the lips without a viseme"));
     } else {
-        let silent: Vec<&Stretch> =
-            runs.iter().filter(|run| !closed.iter().any(|(_, phone)| phone.is_near(**run))).collect();
+        let phones: Vec<Stretch> = closed.iter().map(|(_, phone)| *phone).collect();
+        let silent: Vec<&Stretch> = runs.iter().filter(|run| !run.is_near(&phones)).collect();
         if let Some(first) = silent.first() {
             let message = format!(
                 "the viseme `{}` at {} ms closes the lips, but the phones keep them open",

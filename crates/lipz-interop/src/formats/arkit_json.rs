@@ -8,7 +8,7 @@ use super::Format;
 use super::face_frames::{self, TABLE};
 use crate::json::{self, Node};
 use crate::{ImportOptions, Time, Track, source};
-use lipz_diagnostics::{Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::curve::ARKIT;
 use lipz_file::rate::Rate;
 use std::collections::{BTreeSet, HashMap};
@@ -65,7 +65,15 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
             );
             continue;
         };
-        frames.extend(list.into_iter().filter_map(|node| reader.frame(node)));
+        for node in list {
+            frames.extend(reader.frame(node));
+            if reader.names.names.len() > face_frames::MOST_SHAPES {
+                let message = format!("the frames up to here name more than {} shapes", face_frames::MOST_SHAPES);
+                let diagnostic = Diagnostic::at(Code::ForeignValue, node.span(), message);
+                reader.diagnostics.push(diagnostic.help("check whether the names are those of shapes"));
+                return Vec::new();
+            }
+        }
     }
     let FrameReader { names, left_out, .. } = reader;
     let per_second = if are_milliseconds(&frames) { MILLISECONDS_PER_SECOND } else { 1.0 };

@@ -13,6 +13,8 @@ use std::collections::HashSet;
 const TABLES: [&str; 3] = ["arkit", "vrm", "ovr"];
 /// Weaker shapes are ignored for the visemes.
 const FLOOR: f32 = 0.15;
+/// The most weights: those of 300 shapes in an hour with 60 frames per second.
+const MOST_VALUES: usize = 1 << 26;
 /// The usual frame rates. A file has the first one whose frames include all of its keys.
 const RATES: [u32; 6] = [24, 25, 30, 48, 50, 60];
 /// The largest distance of a key from its frame, in frames. Times are rounded to 32 bits.
@@ -45,7 +47,7 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
     let Some(glb) = Glb::read(bytes, diagnostics) else { return Vec::new() };
     let mut tracks = Vec::new();
     let animations = glb.json.get("animations").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
-    for channel in animations.iter().take(1).flat_map(channels) {
+    for channel in animations.iter().take(1).flat_map(channels).take(face_frames::MOST_SHAPES + 1) {
         match tracks_of(&glb, &channel) {
             Some(found) => tracks.extend(found),
             None => {
@@ -55,12 +57,24 @@ fn read(bytes: &[u8], options: &ImportOptions<'_>, diagnostics: &mut Vec<Diagnos
             }
         }
     }
+    if tracks.len() > face_frames::MOST_SHAPES {
+        let message = format!("the animation moves more than {} shapes", face_frames::MOST_SHAPES);
+        diagnostics.push(Diagnostic::new(Code::ForeignValue, message).help("export only the face"));
+        return Vec::new();
+    }
     if tracks.is_empty() {
         let message = "the file has no animation of morph targets or of VRM expressions";
         diagnostics.push(Diagnostic::new(Code::NoShapes, message).help("export the shapes with the animation"));
         return Vec::new();
     }
-    let mut track = track(tracks, options);
+    let times = times(&tracks);
+    if times.len().saturating_mul(tracks.len()) > MOST_VALUES {
+        let message = format!("the {} shapes have keys at {} times, which are too many", tracks.len(), times.len());
+        diagnostics
+            .push(Diagnostic::new(Code::ForeignValue, message).help("export only the face, with keys at frames"));
+        return Vec::new();
+    }
+    let mut track = track(tracks, &times, options);
     if animations.len() > 1 {
         track.remarks.push(format!("{} more animations of the file are left out", animations.len() - 1));
     }
@@ -146,13 +160,18 @@ fn expression(glb: &Glb<'_>, node: usize) -> Option<String> {
     groups.flatten().find(is_of_node).map(|(name, _)| name.clone())
 }
 
-/// Returns the track of some weights, with a row for each time at which one of them has a key.
-fn track(mut tracks: Vec<WeightTrack>, options: &ImportOptions<'_>) -> Track {
-    let (mut known, all) = (HashSet::new(), tracks.len());
-    tracks.retain(|track| known.insert(track.name.clone()));
+/// Returns the times of all keys, in order.
+fn times(tracks: &[WeightTrack]) -> Vec<f32> {
     let mut times: Vec<f32> = tracks.iter().flat_map(|track| track.seconds.iter().copied()).collect();
     times.sort_by(f32::total_cmp);
     times.dedup();
+    times
+}
+
+/// Returns the track of some weights, with a row for each time at which one of them has a key.
+fn track(mut tracks: Vec<WeightTrack>, times: &[f32], options: &ImportOptions<'_>) -> Track {
+    let (mut known, all) = (HashSet::new(), tracks.len());
+    tracks.retain(|track| known.insert(track.name.clone()));
     let is_on_frame = |rate: f64, time: f32| (f64::from(time) * rate - (f64::from(time) * rate).round()).abs() <= NEAR;
     let fits = |rate: &u32| times.iter().all(|time| is_on_frame(f64::from(*rate), *time));
     let numerator = RATES.into_iter().find(fits).or(RATES.last().copied()).unwrap_or(60);
@@ -171,7 +190,7 @@ fn track(mut tracks: Vec<WeightTrack>, options: &ImportOptions<'_>) -> Track {
     let Some(map) = options.map.or_else(|| find_map(table)) else { return made };
     let rest = if table == "ovr" { "sil" } else { "rest" };
     let symbols = Symbols::Strongest { map, floor: FLOOR, rest };
-    for time in times {
+    for &time in times {
         let Some(start) = Time::from_f32(time) else { continue };
         let weights = tracks.iter().map(|track| track.at(time)).collect();
         face_frames::add(&mut made, symbols, None, start, weights);

@@ -6,6 +6,9 @@ use lipz_file::rate::Rate;
 use lipz_file::{Element, curve};
 use lipz_types::CurveValue;
 
+/// The most values of all curves: those of 300 weights in an hour with 60 frames per second.
+pub(super) const MOST_VALUES: usize = 1 << 26;
+
 /// The element with the curves, and the accuracy of their values.
 pub(super) struct FaceCurves {
     pub(super) element: Element<'static>,

@@ -176,13 +176,18 @@ fn clip(
         .words(frames.timed(&track.words))
         .phrases(frames.timed(&track.phrases));
     let codes = frames.divided(&division);
-    let frames = resampled.lengths.iter().sum();
+    let frames: usize = resampled.lengths.iter().sum();
     let phones = phones::spelled(phones, Time::of_frame(frames as u64, rate));
     let mouth = mouth.phones(phones.clone());
     let mut document = document(&track, codes, &texts, &division, map.viseme_type, rate);
     let (map, mut remarks) = (map.label(), track.remarks);
     document.elements.extend(phones.map(|phones| element(lipz_file::phones::ELEMENT, phones)));
-    if let Some(curves) = curves::curves(track.weights, frames, rate) {
+    if frames.saturating_mul(track.weights.names.len()) > curves::MOST_VALUES {
+        let message = format!("{} weights in {frames} frames are too many", track.weights.names.len());
+        diagnostics.push(
+            Diagnostic::new(Code::ForeignValue, message).help("check whether the times have the unit of the format"),
+        );
+    } else if let Some(curves) = curves::curves(track.weights, frames, rate) {
         document.elements.push(curves.element);
         remarks.push(curves.remark);
     }

@@ -9,6 +9,7 @@ use crate::{ImportedClip, Text, Time};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::text::{DELIMITER, display, segment_count, segments, trim};
 use lipz_file::{Document, Element, RawJson, Value, curve, phones};
+use std::collections::HashSet;
 
 impl ImportedClip {
     /// Returns `clip` with the lip-sync track of this clip, as [`merge`] does, with the curves of a recorded face, and
@@ -127,8 +128,8 @@ fn set_curves(document: &mut Document<'_>, recorded: &Value<'_>) -> bool {
     let parsed = (curve::parse(before, &mut diagnostics), curve::parse(recorded, &mut diagnostics));
     // Invalid keys would get lost.
     let (Some(before), Some(recorded), []) = (parsed.0, parsed.1, diagnostics.as_slice()) else { return false };
-    let is_recorded = |name: &str| recorded.iter().any(|curve| curve.name.text == name);
-    let kept = before.iter().filter(|curve| !is_recorded(&curve.name.text));
+    let names: HashSet<&str> = recorded.iter().map(|curve| curve.name.text.as_ref()).collect();
+    let kept = before.iter().filter(|curve| !names.contains(curve.name.text.as_ref()));
     let all: Vec<_> = kept.chain(&recorded).map(|curve| (curve.name.text.as_ref(), keys(curve))).collect();
     *own = Value::Other(RawJson::new(curve::write(all)));
     true

@@ -17,9 +17,12 @@ pub(super) const FORMAT: WeightFormat = WeightFormat {
 /// Writes all shapes of ARKit, as importers of these files expect, and after them the other shapes.
 fn write(animation: &FaceAnimation, _: &mut Vec<Diagnostic>) -> Vec<u8> {
     let is_arkit = |name: &str| ARKIT.iter().any(|known| known.eq_ignore_ascii_case(name));
-    let others = animation.weights.iter().map(|weight| weight.name.as_str()).filter(|name| !is_arkit(name));
-    let names: Vec<&str> = ARKIT.into_iter().chain(others).collect();
-    let indices: Vec<Option<usize>> = names.iter().map(|name| animation.index_of(name)).collect();
+    let others: Vec<usize> =
+        (0..animation.weights.len()).filter(|&index| !is_arkit(animation.weights[index].name.as_str())).collect();
+    let own = others.iter().map(|&index| animation.weights[index].name.as_str());
+    let names: Vec<&str> = ARKIT.into_iter().chain(own).collect();
+    let indices: Vec<Option<usize>> =
+        ARKIT.iter().map(|name| animation.index_of(name)).chain(others.iter().copied().map(Some)).collect();
     let weight = |index: &Option<usize>, frame: usize| {
         let value = index.and_then(|index| animation.weights.get(index)?.values.get(frame)).copied();
         f64::from(value.unwrap_or_default().thousandths()) / 1000.0
