@@ -10,12 +10,14 @@
 //! A key is one word, `frame:value`, so that people can type a curve, and a word diff shows the changed keys.
 
 mod add;
+mod change;
 mod key;
 mod names;
 mod sampled;
 mod write;
 
 pub use add::add;
+pub use change::change;
 pub use key::Key;
 pub(crate) use key::thousandths;
 pub use names::{ARKIT, LIVE_LINK_ANGLES, is_arkit};
@@ -26,6 +28,7 @@ pub use write::write;
 
 use crate::{Element, JsonString, RawJson, Value};
 use lipz_diagnostics::{Code, Diagnostic, bound, escape};
+use lipz_types::CurveValue;
 use std::collections::HashMap;
 
 /// The name of the element.
@@ -38,6 +41,13 @@ pub struct Curve<'r> {
     pub name: JsonString<'r>,
     /// Its keys, ordered by frame.
     pub keys: Vec<Key>,
+}
+
+impl Curve<'_> {
+    /// Returns the keys as frames and values.
+    pub fn frames_and_values(&self) -> Vec<(u32, CurveValue)> {
+        self.keys.iter().map(|key| (key.frame, key.value)).collect()
+    }
 }
 
 /// Returns the curves of an element with this value, and adds diagnostics. Invalid keys are omitted, as are curves

@@ -8,8 +8,7 @@ use crate::subtitles::bounds;
 use crate::{ImportedClip, Text, Time};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::text::{DELIMITER, display, segment_count, segments, trim};
-use lipz_file::{Document, Element, RawJson, Value, curve, phones};
-use std::collections::HashSet;
+use lipz_file::{Document, Element, Value, curve, phones};
 
 impl ImportedClip {
     /// Returns `clip` with the lip-sync track of this clip, as [`merge`] does, with the curves of a recorded face, and
@@ -117,22 +116,14 @@ impl ImportedClip {
     }
 }
 
-/// Replaces the curves of a recorded face in a clip, and keeps its other curves. Returns `false` if the clip has no
-/// valid curves.
+/// Replaces the curves of a recorded face in a clip, and keeps its other curves. Returns `false` if curves are not
+/// valid.
 fn set_curves(document: &mut Document<'_>, recorded: &Value<'_>) -> bool {
-    let own = document.elements.iter_mut().find(|element| element.name.text == curve::ELEMENT);
-    let (Some(Element { value: own, .. }), Value::Other(recorded)) = (own, recorded) else { return false };
-    let Value::Other(before) = &*own else { return false };
-    let keys = |curve: &curve::Curve<'_>| curve.keys.iter().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
+    let Value::Other(recorded) = recorded else { return false };
     let mut diagnostics = Vec::new();
-    let parsed = (curve::parse(before, &mut diagnostics), curve::parse(recorded, &mut diagnostics));
-    // Invalid keys would get lost.
-    let (Some(before), Some(recorded), []) = (parsed.0, parsed.1, diagnostics.as_slice()) else { return false };
-    let names: HashSet<&str> = recorded.iter().map(|curve| curve.name.text.as_ref()).collect();
-    let kept = before.iter().filter(|curve| !names.contains(curve.name.text.as_ref()));
-    let all: Vec<_> = kept.chain(&recorded).map(|curve| (curve.name.text.as_ref(), keys(curve))).collect();
-    *own = Value::Other(RawJson::new(curve::write(all)));
-    true
+    let (Some(recorded), []) = (curve::parse(recorded, &mut diagnostics), diagnostics.as_slice()) else { return false };
+    let added = recorded.iter().map(|curve| (curve.name.text.as_ref(), curve.frames_and_values())).collect();
+    curve::change(document, |_| false, added)
 }
 
 /// Whether two texts are displayed with the same words, however they are divided.

@@ -6,7 +6,7 @@ use crate::job::soft_opening;
 use lipz_diagnostics::Diagnostic;
 use lipz_file::format::{LineEnding, Style, format, rewrite};
 use lipz_file::rate::Rate;
-use lipz_file::{Document, Element, JsonString, RawJson, Value, curve, phones};
+use lipz_file::{Document, Element, JsonString, Value, curve, phones};
 use lipz_interop::{MergeOptions, Mouth, Time, merge};
 use lipz_speech::Script;
 use lipz_types::{CurveValue, Fps, VisemeType};
@@ -73,33 +73,16 @@ fn divided<'a>(target: &Target<'a>) -> Document<'a> {
 fn set_opening(document: &mut Document<'_>, before: &Document<'_>, opening: &[(u32, CurveValue)]) {
     let was_guessed = before.string(phones::ELEMENT).is_some_and(phones::are_guessed);
     let is_same_take = document.string("visemes") == before.string("visemes");
-    if opening.is_empty() && !was_guessed {
+    let is_kept = !was_guessed || (is_same_take && !opening.is_empty());
+    if is_kept && (opening.is_empty() || has_curve(document, soft_opening::NAME)) {
         return;
     }
-    let element = document.elements.iter().position(|element| element.name.text == curve::ELEMENT);
-    let mut diagnostics = Vec::new();
-    let own = match element.and_then(|at| document.elements.get(at)).map(|element| &element.value) {
-        Some(Value::Other(value)) => curve::parse(value, &mut diagnostics).unwrap_or_default(),
-        Some(_) => return,
-        None => Vec::new(),
-    };
-    // Invalid keys would get lost.
-    if !diagnostics.is_empty() {
-        return;
-    }
-    let keys = |curve: &curve::Curve<'_>| curve.keys.iter().map(|key| (key.frame, key.value)).collect::<Vec<_>>();
-    let is_made = was_guessed && (opening.is_empty() || !is_same_take);
-    let is_kept = |curve: &&curve::Curve<'_>| !is_made || curve.name.text != soft_opening::NAME;
-    let mut all: Vec<_> = own.iter().filter(is_kept).map(|curve| (curve.name.text.as_ref(), keys(curve))).collect();
-    if !opening.is_empty() && all.iter().all(|(name, _)| *name != soft_opening::NAME) {
-        all.push((soft_opening::NAME, opening.to_vec()));
-    }
-    let written = (!all.is_empty()).then(|| Value::Other(RawJson::new(curve::write(all))));
-    let name = JsonString::from(Cow::Borrowed(curve::ELEMENT));
-    match (element, written) {
-        (Some(at), Some(value)) => document.elements[at].value = value,
-        (Some(at), None) => _ = document.elements.remove(at),
-        (None, Some(value)) => document.elements.push(Element { name, value }),
-        (None, None) => {}
-    }
+    let added = if opening.is_empty() { Vec::new() } else { vec![(soft_opening::NAME, opening.to_vec())] };
+    // Curves with errors stay as they are.
+    curve::change(document, |name| name == soft_opening::NAME, added);
+}
+
+fn has_curve(document: &Document<'_>, name: &str) -> bool {
+    let Some(Value::Other(curves)) = document.get(curve::ELEMENT).map(|element| &element.value) else { return false };
+    curves.members(&mut Vec::new()).is_some_and(|curves| curves.iter().any(|curve| curve.name.text == name))
 }
