@@ -194,6 +194,7 @@ fn normal(mut numbers: Vec<f64>) -> Option<Vec<f64>> {
 mod tests {
     use super::*;
     use crate::features::mel::{BANDS, Spectrum};
+    use crate::features::warp::Warp;
 
     /// Returns the spectra of sounds that change after so many frames.
     fn spectrum(lengths: &[usize]) -> Vec<Spectrum> {
@@ -216,7 +217,7 @@ mod tests {
         let spectrum = spectrum(lengths);
         let phones: Vec<Phone> =
             [Phone::Sil, Phone::Aa, Phone::S, Phone::Iy].into_iter().cycle().take(lengths.len()).collect();
-        starts(Model::english(), Vectors::new(&spectrum), &phones, &steps(lengths))
+        starts(Model::english(), Vectors::new(&spectrum, Warp::NONE), &phones, &steps(lengths))
     }
 
     #[test]
@@ -241,7 +242,7 @@ mod tests {
         // A path that is six frames late, then five frames early.
         let starts = starts(
             Model::english(),
-            Vectors::new(&spectrum),
+            Vectors::new(&spectrum, Warp::NONE),
             &[Phone::Sil, Phone::Aa, Phone::Sil],
             &steps(&[36, 19, 35]),
         );

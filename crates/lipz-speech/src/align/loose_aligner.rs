@@ -4,6 +4,7 @@ use super::emission::{self, Emissions};
 use super::history::PathStep;
 use super::{AlignedPhone, phones, quiet, steady, time};
 use crate::features::cepstra::Vectors;
+use crate::features::warp::Warp;
 use crate::{Model, Phone, Sound};
 use std::ops::Range;
 
@@ -22,8 +23,8 @@ pub(super) struct LooseAligner<'s> {
 }
 
 impl<'s> LooseAligner<'s> {
-    pub(super) fn new(model: &'s Model, sound: &'s Sound) -> LooseAligner<'s> {
-        let vectors = Vectors::new(sound.spectrum());
+    pub(super) fn new(model: &'s Model, sound: &'s Sound, warp: Warp) -> LooseAligner<'s> {
+        let vectors = Vectors::new(sound.spectrum(), warp);
         let quiet = quiet::quiet(sound.spectrum());
         let (steady, deep) = (steady::steady(vectors.clone()), quiet::deep(&quiet));
         let still = steady.iter().zip(&deep).map(|(steady, deep)| steady | deep).collect();

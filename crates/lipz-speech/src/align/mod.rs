@@ -3,6 +3,7 @@
 mod doubt;
 mod edges;
 mod emission;
+mod excerpt;
 mod graph;
 mod history;
 mod loose_aligner;
@@ -10,13 +11,16 @@ mod phones;
 mod posterior;
 mod quiet;
 mod search;
+mod size;
 mod steady;
 mod time;
 mod unwritten;
 
 use crate::features::cepstra::Vectors;
+use crate::features::warp::Warp;
 use crate::{Model, Phone, Script, Sound};
 use emission::Emissions;
+use excerpt::Excerpt;
 use graph::{Costs, Graph};
 use history::PathStep;
 use loose_aligner::LooseAligner;
@@ -26,6 +30,9 @@ use std::ops::Range;
 /// At 30 nats, drawn-out or slurred words of spontaneous speech lost to other speech: 81.7 % of the frames with the
 /// correct script were right, compared with 83.4 % now. Above 60, words missing from the script are lost.
 const COSTS: Costs = Costs { pause: -2.0, noise: -30.0, other_speech: -60.0, missing_word: -60.0 };
+
+/// The progress after the first of two passes, the second of which only voices of another size need.
+const HALF: f32 = 0.5;
 
 /// Finds the times of the words and phones of a script.
 ///
@@ -133,6 +140,8 @@ pub struct AlignedWord {
 /// The best path through a script.
 struct Path {
     graph: Graph,
+    /// The size of the voice.
+    warp: Warp,
     steps: Vec<PathStep>,
     /// By step: its start in frames.
     starts: Vec<f64>,
@@ -152,10 +161,10 @@ impl<'m> Aligner<'m> {
         Aligner { progress: Some(progress), ..self }
     }
 
-    /// Reports that `done` of `frames` frames are done.
-    fn tell(&self, done: usize, frames: usize) {
+    /// Reports that `done` of `frames` frames of a part of the work are done.
+    fn tell(&self, done: usize, frames: usize, part: &Range<f32>) {
         if let Some(progress) = self.progress {
-            progress(done as f32 / frames.max(1) as f32);
+            progress(part.start + (part.end - part.start) * done as f32 / frames.max(1) as f32);
         }
     }
 
@@ -164,7 +173,13 @@ impl<'m> Aligner<'m> {
     /// Always returns an alignment, even if the two have little in common: see [`AlignedWord::confidence`]. Time is
     /// proportional to the length of the audio, memory to that of the script.
     pub fn align(&self, sound: &Sound, script: &Script) -> Alignment {
-        self.alignment(sound, script, &self.path(sound, script))
+        match Excerpt::new(sound) {
+            Some(excerpt) => {
+                let sound = &excerpt.sound;
+                excerpt.alignment(self.alignment(sound, script, &self.path(sound, script)))
+            }
+            None => silent(sound, script),
+        }
     }
 
     /// Returns the phones of `sound` with their frames, from first to last without gaps, or `None` if the script does
@@ -178,27 +193,45 @@ impl<'m> Aligner<'m> {
 
     fn path(&self, sound: &Sound, script: &Script) -> Path {
         let graph = Graph::new(script, &COSTS);
-        let vectors = Vectors::new(sound.spectrum());
-        let tell = |done| self.tell(done, sound.spectrum().len());
-        let mut emissions =
-            Emissions::new(self.model, vectors.clone(), quiet::quiet(sound.spectrum())).telling(Some(&tell));
-        let steps = search::best_path(&graph, self.model, &mut emissions);
         let phone = |step: &PathStep| graph.nodes[step.node].phone;
+        let (mut steps, mut best) = self.best_path(sound, &graph, Warp::NONE, &(0.0..HALF));
+        let warp = size::warp(self.model, sound, &steps, phone);
+        if warp != Warp::NONE {
+            (steps, best) = self.best_path(sound, &graph, warp, &(HALF..1.0));
+        }
+        let vectors = Vectors::new(sound.spectrum(), warp);
         let phones: Vec<Phone> = steps.iter().map(phone).collect();
         let starts = edges::starts(self.model, vectors.clone(), &phones, &steps);
-        let fits = emission::fits(self.model, vectors, &emissions.best, phone, &steps);
-        Path { graph, steps, starts, fits }
+        let fits = emission::fits(self.model, vectors, &best, phone, &steps);
+        Path { graph, warp, steps, starts, fits }
+    }
+
+    /// Returns the best path for a voice of this size, and the score of the best phone of each frame. Its progress is
+    /// that of `part` of the work.
+    fn best_path(&self, sound: &Sound, graph: &Graph, warp: Warp, part: &Range<f32>) -> (Vec<PathStep>, Vec<f32>) {
+        let tell = |done| self.tell(done, sound.spectrum().len(), part);
+        let vectors = Vectors::new(sound.spectrum(), warp);
+        let mut emissions = Emissions::new(self.model, vectors, quiet::quiet(sound.spectrum())).telling(Some(&tell));
+        let steps = search::best_path(graph, self.model, &mut emissions);
+        (steps, emissions.best)
     }
 
     /// Returns the phones of `sound` without a script: an alignment without words.
     ///
     /// One phone in four is recognised as a different one, mostly as one that looks alike. Works best for English.
     pub fn listen(&self, sound: &Sound) -> Alignment {
+        match Excerpt::new(sound) {
+            Some(excerpt) => excerpt.alignment(self.listen_to(&excerpt.sound)),
+            None => silent(sound, &Script::default()),
+        }
+    }
+
+    fn listen_to(&self, sound: &Sound) -> Alignment {
         let duration_us = sound.duration_us();
         let frames = 0..sound.spectrum().len();
         let all = AlignedPhone { phone: Phone::Sil, start_us: 0, end_us: duration_us, word: None, fit: 0.0 };
-        let tell = |done| self.tell(done, sound.spectrum().len());
-        let phones = LooseAligner::new(self.model, sound).telling(Some(&tell)).phones(frames, &all);
+        let tell = |done| self.tell(done, sound.spectrum().len(), &(0.0..1.0));
+        let phones = LooseAligner::new(self.model, sound, Warp::NONE).telling(Some(&tell)).phones(frames, &all);
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let (words, breaks_us, mismatches) = Default::default();
         Alignment { duration_us, phones, words, breaks_us, mismatches }
@@ -220,13 +253,26 @@ impl<'m> Aligner<'m> {
         let phones = time::cover(phones, duration_us);
         let confidences = doubt::confidences(&phones, heard.len());
         let mismatches = doubt::mismatches(&phones, heard.len());
-        let phones = unwritten::put_phones(self.model, sound, &path.steps, phones);
+        let phones = unwritten::put_phones(self.model, sound, path, phones);
         let phones = time::join_pauses(phones, self.options.shortest_pause_us);
         let words = time::words(&phones, &heard, &confidences);
         let last_us = words.iter().map(|word| word.end_us).max().unwrap_or(duration_us);
         let break_us = |&word: &usize| words.get(word).map_or(last_us, |word| word.start_us);
         let breaks_us = script.breaks.iter().map(break_us).collect();
         Alignment { duration_us, phones, words, breaks_us, mismatches }
+    }
+}
+
+/// Returns the alignment of a recording in which nothing is audible: no word is spoken, and the mouth rests.
+fn silent(sound: &Sound, script: &Script) -> Alignment {
+    let duration_us = sound.duration_us();
+    let missing = AlignedWord { start_us: 0, end_us: 0, pronunciation: None, confidence: 0.0 };
+    Alignment {
+        duration_us,
+        phones: time::cover(Vec::new(), duration_us),
+        words: vec![missing; script.words.len()],
+        breaks_us: vec![0; script.breaks.len()],
+        mismatches: Vec::new(),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::emission::Emissions;
 use super::{Aligner, quiet};
 use crate::features::cepstra::Vectors;
+use crate::features::warp::Warp;
 use crate::model::STATES;
 use crate::{Phone, Sound};
 
@@ -17,7 +18,7 @@ impl Aligner<'_> {
     /// Without a text, a wrong decision closes or opens the mouth visibly. A mouth that blends the targets of all phones
     /// by these probabilities moves less, but follows the opening of the lips better than the single best phones.
     pub fn posteriors(&self, sound: &Sound) -> Vec<[f32; Phone::COUNT]> {
-        let vectors = Vectors::new(sound.spectrum());
+        let vectors = Vectors::new(sound.spectrum(), Warp::NONE);
         Emissions::new(self.model, vectors, quiet::quiet(sound.spectrum()))
             .map(|scores| {
                 let of_phone = |phone: Phone| {

@@ -3,7 +3,7 @@
 
 use super::history::PathStep;
 use super::loose_aligner::LooseAligner;
-use super::{AlignedPhone, quiet};
+use super::{AlignedPhone, Path, quiet};
 use crate::sound::level::voice_powers;
 use crate::{Model, Phone, Sound};
 
@@ -11,13 +11,8 @@ use crate::{Model, Phone, Sound};
 /// hum.
 const FAINT_DB: f32 = 15.0;
 
-/// Replaces each unscripted speech in `aligned` with the phones in the audio. `aligned` was made from `steps`.
-pub(super) fn put_phones(
-    model: &Model,
-    sound: &Sound,
-    steps: &[PathStep],
-    aligned: Vec<AlignedPhone>,
-) -> Vec<AlignedPhone> {
+/// Replaces each unscripted speech in `aligned` with the phones in the audio. `aligned` was made from `path`.
+pub(super) fn put_phones(model: &Model, sound: &Sound, path: &Path, aligned: Vec<AlignedPhone>) -> Vec<AlignedPhone> {
     if aligned.iter().all(|phone| phone.phone != Phone::Spoken) {
         return aligned;
     }
@@ -27,10 +22,10 @@ pub(super) fn put_phones(
         let powers = powers.get(step.start..step.end).unwrap_or_default();
         powers.iter().sum::<f32>() >= least * powers.len() as f32
     };
-    let mut loose = LooseAligner::new(model, sound);
+    let mut loose = LooseAligner::new(model, sound, path.warp);
     let put = |(phone, step): (AlignedPhone, &PathStep)| match phone.phone {
         Phone::Spoken if is_loud(step) => loose.phones(step.start..step.end, &phone),
         _ => vec![phone],
     };
-    aligned.into_iter().zip(steps).flat_map(put).collect()
+    aligned.into_iter().zip(&path.steps).flat_map(put).collect()
 }

@@ -6,6 +6,7 @@
 use super::floor::Floor;
 use super::mel::{BANDS, Spectrum};
 use super::noise::NoiseTracker;
+use super::warp::Warp;
 use std::f64::consts::PI;
 
 /// The number of coefficients of a cepstrum.
@@ -13,12 +14,12 @@ pub(crate) const COEFFICIENTS: usize = 13;
 /// The number of values of a vector: cepstrum, change, change of the change.
 pub(crate) const NUMBERS: usize = 3 * COEFFICIENTS;
 
-type Cepstrum = [f32; COEFFICIENTS];
+pub(crate) type Cepstrum = [f32; COEFFICIENTS];
 
 const LIFTER: f64 = 22.0;
 /// The frames before and after that the changes need.
-const REACH: usize = 3;
-const RING: usize = 2 * REACH + 1;
+pub(crate) const REACH: usize = 3;
+pub(crate) const RING: usize = 2 * REACH + 1;
 
 /// Iterates over the vectors of a recording, without storing them.
 #[derive(Clone)]
@@ -51,12 +52,12 @@ impl Frame {
 }
 
 impl<'a> Vectors<'a> {
-    /// Returns the vectors of the frames of `spectrum`.
-    pub(crate) fn new(spectrum: &'a [Spectrum]) -> Vectors<'a> {
+    /// Returns the vectors of the frames of `spectrum`, for a voice of this size.
+    pub(crate) fn new(spectrum: &'a [Spectrum], warp: Warp) -> Vectors<'a> {
         let floor = Floor::new(spectrum);
         let mut sums = [0.0_f64; COEFFICIENTS];
         let mut loudness = Vec::with_capacity(spectrum.len());
-        for cepstrum in Cepstra::new(spectrum, floor) {
+        for cepstrum in Cepstra::new(spectrum, floor, warp) {
             for (sum, number) in sums.iter_mut().zip(&cepstrum) {
                 *sum += f64::from(*number);
             }
@@ -68,7 +69,7 @@ impl<'a> Vectors<'a> {
         loudness.sort_unstable_by(f32::total_cmp);
         let share = |percent: usize| loudness.get(count.saturating_sub(1) * percent / 100).copied().unwrap_or(0.0);
         Vectors {
-            cepstra: Cepstra::new(spectrum, floor),
+            cepstra: Cepstra::new(spectrum, floor, warp),
             count,
             means,
             quiet: share(5) - means[0],
@@ -79,9 +80,10 @@ impl<'a> Vectors<'a> {
         }
     }
 
-    /// Returns the cepstrum of a frame near the next. The first and the last frame are repeated beyond the ends.
-    fn cepstrum(&self, ahead: usize, behind: usize) -> &Cepstrum {
-        let frame = (self.next + ahead).saturating_sub(behind).min(self.count - 1);
+    /// Returns the cepstrum of a frame around the next, which is that with the number `REACH`. The first and the last
+    /// frame are repeated beyond the ends.
+    fn cepstrum(&self, around: usize) -> &Cepstrum {
+        let frame = (self.next + around).saturating_sub(REACH).min(self.count - 1);
         &self.ring[frame % RING]
     }
 }
@@ -98,13 +100,7 @@ impl Iterator for Vectors<'_> {
             self.ring[self.made % RING] = std::array::from_fn(|i| cepstrum[i] - self.means[i]);
             self.made += 1;
         }
-        let mut vector = [0.0; NUMBERS];
-        for i in 0..COEFFICIENTS {
-            let at = |ahead, behind| self.cepstrum(ahead, behind)[i];
-            vector[i] = at(0, 0);
-            vector[COEFFICIENTS + i] = at(2, 0) - at(0, 2);
-            vector[2 * COEFFICIENTS + i] = (at(3, 0) - at(0, 1)) - (at(1, 0) - at(0, 3));
-        }
+        let vector = vector(|frame| self.cepstrum(frame));
         let loudness = (vector[0] - self.quiet) / (self.loud - self.quiet).max(1e-3);
         self.next += 1;
         Some(Frame { vector, loudness })
@@ -114,15 +110,13 @@ impl Iterator for Vectors<'_> {
 /// The cepstra of a recording, before their mean is subtracted.
 #[derive(Clone)]
 struct Cepstra<'a> {
-    spectrum: std::slice::Iter<'a, Spectrum>,
-    floor: Floor,
-    noise: NoiseTracker,
-    transform: Vec<[f32; BANDS]>,
+    bands: CleanBands<'a>,
+    transform: Transform,
 }
 
 impl<'a> Cepstra<'a> {
-    fn new(spectrum: &'a [Spectrum], floor: Floor) -> Cepstra<'a> {
-        Cepstra { spectrum: spectrum.iter(), floor, noise: NoiseTracker::default(), transform: transform() }
+    fn new(spectrum: &'a [Spectrum], floor: Floor, warp: Warp) -> Cepstra<'a> {
+        Cepstra { bands: CleanBands::new(spectrum, floor), transform: Transform::new(warp) }
     }
 }
 
@@ -130,14 +124,97 @@ impl Iterator for Cepstra<'_> {
     type Item = Cepstrum;
 
     fn next(&mut self) -> Option<Cepstrum> {
-        let power = self.noise.clean(self.floor.raise(self.spectrum.next()?));
-        let logarithms = power.map(libm::logf);
-        let mut cepstrum = [0.0; COEFFICIENTS];
-        for (number, weights) in cepstrum.iter_mut().zip(&self.transform) {
-            *number = logarithms.iter().zip(weights).map(|(band, weight)| band * weight).sum();
-        }
-        Some(cepstrum)
+        self.bands.next().map(|bands| self.transform.cepstrum(&bands))
     }
+}
+
+/// The logarithm of the power in each band, without noise.
+#[derive(Clone)]
+pub(crate) struct CleanBands<'a> {
+    spectrum: std::slice::Iter<'a, Spectrum>,
+    floor: Floor,
+    noise: NoiseTracker,
+}
+
+impl<'a> CleanBands<'a> {
+    pub(crate) fn new(spectrum: &'a [Spectrum], floor: Floor) -> CleanBands<'a> {
+        CleanBands { spectrum: spectrum.iter(), floor, noise: NoiseTracker::default() }
+    }
+}
+
+impl Iterator for CleanBands<'_> {
+    type Item = [f32; BANDS];
+
+    fn next(&mut self) -> Option<[f32; BANDS]> {
+        let power = self.noise.clean(self.floor.raise(self.spectrum.next()?));
+        Some(power.map(libm::logf))
+    }
+}
+
+/// The linear map from bands to cepstra: warp, orthonormal cosine transform and lifter.
+#[derive(Clone)]
+pub(crate) struct Transform(Vec<[f32; BANDS]>);
+
+impl Transform {
+    pub(crate) fn new(warp: Warp) -> Transform {
+        Transform(transform().iter().map(|weights| warp.weights(weights)).collect())
+    }
+
+    pub(crate) fn cepstrum(&self, bands: &[f32; BANDS]) -> Cepstrum {
+        let mut cepstrum = [0.0; COEFFICIENTS];
+        for (number, weights) in cepstrum.iter_mut().zip(&self.0) {
+            *number = bands.iter().zip(weights).map(|(band, weight)| band * weight).sum();
+        }
+        cepstrum
+    }
+}
+
+/// Returns the vector of a frame from its cepstrum and those of the frames around it, without their mean.
+pub(crate) fn vector<'c>(cepstrum: impl Fn(usize) -> &'c Cepstrum) -> [f32; NUMBERS] {
+    let mut vector = [0.0; NUMBERS];
+    for i in 0..COEFFICIENTS {
+        let at = |frame: usize| cepstrum(frame)[i];
+        vector[i] = at(REACH);
+        vector[COEFFICIENTS + i] = at(REACH + 2) - at(REACH - 2);
+        vector[2 * COEFFICIENTS + i] = (at(REACH + 3) - at(REACH - 1)) - (at(REACH + 1) - at(REACH - 3));
+    }
+    vector
+}
+
+/// Returns the logarithm of the factor by which a warp changes volumes in the space of cepstra. Warping averages
+/// neighbouring bands, which alone makes vectors more likely. With this term, likelihoods of warps are comparable
+/// (M. Pitz and H. Ney, "Vocal tract normalization equals linear transformation in cepstral space", 2005).
+pub(crate) fn log_volume(warp: Warp) -> f32 {
+    let rows = transform();
+    let product = |one: &[f32; BANDS], other: &[f32; BANDS]| -> f64 {
+        one.iter().zip(other).map(|(one, other)| f64::from(*one) * f64::from(*other)).sum()
+    };
+    // The rows are orthogonal, and the lifter cancels out.
+    let of_row = |row: &[f32; BANDS]| -> [f64; COEFFICIENTS] {
+        let warped = warp.weights(row);
+        std::array::from_fn(|column| product(&warped, &rows[column]) / product(&rows[column], &rows[column]))
+    };
+    let matrix = rows.iter().map(of_row).collect();
+    #[expect(clippy::cast_possible_truncation, reason = "likelihoods are single")]
+    let volume = log_determinant(matrix) as f32;
+    volume
+}
+
+/// Returns the logarithm of the absolute value of a determinant, by Gaussian elimination.
+fn log_determinant(mut rows: Vec<[f64; COEFFICIENTS]>) -> f64 {
+    let mut sum = 0.0;
+    for pivot in 0..COEFFICIENTS {
+        let largest = (pivot..COEFFICIENTS).max_by(|a, b| rows[*a][pivot].abs().total_cmp(&rows[*b][pivot].abs()));
+        rows.swap(pivot, largest.unwrap_or(pivot));
+        let (done, rest) = rows.split_at_mut(pivot + 1);
+        let first = done[pivot];
+        sum += libm::log(first[pivot].abs());
+        for row in rest {
+            let share = row[pivot] / first[pivot];
+            row.iter_mut().zip(&first).for_each(|(number, first)| *number -= share * first);
+        }
+    }
+    sum
 }
 
 /// Returns the orthonormal cosine transform and the lifter, combined in one table.
@@ -163,7 +240,7 @@ mod tests {
     #[test]
     fn every_frame_has_a_vector_whose_mean_is_zero() {
         let spectrum = ramp(100);
-        let vectors: Vec<Frame> = Vectors::new(&spectrum).collect();
+        let vectors: Vec<Frame> = Vectors::new(&spectrum, Warp::NONE).collect();
         assert_eq!(vectors.len(), 100);
         for i in 0..COEFFICIENTS {
             let mean = vectors.iter().map(|frame| frame.vector[i]).sum::<f32>() / 100.0;
@@ -174,7 +251,7 @@ mod tests {
     #[test]
     fn changes_are_differences_of_neighbours() {
         let spectrum = ramp(30);
-        let vectors: Vec<Frame> = Vectors::new(&spectrum).collect();
+        let vectors: Vec<Frame> = Vectors::new(&spectrum, Warp::NONE).collect();
         for i in 0..COEFFICIENTS {
             let at = |t: usize| vectors[t].vector[i];
             let close = |a: f32, b: f32| (a - b).abs() < 1e-3;
@@ -185,9 +262,17 @@ mod tests {
     }
 
     #[test]
+    fn averaging_bands_makes_volumes_smaller() {
+        assert!(log_volume(Warp::NONE).abs() < 1e-6);
+        for factor in [0.7, 0.94, 1.06, 1.3] {
+            assert!(log_volume(Warp::new(factor)) < -0.1, "{factor}: {}", log_volume(Warp::new(factor)));
+        }
+    }
+
+    #[test]
     fn short_and_silent_sounds_are_no_trouble() {
         for spectrum in [vec![], vec![[0; BANDS]], vec![[-9_000; BANDS]; 5]] {
-            for frame in Vectors::new(&spectrum) {
+            for frame in Vectors::new(&spectrum, Warp::NONE) {
                 assert!(frame.vector.iter().all(|number| number.is_finite()));
             }
         }

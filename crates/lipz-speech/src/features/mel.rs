@@ -142,6 +142,18 @@ fn bands() -> Vec<Band> {
         .collect()
 }
 
+/// Returns the frequency of the centre of a band, in hertz.
+pub(crate) fn centre_hz(band: usize) -> f64 {
+    let (low, high) = (mel(LOWEST_HZ), mel(HIGHEST_HZ));
+    hertz(low + (high - low) * (band + 1) as f64 / (BANDS + 1) as f64)
+}
+
+/// Returns the number of the band at a frequency, with the part of the way to the next.
+pub(crate) fn band_at(hz: f64) -> f64 {
+    let (low, high) = (mel(LOWEST_HZ), mel(HIGHEST_HZ));
+    (mel(hz) - low) / (high - low) * (BANDS + 1) as f64 - 1.0
+}
+
 /// Returns the mel value of Davis and Mermelstein, as in CMU Sphinx.
 fn mel(hz: f64) -> f64 {
     2595.0 * libm::log10(1.0 + hz / 700.0)

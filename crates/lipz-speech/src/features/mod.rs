@@ -4,3 +4,4 @@ pub(crate) mod cepstra;
 pub(crate) mod floor;
 pub(crate) mod mel;
 mod noise;
+pub(crate) mod warp;

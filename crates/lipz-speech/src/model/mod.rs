@@ -19,7 +19,7 @@ mod write;
 
 use crate::Phone;
 pub(crate) use counts::Counts;
-pub(crate) use score::{Scores, exp};
+pub(crate) use score::{STREAM_WEIGHTS, Scores, exp};
 use std::sync::OnceLock;
 
 /// The number of states of a phone. They are passed in order.

@@ -15,7 +15,7 @@ pub(crate) type Scores = [f32; Phone::COUNT * STATES];
 const LANES: usize = 8;
 /// The weights of the streams: cepstrum, change, change of the change. The changes overlap with those of the
 /// neighbouring frames, so they repeat the same evidence.
-const STREAM_WEIGHTS: [f32; STREAMS] = [1.0, 0.7, 0.5];
+pub(crate) const STREAM_WEIGHTS: [f32; STREAMS] = [1.0, 0.7, 0.5];
 /// The least sum of densities, so that its logarithm is finite.
 const LEAST: f32 = 1e-30;
 

@@ -11,6 +11,7 @@ mod mandarin;
 mod readings;
 mod rules;
 mod said;
+mod stutter;
 mod variants;
 mod word;
 
@@ -117,6 +118,7 @@ impl Pronouncer {
                     Some(known) => known.clone(),
                     None => seen.entry(token.text.clone()).or_insert(self.pronounce(&token.text)).clone(),
                 },
+                TokenKind::Stutter(whole) => stutter::pronounce(self, &token.text, whole),
                 TokenKind::Spelled(readings) => match self.lexicon.find(&token.text) {
                     [] => self.spelled(readings),
                     own => with_origin(own.to_vec(), Origin::Lexicon),

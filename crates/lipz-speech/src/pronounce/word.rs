@@ -98,7 +98,10 @@ fn with_vowels(mut all: Vec<Pronunciation>) -> Vec<Pronunciation> {
 /// Returns the pronunciations of digits inside a word, as in `R2D2`.
 fn digits(language: Language, part: &str) -> Vec<Pronunciation> {
     let mut all = Vec::new();
-    for reading in numbers::row(language.code(), part) {
+    // `v2.0` has a decimal, not a row of digits.
+    let decimal = numbers::spelled(language.code(), part, 0).filter(|_| part.contains(['.', ',']));
+    let decimal = decimal.filter(|spelled| spelled.length == part.len()).map(|spelled| spelled.readings);
+    for reading in decimal.unwrap_or_else(|| numbers::row(language.code(), part)) {
         let words = reading.split([' ', '-', '\u{ad}']).filter(|word| !word.is_empty());
         let ways = |word| pronounce(language, word).into_iter().map(|way| way.phones).collect();
         let ways: Vec<Vec<Vec<Phone>>> = words.map(ways).collect();

@@ -2,12 +2,13 @@
 
 use super::shapes::TimedShape;
 
-/// Extends closed shapes to `hold_us`. The time comes from the shape before, which keeps `least_us` (or `hold_us` if it
-/// is itself closed); then from the shape after; and then from the remaining time of both.
-pub(super) fn hold(shapes: &mut Vec<TimedShape>, hold_us: u64, least_us: u64) {
+/// Extends closed shapes to `hold_us`. The time comes from the shape before, and then from the shape after. At first they
+/// keep `frame_us`, so that a short vowel is visible, then `least_us`, and then nothing, but `hold_us` if they are
+/// closed.
+pub(super) fn hold(shapes: &mut Vec<TimedShape>, hold_us: u64, frame_us: u64, least_us: u64) {
     for current in 0..shapes.len() {
         if shapes[current].is_closed() {
-            for keep_us in [least_us, 0] {
+            for keep_us in [frame_us, least_us, 0] {
                 take(shapes, current, hold_us, keep_us);
             }
         }

@@ -72,11 +72,11 @@ pub fn render(alignment: &Alignment, fps: Fps, viseme_type: VisemeType, rules: &
     let mut shapes = shapes::of_phones(&alignment.phones, rules);
     // The lead comes first, because closed lips at the start of the audio must still be visible.
     shapes::advance(&mut shapes, rules.lead_us);
-    let (hold_us, least_us) = (frames::hold_us(rules.hold_us, fps), frames::least_us(fps));
+    let (hold_us, frame_us) = (frames::hold_us(rules.hold_us, fps), frames::hold_us(0, fps));
     if rules.hold_consonants {
-        hold::hold_consonants(&mut shapes, hold_us, frames::hold_us(0, fps));
+        hold::hold_consonants(&mut shapes, hold_us, frame_us);
     }
-    hold::hold(&mut shapes, hold_us, least_us);
+    hold::hold(&mut shapes, hold_us, frame_us, frames::least_us(fps));
     let count = frames::count(alignment.duration_us, fps);
     let mut shapes = shapes.iter().peekable();
     let code = |frame| {

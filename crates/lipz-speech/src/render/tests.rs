@@ -43,6 +43,13 @@ fn closed_lips_take_time_from_the_sound_before_them() {
 }
 
 #[test]
+fn a_short_vowel_is_visible_between_closed_lips() {
+    assert_eq!(blair(&[("AA", 250), ("B", 60), ("IH", 60), ("M", 60), ("IY", 250)]), "AAAAAMMEMMEEEEEE-");
+    // Unless closed lips would not be.
+    assert_eq!(blair(&[("B", 60), ("IH", 60), ("M", 60), ("SIL", 20)]), "MMMM-");
+}
+
+#[test]
 fn other_consonants_stay_as_long_if_that_is_wanted() {
     let held = |phones: &[(&str, u64)]| {
         let rules = RenderRules { lead_us: 0, hold_consonants: true, ..RenderRules::default() };

@@ -1,5 +1,6 @@
 //! A recording, in the form that alignment needs.
 
+pub(crate) mod audible;
 mod clipping;
 mod damage;
 pub(crate) mod decode;
@@ -157,19 +158,19 @@ impl Sound {
     /// Returns the level of the loud frames, in decibels relative to full scale: about -20 for a good recording. One
     /// frame in twenty is louder.
     pub fn level_db(&self) -> f32 {
-        level::Levels::new(&self.spectrum).loud_db
+        level::Levels::new(&self.audible()).loud_db
     }
 
     /// Returns the difference between the loud and the quiet frames, in decibels. Speech with pauses has 30 or more.
     /// Below 10, there are no pauses, or noise or music is as loud as the speech.
     pub fn range_db(&self) -> f32 {
-        let levels = level::Levels::new(&self.spectrum);
+        let levels = level::Levels::new(&self.audible());
         levels.loud_db - levels.quiet_db
     }
 
     /// Whether the recording is silent: at no time louder than -60 decibels relative to full scale.
     pub fn is_silent(&self) -> bool {
-        self.level_db() < level::SILENT_DB
+        audible::level_db(&self.spectrum) < level::SILENT_DB
     }
 
     /// Whether the recording is audible, but not speech: noise, a tone, or most music. The shape of its spectrum
@@ -183,7 +184,19 @@ impl Sound {
     /// # Ok::<(), lipz_speech::SoundError>(())
     /// ```
     pub fn is_no_speech(&self) -> bool {
-        !self.is_silent() && speech::is_something_else(&self.spectrum)
+        !self.is_silent() && speech::is_something_else(&self.audible())
+    }
+
+    /// Returns the audible frames.
+    fn audible(&self) -> Vec<Spectrum> {
+        let parts = audible::parts(&self.spectrum);
+        parts.into_iter().flat_map(|part| self.spectrum.get(part).unwrap_or_default()).copied().collect()
+    }
+
+    /// Returns a recording with this spectrum.
+    pub(crate) fn with_spectrum(&self, spectrum: Vec<Spectrum>) -> Sound {
+        let samples = spectrum.len() as u64 * HOP as u64;
+        Sound { samples, rate_hz: RATE_HZ, spectrum, clipping: Vec::new(), ..*self }
     }
 
     pub(crate) fn spectrum(&self) -> &[Spectrum] {

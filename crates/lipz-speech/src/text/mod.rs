@@ -5,6 +5,7 @@ mod display;
 pub(crate) mod numbers;
 mod runs;
 mod say;
+mod stutter;
 mod tokens;
 
 pub(crate) use runs::{WritingSystem, writing};

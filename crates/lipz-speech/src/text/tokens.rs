@@ -4,6 +4,7 @@ use super::apostrophe::extended;
 use super::display::Display;
 use super::runs::{WritingSystem, writing};
 use super::say::{self, Say};
+use super::stutter;
 use crate::ProblemKind;
 use lipz_file::text::segments;
 use std::collections::{HashMap, HashSet};
@@ -34,6 +35,8 @@ pub(crate) enum TokenKind {
     Word,
     /// A number or a sign, with all its readings in words.
     Spelled(Vec<String>),
+    /// The start of a word that is said again: `W-` in `W-wait`. The value is the whole word.
+    Stutter(String),
     /// A word with an explicit pronunciation.
     Say(Say),
 }
@@ -73,7 +76,8 @@ pub(crate) fn items(text: &str, context: &Context<'_>, problems: &mut Vec<(Probl
             items.push(Item::Break);
         }
         let words = names.apply(display, words(&display.text, context));
-        let words = joined(entries(&display.text, words, context), context);
+        let mut words = joined(entries(&display.text, words, context), context);
+        stutter::mark(&display.text, &mut words, context.known);
         items.extend(with_says(text, display, words).into_iter().map(Item::Token));
     }
     problems.extend(names.unused().map(|range| (ProblemKind::NameNotInText, range)));

@@ -6,6 +6,7 @@ mod states;
 pub use file::{ModelError, TrainedModel};
 
 use crate::features::cepstra::{NUMBERS, Vectors};
+use crate::features::warp::Warp;
 use crate::model::Counts;
 use crate::{AlignOptions, Aligner, Model, Phone, Script, Sound};
 
@@ -46,7 +47,7 @@ impl Training {
             return;
         };
         observations.used += 1;
-        let mut vectors = Vectors::new(sound.spectrum());
+        let mut vectors = Vectors::new(sound.spectrum(), Warp::NONE);
         for (phone, frames) in phones {
             let vectors: Vec<[f32; NUMBERS]> = vectors.by_ref().take(frames.len()).map(|frame| frame.vector).collect();
             if matches!(phone, Phone::Noise | Phone::Spoken) {

@@ -284,6 +284,7 @@ impl LoadedJob<'_> {
         if condition.is_silent() || phones.is_some() {
             heard.forget_words(); // silent or corrected recordings have no doubtful words to report
         }
+        let condition = if heard.is_said() { condition.with_speech() } else { condition };
         push_report(reports, options, condition.report(&job.recording));
         Ok(heard)
     }

@@ -38,6 +38,11 @@ pub(super) struct HeardMouth {
 }
 
 impl HeardMouth {
+    /// Whether the text was found in the recording: it has words, of which most are certain, and all match.
+    pub(super) fn is_said(&self) -> bool {
+        self.mismatches.is_empty() && 2 * self.doubtful.len() < self.words.len()
+    }
+
     /// Drops the doubtful words.
     pub(super) fn forget_words(&mut self) {
         self.words.clear();

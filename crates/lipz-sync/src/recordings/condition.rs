@@ -46,6 +46,11 @@ impl Condition {
         }
     }
 
+    /// Returns the condition of a recording in which a text was found: it is speech, whatever its spectrum looks like.
+    pub(crate) fn with_speech(self) -> Condition {
+        Condition { no_speech: false, ..self }
+    }
+
     /// Whether the recording is silent.
     pub(crate) fn is_silent(&self) -> bool {
         self.silent_db.is_some()

@@ -2,6 +2,7 @@
 
 pub(crate) mod letters;
 mod names;
+mod scripted;
 pub(crate) mod words;
 
 use super::variants::{add, sequence};
@@ -20,7 +21,7 @@ pub(super) fn pronounce(word: &str, spelling: &str) -> Vec<Pronunciation> {
     let with = |all: Vec<Vec<Phone>>, origin| {
         all.into_iter().map(|phones| Pronunciation { phones, origin }).collect::<Vec<_>>()
     };
-    let known = known(word);
+    let known = known(word, spelling.starts_with(char::is_uppercase));
     if !known.is_empty() {
         return with(known, Origin::Dictionary);
     }
@@ -51,8 +52,8 @@ pub(super) fn knows(word: &str) -> bool {
 }
 
 /// Returns the dictionary's pronunciations of the word, or of the word without an ending or drawn-out letters.
-fn known(word: &str) -> Vec<Vec<Phone>> {
-    let found = words::find(word);
+fn known(word: &str, is_capital: bool) -> Vec<Vec<Phone>> {
+    let found = scripted::find(word, is_capital);
     if !found.is_empty() {
         return found;
     }
@@ -72,7 +73,7 @@ fn known(word: &str) -> Vec<Vec<Phone>> {
         }
         return found;
     }
-    drawn_out(word).iter().flat_map(|word| words::find(word)).fold(Vec::new(), |mut all, phones| {
+    drawn_out(word).iter().flat_map(|word| scripted::find(word, is_capital)).fold(Vec::new(), |mut all, phones| {
         add(&mut all, phones);
         all
     })
@@ -153,6 +154,13 @@ mod tests {
             ("moonforge", "M UW N F AO R JH", Origin::Rules),
             ("NPC", "EH N P IY S IY", Origin::Letters),
             ("R", "AA R", Origin::Dictionary),
+            ("Capt", "K AE P T AH N", Origin::Dictionary),
+            ("Rev", "R EH V ER AH N D", Origin::Dictionary),
+            ("rev", "R EH V", Origin::Dictionary),
+            ("vs", "V ER S AH S", Origin::Dictionary),
+            ("M'lord", "M AH L AO R D", Origin::Dictionary),
+            ("Psssst", "P S T", Origin::Dictionary),
+            ("Brrrr", "B R", Origin::Dictionary),
         ];
         for (word, phones, origin) in cases {
             assert_eq!(first(word), (phones.to_owned(), origin), "{word}");
