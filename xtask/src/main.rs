@@ -22,6 +22,7 @@ mod site;
 mod size;
 mod speech_dictionary;
 mod speech_model;
+mod speech_net;
 mod speech_numbers;
 mod speech_score;
 mod speech_units;
@@ -97,6 +98,8 @@ enum Task {
     SpeechUnits,
     /// Fetch and convert the neural network that recognises phones, into target/recogniser
     Recogniser,
+    /// Make lipz-speech's own neural network that recognises phones, from synthetic speech
+    SpeechNet,
     /// Measure lip sync on sentences of speech synthesisers, compared with PocketSphinx
     SpeechScore,
     /// Compare computed mouths with coils on jaw and lips, and with OpenFaceFX
@@ -137,6 +140,7 @@ fn main() -> ExitCode {
         Task::SpeechNumbers => speech_numbers::run(),
         Task::SpeechUnits => speech_units::run(),
         Task::Recogniser => recogniser::run(),
+        Task::SpeechNet => speech_net::run(),
         Task::SpeechScore => speech_score::run(),
         Task::MouthScore => mouth_score::run(),
         Task::SpeechDictionary(settings) => speech_dictionary::run(&settings),

@@ -102,8 +102,8 @@ impl<'m> LipSync<'m> {
         LipSync { model, ..self }
     }
 
-    /// Lets [`file`](LipSync::file) use this recogniser: to find phones if there is no text, otherwise to compare the
-    /// recording with the text.
+    /// Lets [`file`](LipSync::file) use this recogniser: to find phones if there is no text, in place of the built-in one,
+    /// otherwise to compare the recording with the text.
     #[must_use]
     pub fn recogniser(self, recogniser: &'m Recogniser) -> LipSync<'m> {
         LipSync { recogniser: Some(recogniser), ..self }
@@ -111,8 +111,8 @@ impl<'m> LipSync<'m> {
 
     /// Returns the visemes of a WAV, AIFF, FLAC, Ogg Vorbis or MP3 file in which `text` is spoken.
     ///
-    /// The text has the form used in Lipz files, with `|` between segments and `{meta}`. If it has no words, phones are
-    /// found without it, which is less exact.
+    /// The text has the form used in Lipz files, with `|` between segments and `{meta}`. If it has no words, the built-in
+    /// recogniser finds phones, which is less exact.
     ///
     /// # Errors
     /// If the file cannot be read as a recording. A recording that does not match the text is not an error: see
@@ -122,11 +122,14 @@ impl<'m> LipSync<'m> {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let open = || File::open(path).map(BufReader::new).map_err(SoundError::Io);
         let sound = Sound::read(open()?, extension)?;
-        let heard = self.recogniser.map(|recogniser| recogniser.hear(open()?, extension)).transpose()?;
+        let is_unwritten = self.pronouncer.read(text).script.words.is_empty() && !sound.is_silent();
+        let recogniser = self.recogniser.or_else(|| is_unwritten.then(Recogniser::built_in));
+        let heard = recogniser.map(|recogniser| recogniser.hear(open()?, extension)).transpose()?;
         Ok(self.line(&sound, text, heard.as_ref()))
     }
 
-    /// Returns the visemes of audio in which `text` is spoken, like [`file`](LipSync::file) without a recogniser.
+    /// Returns the visemes of audio in which `text` is spoken, like [`file`](LipSync::file), but
+    /// without a recogniser.
     ///
     /// ```
     /// use lipz_speech::{Language, LipSync, Sound};

@@ -85,3 +85,11 @@ fn broken_files_are_refused() {
     }
     assert!(Recogniser::from_bytes(&[&file[..], &[0]].concat()).is_err());
 }
+
+/// The result must be the same on every machine.
+#[test]
+fn the_built_in_network_recognises_a_human_voice() {
+    let bobby = include_bytes!("../../../fixtures/speech/bobby.wav");
+    assert_eq!(heard(Recogniser::built_in(), bobby), "bɑdiɹɪptʌlʌ");
+    assert_eq!(heard(Recogniser::built_in(), &wav(Samples::S16, 1, 16_000, &[0.0; 32_000])), "");
+}

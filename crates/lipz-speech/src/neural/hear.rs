@@ -16,9 +16,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 const PIECE: usize = 1_200;
 const AROUND: usize = 200;
 
-/// The exponent that sharpens the network's probabilities, and the penalty of blanks: those of its authors.
+/// The exponent that sharpens the network's probabilities: that of the authors of `hama`.
 const SHARPNESS: f32 = 1.0 / 0.95;
-const BLANK_NATS: f32 = -0.1;
 
 /// The words that a [`Recogniser`] found in a recording.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -139,12 +138,12 @@ impl<'r> Listener<'r> {
 
     /// Recognises `piece` frames after those already recognised, with a context of `known` frames.
     fn hear(&mut self, known: usize, piece: usize) {
-        let Recogniser { network, tokens, .. } = self.recogniser;
+        let Recogniser { network, tokens, blank_nats, .. } = self.recogniser;
         let likely = network.run(self.frames.get(..known * MELS).unwrap_or_default());
         let frames = likely.chunks_exact(tokens.len()).skip(self.before / STRIDE).take(piece.div_ceil(STRIDE));
         for frame in frames {
             let value = |(token, likely): (usize, &f32)| {
-                let bias = if tokens[token] == Token::Blank { BLANK_NATS } else { 0.0 };
+                let bias = if tokens[token] == Token::Blank { *blank_nats } else { 0.0 };
                 (token, likely * SHARPNESS + bias)
             };
             let best = frame.iter().enumerate().map(value).max_by(|one, other| one.1.total_cmp(&other.1));

@@ -1,8 +1,8 @@
 //! Recognition of phones by a neural network, for recordings without a transcript.
 //!
 //! The network recognises phones better than the acoustic model, but not their times. Therefore its phones become the
-//! script of the aligner. If there is a script, they show whether it matches the recording. The network is not part of
-//! lipz: users add its file.
+//! script of the aligner. lipz has a network of its own (`xtask/speech_net`). Users can add another one, which also shows
+//! whether a script matches the recording.
 
 mod convert;
 mod file;
@@ -17,6 +17,7 @@ pub use file::RecogniserError;
 pub use hear::RecognisedWords;
 
 use network::Network;
+use std::sync::OnceLock;
 use tokens::Token;
 
 /// A neural network that recognises phones.
@@ -24,10 +25,21 @@ use tokens::Token;
 pub struct Recogniser {
     network: Network,
     tokens: Vec<Token>,
+    /// The logarithm of what the probability of a blank is multiplied by.
+    blank_nats: f32,
     hash: u64,
 }
 
 impl Recogniser {
+    /// Returns the built-in recogniser. It was trained on synthetic speech: `crates/lipz-speech/model/NOTICE`.
+    pub fn built_in() -> &'static Recogniser {
+        static RECOGNISER: OnceLock<Recogniser> = OnceLock::new();
+        RECOGNISER.get_or_init(|| {
+            let bytes = include_bytes!("../../model/phones.bin");
+            Recogniser::from_bytes(bytes).unwrap_or_else(|error| unreachable!("the built-in recogniser: {error}"))
+        })
+    }
+
     /// Returns a hash of the file, which identifies the recogniser.
     pub fn hash(&self) -> u64 {
         self.hash

@@ -187,9 +187,12 @@ impl Sound {
         !self.is_silent() && speech::is_something_else(&self.audible())
     }
 
-    /// Returns the audible frames.
+    /// Returns the audible frames, or all frames if nothing is audible.
     fn audible(&self) -> Vec<Spectrum> {
         let parts = audible::parts(&self.spectrum);
+        if parts.is_empty() {
+            return self.spectrum.clone();
+        }
         parts.into_iter().flat_map(|part| self.spectrum.get(part).unwrap_or_default()).copied().collect()
     }
 

@@ -264,9 +264,9 @@ impl LoadedJob<'_> {
         let corrected = self.corrected(&sound, reports);
         let script = &self.script;
         let is_unwritten = script.words.is_empty() && self.rate.0 != VisemeType::Rms && corrected.is_none();
-        let phones = match options.recogniser.as_ref().filter(|_| is_unwritten) {
-            Some(recogniser) => Some(recognised(recogniser, job)?.script()),
-            None => None,
+        let phones = match is_unwritten && !condition.is_silent() {
+            true => Some(recognised(options.recogniser_without_text(), job)?.script()),
+            false => None,
         };
         let is_compared = !script.words.is_empty() && !condition.is_silent() && corrected.is_none();
         let is_compared = is_compared && wanted == JobPurpose::Mouth;
@@ -279,7 +279,7 @@ impl LoadedJob<'_> {
             JobPurpose::Phones => false,
             JobPurpose::TextGrid => true,
         };
-        let hearing = mouth::Hearing { sound: &sound, model, opinion, corrected, with_grid, progress };
+        let hearing = mouth::Hearing { sound: &sound, model, is_unwritten, opinion, corrected, with_grid, progress };
         let mut heard = mouth::make(hearing, script, self.rate, options);
         if condition.is_silent() || phones.is_some() {
             heard.forget_words(); // silent or corrected recordings have no doubtful words to report

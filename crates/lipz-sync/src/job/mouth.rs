@@ -55,6 +55,8 @@ impl HeardMouth {
 pub(super) struct Hearing<'a> {
     pub(super) sound: &'a Sound,
     pub(super) model: &'a Model,
+    /// Whether there is no text, so that the script has only phones that a recogniser found, or is empty.
+    pub(super) is_unwritten: bool,
     /// The result of a recogniser, if there is one, to check whether the script matches.
     pub(super) opinion: Option<&'a lipz_speech::RecognisedWords>,
     /// A corrected alignment, which replaces the analysis.
@@ -71,16 +73,19 @@ pub(super) fn make(
     (viseme_type, fps): (VisemeType, Fps),
     options: &SyncOptions,
 ) -> HeardMouth {
-    let Hearing { sound, model, opinion, corrected, with_grid, progress } = hearing;
+    let Hearing { sound, model, is_unwritten, opinion, corrected, with_grid, progress } = hearing;
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
         return HeardMouth { codes: mouth.frames, segment_starts: mouth.segment_starts, ..HeardMouth::default() };
     }
     let progress = |share| progress.heard(share);
     let aligner = Aligner::new(model, options.align).with_progress(&progress);
+    let is_corrected = corrected.is_some();
     // Without words, all phones are recognised freely.
-    let (is_corrected, is_unwritten) = (corrected.is_some(), script.words.is_empty());
-    let listen = || if is_unwritten { aligner.listen(sound) } else { aligner.align(sound, script) };
+    let listen = || match script.words.is_empty() {
+        true => aligner.listen(sound),
+        false => aligner.align(sound, script),
+    };
     let alignment = corrected.unwrap_or_else(listen);
     let mouth = render(&alignment, fps, viseme_type, &options.rules);
     let doubtful = doubtful(&alignment, script);
@@ -90,9 +95,8 @@ pub(super) fn make(
     let mismatches = mismatches.unwrap_or(alignment.mismatches);
     let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
     let Alignment { words, phones, .. } = alignment;
-    let is_guessed = is_unwritten && !is_corrected;
-    let phone_track = phone_track::text(&phones, is_guessed, sound.level_db());
-    let opening = match is_guessed && options.phones && phone_track.is_some() {
+    let phone_track = phone_track::text(&phones, is_unwritten, sound.level_db());
+    let opening = match is_unwritten && options.phones && phone_track.is_some() {
         true => soft_opening::keys(&aligner, sound, &phones, fps, codes.len()),
         false => Vec::new(),
     };

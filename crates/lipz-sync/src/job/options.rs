@@ -47,7 +47,7 @@ pub struct SyncOptions {
     lexicon: Lexicon,
     warnings: Option<Report>,
     trained: Option<HashedModel>,
-    /// The recogniser of phones for recordings without a text.
+    /// The project's recogniser of phones, which replaces the built-in one, and also compares texts with recordings.
     pub(crate) recogniser: Option<Recogniser>,
     pronouncers: Mutex<BTreeMap<&'static str, Arc<Pronouncer>>>,
 }
@@ -61,6 +61,11 @@ pub(crate) struct HashedModel {
 }
 
 impl SyncOptions {
+    /// Returns the recogniser for recordings without a text: the project's, or the built-in one.
+    pub(crate) fn recogniser_without_text(&self) -> &Recogniser {
+        self.recogniser.as_ref().unwrap_or(Recogniser::built_in())
+    }
+
     /// Returns the options of a project, with its lexicon, model and recogniser, and the
     /// [warnings](SyncOptions::warnings) about the lexicon.
     ///

@@ -7,7 +7,7 @@ use lipz_speech::{RenderRules, Script};
 use lipz_types::{Fps, VisemeType};
 
 /// The version of lip sync. It must change when the same recording, text and settings produce different visemes.
-const VERSION: u32 = 4;
+const VERSION: u32 = 5;
 
 /// Returns the hash of everything that affects visemes, apart from recording and text.
 pub(super) fn settings_hash(
@@ -23,8 +23,10 @@ pub(super) fn settings_hash(
         VisemeType::Rms => format!("{:?}", options.rms),
         _ => {
             let model = options.trained_for(locale).map_or(String::new(), |trained| format!(" {:x}", trained.hash));
-            let recogniser = options.recogniser.as_ref().filter(|_| script.words.is_empty());
-            let recogniser = recogniser.map_or(String::new(), |recogniser| format!(" heard {:x}", recogniser.hash()));
+            let recogniser = match script.words.is_empty() {
+                true => format!(" heard {:x}", options.recogniser_without_text().hash()),
+                false => String::new(),
+            };
             let rules = text_of_rules(&options.rules);
             format!("{:?} {rules} {:?} {:?}{model}{recogniser}", options.align, said(), script.breaks)
         }
