@@ -70,6 +70,24 @@ fn a_file_gives_what_its_samples_give() {
     assert_eq!((mouth(&file), file.duration_us()), (mouth(&direct), direct.duration_us()));
 }
 
+/// Some stereo recordings have one inverted channel, so the mean of both is silent.
+#[test]
+fn channels_that_cancel_each_other_are_not_silent() {
+    let samples = tone(16_000, 500);
+    let both: Vec<f32> = samples.iter().flat_map(|&sample| [0.5 * sample, -sample]).collect();
+    let mut file = wav(Samples::S16, 1, 16_000, &both);
+    // Two channels, 64,000 bytes per second, and 4 bytes for both.
+    (file[22], file[32]) = (2, 4);
+    file[28..32].copy_from_slice(&64_000_u32.to_le_bytes());
+    let (stereo, mono) = (Sound::from_bytes(&file, None).unwrap(), Sound::from_samples(&samples, 16_000).unwrap());
+    assert!(mouth(&stereo).contains("99"), "half of the louder channel is left");
+    let inverted: Vec<f32> = samples.iter().flat_map(|&sample| [sample, -sample]).collect();
+    let mut whole = wav(Samples::S16, 1, 16_000, &inverted);
+    whole[..44].copy_from_slice(&file[..44]);
+    let cancelled = Sound::from_bytes(&whole, None).unwrap();
+    assert_eq!((mouth(&cancelled), cancelled.duration_us()), (mouth(&mono), mono.duration_us()));
+}
+
 #[test]
 fn a_recording_that_is_too_loud_says_where() {
     let mut samples = tone(16_000, 1_000);

@@ -4,7 +4,7 @@
 pub(super) const LOOKED_AT: usize = 64;
 
 /// The first bytes of formats: their offset, their value, and a description.
-const STARTS: [(usize, &[u8], &str); 9] = [
+const STARTS: [(usize, &[u8], &str); 10] = [
     (4, b"ftyp", "an MPEG-4 file (M4A, AAC)"),
     (0, b"caff", "a Core Audio file (CAF)"),
     (0, b"\x1a\x45\xdf\xa3", "a Matroska or WebM file"),
@@ -14,6 +14,7 @@ const STARTS: [(usize, &[u8], &str); 9] = [
     (0, b"MAC ", "a Monkey's Audio file (APE)"),
     (0, b".snd", "an AU file"),
     (0, b"MThd", "a MIDI file"),
+    (0, b"riff\x2e\x91\xcf\x11", "a Sony Wave64 file (W64)"),
 ];
 /// The first bytes of the first packet of an Ogg file.
 const IN_OGG: [(&[u8], &str); 2] = [(b"OpusHead", "an Ogg file with Opus"), (b"Speex   ", "an Ogg file with Speex")];
@@ -42,6 +43,7 @@ mod tests {
         let page = [b"OggS".as_slice(), &[0; 22], &[1, 19], b"OpusHead\x01"].concat();
         assert_eq!(name(&page), Some("an Ogg file with Opus"));
         assert_eq!(name(b"RIFF\x10\0\0\0AVI LIST"), Some("a RIFF file without audio"));
+        assert_eq!(name(b"riff\x2e\x91\xcf\x11\xa5\xd6"), Some("a Sony Wave64 file (W64)"));
         for read in
             [b"RIFF\x10\0\0\0WAVEfmt ".as_slice(), b"OggS", b"fLaC", b"ID3\x04", b"FORM\0\0\0\0AIFF", b"RIFF", b""]
         {

@@ -60,6 +60,11 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
         self.decoded.clipping.push(&self.interleaved, channels, self.given, rate_hz);
         self.mono.clear();
         self.mono.extend(self.interleaved.chunks_exact(channels).map(mean));
+        if let Some(louder) = cancelled(&self.interleaved, channels, &self.mono) {
+            self.mono.clear();
+            let of_channel = self.interleaved.iter().skip(louder).step_by(channels);
+            self.mono.extend(of_channel.map(|sample| mean(std::slice::from_ref(sample))));
+        }
         self.given += self.mono.len() as u64;
         (self.take)(rate_hz, &self.mono)
     }
@@ -88,6 +93,20 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
         }
         Ok(())
     }
+}
+
+/// The factor by which the power of a channel is higher than that of the mean if channels cancel each other out: 20
+/// decibels. A stereo recording with one inverted channel has nothing in the middle.
+const CANCELLED: f32 = 100.0;
+
+/// Returns the loudest channel if the mean of all channels is far below it.
+fn cancelled(interleaved: &[f32], channels: usize, mono: &[f32]) -> Option<usize> {
+    let power = |samples: &mut dyn Iterator<Item = &f32>| -> f32 {
+        samples.filter(|sample| sample.is_finite()).map(|sample| sample * sample).sum()
+    };
+    let of_channel = |channel: usize| power(&mut interleaved.iter().skip(channel).step_by(channels));
+    let loudest = (0..channels).max_by(|one, other| of_channel(*one).total_cmp(&of_channel(*other)))?;
+    (channels > 1 && of_channel(loudest) > CANCELLED * power(&mut mono.iter())).then_some(loudest)
 }
 
 /// Returns the mean of all channels. Floats in files may be NaN or infinite, which counts as silence.

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
 /// The extensions of unsupported audio files, which are reported.
-const OTHER_EXTENSIONS: [&str; 9] = ["m4a", "aac", "opus", "wma", "caf", "amr", "ape", "wv", "au"];
+const OTHER_EXTENSIONS: [&str; 11] = ["m4a", "aac", "opus", "wma", "caf", "amr", "ape", "wv", "au", "w64", "mp2"];
 
 /// The recordings in a folder and below.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
