@@ -18,10 +18,12 @@ import torch
 import torch.nn.functional as F
 from torch import nn
 
+import texts
+
 MELS, WINDOW, HOP, RATE_HZ = 80, 400, 160, 16_000
 STRIDE = 2
 WIDTH, INNER, KERNEL, BLOCKS, HEADS = 96, 288, 15, 5, 4
-PHONES = 39
+PHONES = len(texts.PHONES)
 # Tokens of CTC: the phones, a pause, and the blank.
 PAUSE, BLANK, TOKENS = PHONES, PHONES + 1, PHONES + 2
 # Pauses in the text of CTC last so many frames of ten milliseconds.
@@ -80,7 +82,7 @@ def runs(labels):
     return [(labels[at], length) for at, length in zip(changes, lengths)]
 
 
-def text(labels):
+def transcript(labels):
     """Returns the tokens of CTC."""
     tokens = []
     for label, length in runs(labels):
@@ -246,7 +248,7 @@ def phone_errors(network, utterances):
             names, _, _ = network(torch.from_numpy(logs)[None], torch.tensor([len(logs)]))
             best = names[0].argmax(1).numpy()
             found = [token for token, _ in runs(best) if token < PHONES]
-            said = [token for token in text(labels) if token < PHONES]
+            said = [token for token in transcript(labels) if token < PHONES]
             row = list(range(len(found) + 1))
             for at, token in enumerate(said):
                 diagonal, row[0] = row[0], at + 1
@@ -286,11 +288,11 @@ def main():
                 group["lr"] = rate
             logs, labels, lengths = tensors(batch)
             names, frames, mask = network(logs, lengths)
-            texts = [text(labels) for _, labels in batch]
-            targets = torch.tensor([token for tokens in texts for token in tokens])
+            transcripts = [transcript(labels) for _, labels in batch]
+            targets = torch.tensor([token for tokens in transcripts for token in tokens])
             ctc = F.ctc_loss(
                 F.log_softmax(names, 2).transpose(0, 1), targets, (lengths + 1) // STRIDE,
-                torch.tensor([len(tokens) for tokens in texts]), blank=BLANK, zero_infinity=True)
+                torch.tensor([len(tokens) for tokens in transcripts]), blank=BLANK, zero_infinity=True)
             framed = F.cross_entropy(frames.transpose(1, 2), labels[:, :frames.shape[1]], ignore_index=-1)
             loss = ctc + 0.5 * framed
             optimizer.zero_grad()
@@ -313,4 +315,5 @@ def main():
     torch.save({"state": average, "bands": torch.from_numpy(bands)}, out)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,7 +1,7 @@
 //! Lip sync of a recording and its text in one call.
 
 use crate::{
-    AlignOptions, AlignedWord, Aligner, Alignment, Language, Lexicon, Model, Mouth, Problem, Pronouncer,
+    AlignOptions, AlignedWord, Aligner, Alignment, Language, Lexicon, Model, Mouth, Problem, Pronouncer, Reading,
     RecognisedWords, Recogniser, RenderRules, RmsRules, Script, Sound, SoundError, Word, render, rms,
 };
 use lipz_types::{Fps, VisemeType};
@@ -122,10 +122,11 @@ impl<'m> LipSync<'m> {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let open = || File::open(path).map(BufReader::new).map_err(SoundError::Io);
         let sound = Sound::read(open()?, extension)?;
-        let is_unwritten = self.pronouncer.read(text).script.words.is_empty() && !sound.is_silent();
+        let reading = self.pronouncer.read(text);
+        let is_unwritten = reading.script.words.is_empty() && !sound.is_silent();
         let recogniser = self.recogniser.or_else(|| is_unwritten.then(Recogniser::built_in));
         let heard = recogniser.map(|recogniser| recogniser.hear(open()?, extension)).transpose()?;
-        Ok(self.line(&sound, text, heard.as_ref()))
+        Ok(self.line(&sound, reading, heard.as_ref()))
     }
 
     /// Returns the visemes of audio in which `text` is spoken, like [`file`](LipSync::file), but
@@ -139,11 +140,10 @@ impl<'m> LipSync<'m> {
     /// # Ok::<(), lipz_speech::SoundError>(())
     /// ```
     pub fn sound(&self, sound: &Sound, text: &str) -> SyncedLine {
-        self.line(sound, text, None)
+        self.line(sound, self.pronouncer.read(text), None)
     }
 
-    fn line(&self, sound: &Sound, text: &str, heard: Option<&RecognisedWords>) -> SyncedLine {
-        let reading = self.pronouncer.read(text);
+    fn line(&self, sound: &Sound, reading: Reading, heard: Option<&RecognisedWords>) -> SyncedLine {
         let has_text = !reading.script.words.is_empty();
         let script = heard.filter(|_| !has_text).map_or(reading.script, RecognisedWords::script);
         let aligner = Aligner::new(self.model, AlignOptions::default());

@@ -19,8 +19,8 @@ const FLOOR: f32 = 0.15;
 
 /// The largest weight. Curves store weights in thousandths of 32 bits.
 pub(super) const LARGEST: f32 = 2_000_000.0;
-/// The most shapes of a face. A file with more could name another one in each frame, and would take memory beyond its
-/// size.
+/// The most shapes of a face. A file with more could name a different one in each frame, and would take memory beyond
+/// its size.
 pub(super) const MOST_SHAPES: usize = 1_000;
 /// The curve that is the loudness of a face (rms).
 const JAW: &str = "jawOpen";

@@ -47,13 +47,13 @@ impl Excerpt {
 
     /// Returns the time of a start in the recording, in microseconds.
     fn start_us(&self, time_us: u64) -> u64 {
-        let part = self.parts.iter().find(|part| time_us < part.time_us.end);
+        let part = self.parts.get(self.parts.partition_point(|part| part.time_us.end <= time_us));
         part.map_or(self.duration_us, |part| self.shifted_us(time_us, part))
     }
 
     /// Returns the time of an end in the recording, in microseconds.
     fn end_us(&self, time_us: u64) -> u64 {
-        let part = self.parts.iter().find(|part| time_us <= part.time_us.end);
+        let part = self.parts.get(self.parts.partition_point(|part| part.time_us.end < time_us));
         part.map_or(self.duration_us, |part| self.shifted_us(time_us, part))
     }
 
@@ -84,7 +84,8 @@ impl Excerpt {
         let mut converted: Vec<AlignedPhone> = Vec::with_capacity(phones.len());
         let mut now_us = 0;
         for phone in phones {
-            let parts = self.parts.iter().skip_while(|part| part.time_us.end <= phone.start_us);
+            let first = self.parts.partition_point(|part| part.time_us.end <= phone.start_us);
+            let parts = self.parts.iter().skip(first);
             for part in parts.take_while(|part| part.time_us.start < phone.end_us) {
                 let start_us = self.shifted_us(phone.start_us.max(part.time_us.start), part);
                 let end_us = self.shifted_us(phone.end_us.min(part.time_us.end), part);

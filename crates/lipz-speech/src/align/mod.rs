@@ -171,7 +171,7 @@ impl<'m> Aligner<'m> {
     /// Aligns `sound` to `script`.
     ///
     /// Always returns an alignment, even if the two have little in common: see [`AlignedWord::confidence`]. Time is
-    /// proportional to the length of the audio, memory to that of the script.
+    /// proportional to the length of the audio, memory to that of both.
     pub fn align(&self, sound: &Sound, script: &Script) -> Alignment {
         match Excerpt::new(sound) {
             Some(excerpt) => {

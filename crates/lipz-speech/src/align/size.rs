@@ -10,7 +10,7 @@ use crate::{Phone, Sound};
 
 /// The warps to choose from: 0.7 is a giant, 1.3 a small child.
 const FACTORS: [f64; 11] = [1.0, 0.7, 0.76, 0.82, 0.88, 0.94, 1.06, 1.12, 1.18, 1.24, 1.3];
-/// The most frames that are scored. More of them choose the same warp.
+/// The most frames that are scored. With all frames, the share of right frames differs by at most 0.2 %.
 const MOST_FRAMES: usize = 400;
 
 /// A frame of speech: its phone, and the bands of the frames around it.
@@ -22,8 +22,8 @@ struct Sample {
 /// Returns the warp that makes `steps`, the best path of the mean voice, most likely. `phone_of` returns the phone of a
 /// step.
 ///
-/// Only the linear map from bands to cepstra depends on the warp, so that all warps take less time than a second of
-/// audio in an alignment.
+/// Only the linear map from bands to cepstra depends on the warp, so that all warps together take about as much time
+/// as a second of audio in an alignment.
 pub(super) fn warp(model: &Model, sound: &Sound, steps: &[PathStep], phone_of: impl Fn(&PathStep) -> Phone) -> Warp {
     let spectrum = sound.spectrum();
     let spoken = steps.iter().filter(|step| phone_of(step).is_speech());

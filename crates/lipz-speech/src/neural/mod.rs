@@ -1,8 +1,8 @@
 //! Recognition of phones by a neural network, for recordings without a transcript.
 //!
 //! The network recognises phones better than the acoustic model, but not their times. Therefore its phones become the
-//! script of the aligner. lipz has a network of its own (`xtask/speech_net`). Users can add another one, which also shows
-//! whether a script matches the recording.
+//! script of the aligner. lipz has a network of its own (`xtask/speech_net`). Users can replace it with a larger one, which
+//! also shows whether a script matches the recording.
 
 mod convert;
 mod file;

@@ -17,7 +17,7 @@ pub(crate) fn level_db(spectrum: &[Spectrum]) -> f32 {
     decibels(level(&voice_powers(spectrum)))
 }
 
-/// Returns the audible parts, each with a little of the silence around it. There are none if nothing is audible.
+/// Returns the audible parts, each with a little of the silence around it; empty if nothing is audible.
 pub(crate) fn parts(spectrum: &[Spectrum]) -> Vec<Range<usize>> {
     let audible = audible(&voice_powers(spectrum)).into_iter();
     let with_silence =
