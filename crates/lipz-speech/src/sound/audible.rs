@@ -25,10 +25,12 @@ pub(crate) fn parts(spectrum: &[Spectrum]) -> Vec<Range<usize>> {
     audible.map(with_silence).collect()
 }
 
-/// Returns the highest power that lasts for `LEVEL_FRAMES`.
+/// Returns the highest power that lasts for `LEVEL_FRAMES`, or the highest of all if that is silent: a recording may be a
+/// click, or shorter.
 fn level(powers: &[f32]) -> f32 {
     let sustained = powers.windows(LEVEL_FRAMES).map(|window| window.iter().copied().fold(f32::MAX, f32::min));
-    sustained.fold(0.0, f32::max)
+    let level = sustained.fold(0.0, f32::max);
+    if decibels(level) < SILENT_DB { powers.iter().copied().fold(0.0, f32::max) } else { level }
 }
 
 /// Returns the audible frames as parts, between which there is silence of at least twice the frames that are kept.
@@ -67,6 +69,8 @@ mod tests {
         assert_eq!(audible(&short_pause), [0..106, 196..205]);
         let click = powers(&[(50, 0.0), (100, 90.0), (2, -30.0), (100, 90.0)]);
         assert_eq!(audible(&click), [0..50, 150..152], "its level is not that of the voice");
+        assert_eq!(audible(&[1.0; 3]).len(), 1, "shorter than a click");
+        assert_eq!(audible(&powers(&[(50, 90.0), (2, 0.0), (50, 90.0)])).len(), 1, "only a click");
         assert_eq!(audible(&[0.0; 100]), []);
         assert_eq!(audible(&[]), []);
     }
