@@ -2,7 +2,7 @@
 
 use crate::{
     AlignOptions, AlignedWord, Aligner, Alignment, Language, Lexicon, Model, Mouth, Problem, Pronouncer, Reading,
-    RecognisedWords, Recogniser, RenderRules, RmsRules, Script, Sound, SoundError, Word, render, rms,
+    Recogniser, RenderRules, RmsRules, Script, Sound, SoundError, Word, render, rms,
 };
 use lipz_types::{Fps, VisemeType};
 use std::fs::File;
@@ -102,8 +102,8 @@ impl<'m> LipSync<'m> {
         LipSync { model, ..self }
     }
 
-    /// Lets [`file`](LipSync::file) use this recogniser: to find phones if there is no text, in place of the built-in one,
-    /// otherwise to compare the recording with the text.
+    /// Lets [`file`](LipSync::file) use this recogniser in place of the built-in one, and compare every recording with its
+    /// text. The built-in one compares only those for which the aligner is [uncertain](Alignment::is_uncertain).
     #[must_use]
     pub fn recogniser(self, recogniser: &'m Recogniser) -> LipSync<'m> {
         LipSync { recogniser: Some(recogniser), ..self }
@@ -123,10 +123,17 @@ impl<'m> LipSync<'m> {
         let open = || File::open(path).map(BufReader::new).map_err(SoundError::Io);
         let sound = Sound::read(open()?, extension)?;
         let reading = self.pronouncer.read(text);
-        let is_unwritten = reading.script.words.is_empty() && !sound.is_silent();
-        let recogniser = self.recogniser.or_else(|| is_unwritten.then(Recogniser::built_in));
-        let heard = recogniser.map(|recogniser| recogniser.hear(open()?, extension)).transpose()?;
-        Ok(self.line(&sound, reading, heard.as_ref()))
+        let hear = |recogniser: &Recogniser| recogniser.hear(open()?, extension);
+        if reading.script.words.is_empty() && !sound.is_silent() {
+            let heard = hear(self.recogniser.unwrap_or(Recogniser::built_in()))?;
+            return Ok(self.line(&sound, Reading { script: heard.script(), ..reading }));
+        }
+        let mut line = self.line(&sound, reading);
+        let built_in = || line.alignment.is_uncertain().then(Recogniser::built_in);
+        if let Some(recogniser) = self.recogniser.or_else(built_in).filter(|_| !line.script.words.is_empty()) {
+            line.alignment.mismatches = hear(recogniser)?.mismatches(&line.script, &line.alignment);
+        }
+        Ok(line)
     }
 
     /// Returns the visemes of audio in which `text` is spoken, like [`file`](LipSync::file), but
@@ -140,25 +147,20 @@ impl<'m> LipSync<'m> {
     /// # Ok::<(), lipz_speech::SoundError>(())
     /// ```
     pub fn sound(&self, sound: &Sound, text: &str) -> SyncedLine {
-        self.line(sound, self.pronouncer.read(text), None)
+        self.line(sound, self.pronouncer.read(text))
     }
 
-    fn line(&self, sound: &Sound, reading: Reading, heard: Option<&RecognisedWords>) -> SyncedLine {
-        let has_text = !reading.script.words.is_empty();
-        let script = heard.filter(|_| !has_text).map_or(reading.script, RecognisedWords::script);
+    fn line(&self, sound: &Sound, Reading { script, problems }: Reading) -> SyncedLine {
         let aligner = Aligner::new(self.model, AlignOptions::default());
-        let mut alignment = match script.words.is_empty() {
+        let alignment = match script.words.is_empty() {
             true => aligner.listen(sound),
             false => aligner.align(sound, &script),
         };
-        if let Some(heard) = heard.filter(|_| has_text) {
-            alignment.mismatches = heard.mismatches(&script, &alignment);
-        }
         let mut mouth = render(&alignment, self.fps, self.viseme_type, &self.rules);
         if self.viseme_type == VisemeType::Rms {
             let rules = RmsRules { lead_us: self.rules.lead_us, ..RmsRules::default() };
             mouth.frames = rms(sound, self.fps, &rules).frames;
         }
-        SyncedLine { mouth, alignment, script, problems: reading.problems }
+        SyncedLine { mouth, alignment, script, problems }
     }
 }

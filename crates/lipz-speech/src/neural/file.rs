@@ -7,6 +7,7 @@
 //! value, which is a multiple of the float.
 
 use super::network::{Network, NetworkShape};
+use super::phone_costs::PhoneTokens;
 use super::{Recogniser, tokens};
 use half::f16;
 use std::error::Error;
@@ -77,7 +78,8 @@ impl Recogniser {
         let mut numbers = numbers.ok_or(RecogniserError::Damaged)?.into_iter();
         let network = Network::new(shape, &mut |count| numbers.by_ref().take(count).collect());
         let tokens = tokens::tokens(&names).ok_or(RecogniserError::OtherNetwork)?;
-        Ok(Recogniser { network, tokens, blank_nats, hash })
+        let phone_tokens = PhoneTokens::new(&tokens);
+        Ok(Recogniser { network, tokens, phone_tokens, blank_nats, hash })
     }
 }
 

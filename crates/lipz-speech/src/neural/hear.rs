@@ -2,6 +2,7 @@
 
 use super::Recogniser;
 use super::network::STRIDE;
+use super::phone_costs::PhoneCosts;
 use super::spectrum::{MELS, Spectra};
 use super::tokens::Token;
 use crate::features::mel::RATE_HZ;
@@ -24,6 +25,8 @@ const SHARPNESS: f32 = 1.0 / 0.95;
 pub struct RecognisedWords {
     /// For each word, its symbols of the IPA.
     words: Vec<String>,
+    /// The costs of all phones, if the network names all phones.
+    pub(super) costs: PhoneCosts,
 }
 
 impl RecognisedWords {
@@ -39,7 +42,7 @@ impl RecognisedWords {
 
     #[cfg(test)]
     pub(super) fn of_words(words: &[&str]) -> RecognisedWords {
-        RecognisedWords { words: words.iter().map(|&word| word.to_owned()).collect() }
+        RecognisedWords { words: words.iter().map(|&word| word.to_owned()).collect(), costs: PhoneCosts::default() }
     }
 
     /// Returns the words as a script, spelled in the IPA.
@@ -54,8 +57,8 @@ impl RecognisedWords {
 }
 
 impl Recogniser {
-    /// Recognises the speech in a WAV, FLAC, Ogg Vorbis or MP3 file. Time is proportional to its length. Memory does
-    /// not grow with it, except for the words.
+    /// Recognises the speech in a WAV, FLAC, Ogg Vorbis or MP3 file. Time is proportional to its length. Memory grows
+    /// by 2 kilobytes per second.
     ///
     /// # Errors
     ///
@@ -106,14 +109,15 @@ struct Listener<'r> {
     frames: Vec<f32>,
     before: usize,
     last: Option<usize>,
-    words: Vec<String>,
+    found: RecognisedWords,
     is_new: bool,
 }
 
 impl<'r> Listener<'r> {
     fn new(recogniser: &'r Recogniser) -> Listener<'r> {
         let spectra = Spectra::new();
-        Listener { recogniser, spectra, frames: Vec::new(), before: 0, last: None, words: Vec::new(), is_new: true }
+        let found = RecognisedWords::default();
+        Listener { recogniser, spectra, frames: Vec::new(), before: 0, last: None, found, is_new: true }
     }
 
     fn push(&mut self, samples: &[f32]) {
@@ -133,15 +137,16 @@ impl<'r> Listener<'r> {
         self.spectra.finish(&self.recogniser.network.bands, &mut self.frames);
         let count = self.frames.len() / MELS;
         self.hear(count, count - self.before.min(count));
-        RecognisedWords { words: self.words }
+        self.found
     }
 
     /// Recognises `piece` frames after those already recognised, with a context of `known` frames.
     fn hear(&mut self, known: usize, piece: usize) {
-        let Recogniser { network, tokens, blank_nats, .. } = self.recogniser;
+        let Recogniser { network, tokens, phone_tokens, blank_nats, .. } = self.recogniser;
         let likely = network.run(self.frames.get(..known * MELS).unwrap_or_default());
         let frames = likely.chunks_exact(tokens.len()).skip(self.before / STRIDE).take(piece.div_ceil(STRIDE));
         for frame in frames {
+            phone_tokens.iter().for_each(|phones| self.found.costs.push(phones, frame));
             let value = |(token, likely): (usize, &f32)| {
                 let bias = if tokens[token] == Token::Blank { *blank_nats } else { 0.0 };
                 (token, likely * SHARPNESS + bias)
@@ -153,9 +158,9 @@ impl<'r> Listener<'r> {
                 Token::Border => self.is_new = true,
                 Token::Symbols(symbols) => {
                     if std::mem::take(&mut self.is_new) {
-                        self.words.push(String::new());
+                        self.found.words.push(String::new());
                     }
-                    self.words.last_mut().into_iter().for_each(|word| word.push_str(symbols));
+                    self.found.words.last_mut().into_iter().for_each(|word| word.push_str(symbols));
                 }
                 Token::Blank | Token::Other => {}
             }

@@ -1,8 +1,8 @@
 //! Recognition of phones by a neural network, for recordings without a transcript.
 //!
 //! The network recognises phones better than the acoustic model, but not their times. Therefore its phones become the
-//! script of the aligner. lipz has a network of its own (`xtask/speech_net`). Users can replace it with a larger one, which
-//! also shows whether a script matches the recording.
+//! script of the aligner. The network also shows whether a script matches the recording. lipz has a network of its own
+//! (`xtask/speech_net`), which users can replace with a larger one.
 
 mod convert;
 mod file;
@@ -10,6 +10,7 @@ mod hear;
 mod math;
 mod network;
 mod opinion;
+mod phone_costs;
 mod spectrum;
 mod tokens;
 
@@ -17,6 +18,7 @@ pub use file::RecogniserError;
 pub use hear::RecognisedWords;
 
 use network::Network;
+use phone_costs::PhoneTokens;
 use std::sync::OnceLock;
 use tokens::Token;
 
@@ -25,6 +27,8 @@ use tokens::Token;
 pub struct Recogniser {
     network: Network,
     tokens: Vec<Token>,
+    /// The tokens of phones, if each phone has a token of its own.
+    phone_tokens: Option<PhoneTokens>,
     /// The logarithm of what the probability of a blank is multiplied by.
     blank_nats: f32,
     hash: u64,

@@ -28,8 +28,7 @@ use std::path::{Path, PathBuf};
 /// The purpose of analysing a recording.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum JobPurpose {
-    /// Everything, including a comparison of text and recording by the recogniser, if there is one. This takes longer
-    /// than the rest.
+    /// Everything, including a comparison of text and recording by a recogniser, which takes longer than the rest.
     Mouth,
     Phones,
     TextGrid,
@@ -270,17 +269,22 @@ impl LoadedJob<'_> {
         };
         let is_compared = !script.words.is_empty() && !condition.is_silent() && corrected.is_none();
         let is_compared = is_compared && wanted == JobPurpose::Mouth;
-        let opinion = options.recogniser.as_ref().filter(|_| is_compared);
-        let opinion = opinion.map(|recogniser| recognised(recogniser, job)).transpose()?;
-        let script = phones.as_ref().unwrap_or(script);
-        let (model, opinion) = (options.model_of(self.locale), opinion.as_ref());
+        let mismatches = |alignment: &Alignment| {
+            let built_in = || alignment.is_uncertain().then(Recogniser::built_in);
+            match options.recogniser.as_ref().or_else(built_in).filter(|_| is_compared) {
+                Some(recogniser) => Ok(recognised(recogniser, job)?.mismatches(script, alignment)),
+                None => Ok(alignment.mismatches.clone()),
+            }
+        };
+        let (script, model) = (phones.as_ref().unwrap_or(script), options.model_of(self.locale));
         let with_grid = match wanted {
             JobPurpose::Mouth => options.textgrids.is_some(),
             JobPurpose::Phones => false,
             JobPurpose::TextGrid => true,
         };
-        let hearing = mouth::Hearing { sound: &sound, model, is_unwritten, opinion, corrected, with_grid, progress };
-        let mut heard = mouth::make(hearing, script, self.rate, options);
+        let mismatches = &mismatches;
+        let hearing = mouth::Hearing { sound: &sound, model, is_unwritten, mismatches, corrected, with_grid, progress };
+        let mut heard = mouth::make(hearing, script, self.rate, options)?;
         if condition.is_silent() || phones.is_some() {
             heard.forget_words(); // silent or corrected recordings have no doubtful words to report
         }

@@ -3,7 +3,7 @@
 use crate::job::progress::Progress;
 use crate::job::{SyncOptions, grid, phone_track, soft_opening};
 use lipz_compiler::{WordTime, WordTimes};
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use lipz_file::JsonString;
 use lipz_speech::{
     AlignedPhone, AlignedWord, Aligner, Alignment, Mismatch, MismatchKind, Model, Script, Sound, render, rms,
@@ -57,8 +57,8 @@ pub(super) struct Hearing<'a> {
     pub(super) model: &'a Model,
     /// Whether there is no text, so that the script has only phones that a recogniser found, or is empty.
     pub(super) is_unwritten: bool,
-    /// The result of a recogniser, if there is one, to check whether the script matches.
-    pub(super) opinion: Option<&'a lipz_speech::RecognisedWords>,
+    /// Returns the places where audio and script differ.
+    pub(super) mismatches: &'a dyn Fn(&Alignment) -> Result<Vec<Mismatch>, Report>,
     /// A corrected alignment, which replaces the analysis.
     pub(super) corrected: Option<Alignment>,
     /// Whether a TextGrid is wanted.
@@ -67,20 +67,22 @@ pub(super) struct Hearing<'a> {
 }
 
 /// Returns the visemes of a recording.
+///
+/// # Errors
+/// If the recording can no longer be read, to compare it with its script.
 pub(super) fn make(
     hearing: Hearing<'_>,
     script: &Script,
     (viseme_type, fps): (VisemeType, Fps),
     options: &SyncOptions,
-) -> HeardMouth {
-    let Hearing { sound, model, is_unwritten, opinion, corrected, with_grid, progress } = hearing;
+) -> Result<HeardMouth, Report> {
+    let Hearing { sound, model, is_unwritten, mismatches, corrected, with_grid, progress } = hearing;
     if viseme_type == VisemeType::Rms {
         let mouth = rms(sound, fps, &options.rms);
-        return HeardMouth { codes: mouth.frames, segment_starts: mouth.segment_starts, ..HeardMouth::default() };
+        return Ok(HeardMouth { codes: mouth.frames, segment_starts: mouth.segment_starts, ..HeardMouth::default() });
     }
     let progress = |share| progress.heard(share);
     let aligner = Aligner::new(model, options.align).with_progress(&progress);
-    let is_corrected = corrected.is_some();
     // Without words, all phones are recognised freely.
     let listen = || match script.words.is_empty() {
         true => aligner.listen(sound),
@@ -89,10 +91,8 @@ pub(super) fn make(
     let alignment = corrected.unwrap_or_else(listen);
     let mouth = render(&alignment, fps, viseme_type, &options.rules);
     let doubtful = doubtful(&alignment, script);
-    let opinion = opinion.filter(|_| !is_corrected);
-    let mismatches = opinion.map(|opinion| opinion.mismatches(script, &alignment));
+    let mismatches = mismatches(&alignment)?;
     let grid = with_grid.then(|| grid::written(&alignment, script, &mouth.frames, (viseme_type, fps)));
-    let mismatches = mismatches.unwrap_or(alignment.mismatches);
     let (codes, segment_starts) = (mouth.frames, mouth.segment_starts);
     let Alignment { words, phones, .. } = alignment;
     let phone_track = phone_track::text(&phones, is_unwritten, sound.level_db());
@@ -100,7 +100,7 @@ pub(super) fn make(
         true => soft_opening::keys(&aligner, sound, &phones, fps, codes.len()),
         false => Vec::new(),
     };
-    HeardMouth { codes, segment_starts, words, phones, phone_track, opening, doubtful, mismatches, grid }
+    Ok(HeardMouth { codes, segment_starts, words, phones, phone_track, opening, doubtful, mismatches, grid })
 }
 
 /// Returns the times of the words of `text`, from which `script` was made.

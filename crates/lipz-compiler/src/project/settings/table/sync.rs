@@ -31,7 +31,7 @@ pub(super) const SYNC: &[Setting] = &[
         flat_name: "recogniser",
         about: "File with a neural network that recognises phones, which `lipz import recogniser` makes. lipz uses it \
             for recordings without a text, and to compare other recordings with their texts.",
-        default: "the built-in network, without comparison",
+        default: "the built-in network",
         example: "\"phones.lipznet\"",
         read: |value, to| {
             to.settings.sync.recogniser = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path));
