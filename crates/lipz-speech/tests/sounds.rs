@@ -7,6 +7,7 @@ mod wav;
 use lipz_speech::{RmsRules, Sound, SoundError, rms};
 use lipz_types::Fps;
 use random::Random;
+use std::io::Cursor;
 use wav::{Samples, aiff, wav};
 
 const TONES: [(&str, &[u8]); 3] = [
@@ -202,5 +203,27 @@ fn check(bytes: &[u8], name: &str) {
     match Sound::from_bytes(bytes, None) {
         Ok(sound) => assert!(rms(&sound, Fps::whole(24), &RmsRules::default()).frames.is_ascii(), "{name}"),
         Err(error) => assert!(!matches!(error, SoundError::DecoderFailed), "{name}"),
+    }
+}
+
+/// The last block of ADPCM is full, even if the recording ends in the middle of it.
+#[test]
+fn adpcm_ends_where_its_header_says() {
+    let file = |fact: u32| {
+        let coefficients = [256_i16, 0, 512, -256, 0, 0, 192, 64, 240, 0, 460, -208, 392, -232];
+        let format: Vec<u8> = [&[2, 0, 1, 0, 0x80, 0x3e, 0, 0, 0, 0x20, 0, 0, 0, 1, 4, 0, 32, 0, 0xf4, 1, 7, 0][..]]
+            .concat()
+            .into_iter()
+            .chain(coefficients.iter().flat_map(|number| number.to_le_bytes()))
+            .collect();
+        let chunk = |name: &[u8], content: &[u8]| {
+            [name, &u32::try_from(content.len()).unwrap().to_le_bytes(), content].concat()
+        };
+        let chunks = [chunk(b"fmt ", &format), chunk(b"fact", &fact.to_le_bytes()), chunk(b"data", &[0; 512])].concat();
+        chunk(b"RIFF", &[b"WAVE", &chunks[..]].concat())
+    };
+    // Two blocks of 500 samples at 16,000 per second.
+    for (fact, duration_us) in [(600, 37_500), (1_000, 62_500), (0, 62_500), (5_000, 62_500)] {
+        assert_eq!(Sound::read(Cursor::new(file(fact)), Some("wav")).unwrap().duration_us(), duration_us, "{fact}");
     }
 }

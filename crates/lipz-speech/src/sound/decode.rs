@@ -50,7 +50,7 @@ where
     let (track, mut decoder) = open(format.as_ref())?;
     let rate_hz = decoder.codec_params().sample_rate.unwrap_or(0);
     let mut packets = Packets::new(format, rate_hz, holes).map_err(SoundError::unreadable)?;
-    let mut output = Output::new(take);
+    let mut output = Output::new(take, told.samples);
     output.decoded.truncated = told.is_cut;
     loop {
         let (packet, missing) = match packets.next() {

@@ -20,7 +20,12 @@ pub(super) struct FileEnd {
     pub(super) is_streamed: bool,
     /// The header declares more samples than the file contains.
     pub(super) is_cut: bool,
+    /// The number of samples per channel, if the last block may have more.
+    pub(super) samples: Option<u64>,
 }
+
+/// The formats of WAV whose blocks have a fixed number of samples: Microsoft's and IMA's ADPCM.
+const OF_BLOCKS: [&[u8]; 2] = [&[0x02, 0], &[0x11, 0]];
 
 /// Checks the lengths in the header, and fixes those for which the decoder would reject the file.
 pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEnd> {
@@ -37,14 +42,14 @@ pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEn
         (Some(b"RIFF"), Some(b"WAVE")) => {
             // The decoder then uses only the length of the sample chunk, which may exceed the file.
             source.mended.push((4, u32::MAX.to_le_bytes()));
-            let is_unfinished = !is_true && unknown_samples(source)?;
-            Ok(FileEnd { is_streamed: whole >= STREAMED || is_unfinished, is_cut: false })
+            let end = samples(source, !is_true)?;
+            Ok(FileEnd { is_streamed: whole >= STREAMED || end.is_streamed, ..end })
         }
         // RF64 (EBU Tech 3306) is WAV with lengths of 64 bits in a chunk that decoders skip.
         (Some(b"RF64" | b"BW64"), Some(b"WAVE")) => {
             source.mended.push((0, *b"RIFF"));
             source.mended.push((4, u32::MAX.to_le_bytes()));
-            Ok(FileEnd { is_streamed: true, is_cut: false })
+            Ok(FileEnd { is_streamed: true, ..FileEnd::default() })
         }
         (Some(b"FORM"), Some(b"AIFF" | b"AIFC")) => {
             let Some(end) = u32::try_from(source.length - HEAD_BYTES).ok() else { return Ok(FileEnd::default()) };
@@ -57,24 +62,33 @@ pub(super) fn mend<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEn
     }
 }
 
-/// Lets the samples of a WAV file end with the file, if their length is 0. Programs write it at the end, and some never
-/// do. Returns whether it was 0.
-fn unknown_samples<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<bool> {
-    let mut at = FIRST_CHUNK;
+/// Returns the end of a WAV file's samples. They end with the file if their length is 0 and the file `may_be_unfinished`:
+/// programs write the length at the end, and some never do.
+fn samples<S: Read + Seek>(source: &mut SizedSource<S>, may_be_unfinished: bool) -> Result<FileEnd> {
+    let (mut at, mut has_blocks, mut end) = (FIRST_CHUNK, false, FileEnd::default());
     for _ in 0..MOST_CHUNKS {
-        let head = source.peek(at, 8)?;
-        let Some((name, length)) = head.split_first_chunk::<4>() else { break };
-        let Some(length) = length.first_chunk().map(|length| u64::from(u32::from_le_bytes(*length))) else { break };
-        if name == b"data" {
-            let is_unknown = length == 0 && at + HEAD_BYTES < source.length;
-            if is_unknown {
-                source.mended.push((at + 4, u32::MAX.to_le_bytes()));
+        let head = source.peek(at, 12)?;
+        let Some((name, rest)) = head.split_first_chunk::<4>() else { break };
+        let Some((length, content)) = rest.split_first_chunk() else { break };
+        let length = u64::from(u32::from_le_bytes(*length));
+        match name {
+            b"fmt " => has_blocks = content.get(..2).is_some_and(|format| OF_BLOCKS.contains(&format)),
+            b"fact" if has_blocks => {
+                let count = content.first_chunk().map(|count| u64::from(u32::from_le_bytes(*count)));
+                end.samples = count.filter(|count| *count > 0);
             }
-            return Ok(is_unknown);
+            b"data" => {
+                end.is_streamed = may_be_unfinished && length == 0 && at + HEAD_BYTES < source.length;
+                if end.is_streamed {
+                    source.mended.push((at + 4, u32::MAX.to_le_bytes()));
+                }
+                break;
+            }
+            _ => {}
         }
         at += HEAD_BYTES + length + length % 2;
     }
-    Ok(false)
+    Ok(end)
 }
 
 /// Shortens the samples of an AIFF file to the length of the file, if they should be longer.
@@ -89,7 +103,7 @@ fn cut_samples<S: Read + Seek>(source: &mut SizedSource<S>) -> Result<FileEnd> {
         if name == b"SSND" && length > there {
             let there = u32::try_from(there).unwrap_or(u32::MAX);
             source.mended.push((at + 4, there.to_be_bytes()));
-            return Ok(FileEnd { is_streamed: false, is_cut: true });
+            return Ok(FileEnd { is_cut: true, ..FileEnd::default() });
         }
         // Chunks start at even offsets.
         at = start + length + length % 2;

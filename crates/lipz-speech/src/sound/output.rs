@@ -17,6 +17,8 @@ pub(super) struct Output<T> {
     /// The number of samples that were passed on, and of missing samples before the first, while the rate is unknown.
     given: u64,
     owed: Option<u64>,
+    /// The most samples to pass on, if the file states their number.
+    most: u64,
     /// Whether the last packet had a different rate.
     is_off: bool,
     interleaved: Vec<f32>,
@@ -24,7 +26,7 @@ pub(super) struct Output<T> {
 }
 
 impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
-    pub(super) fn new(take: T) -> Output<T> {
+    pub(super) fn new(take: T, most: Option<u64>) -> Output<T> {
         let (interleaved, mono) = Default::default();
         Output {
             take,
@@ -32,6 +34,7 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
             rate_hz: None,
             given: 0,
             owed: None,
+            most: most.unwrap_or(u64::MAX),
             is_off: false,
             interleaved,
             mono,
@@ -65,6 +68,7 @@ impl<T: FnMut(u32, &[f32]) -> Result<(), SoundError>> Output<T> {
             let of_channel = self.interleaved.iter().skip(louder).step_by(channels);
             self.mono.extend(of_channel.map(|sample| mean(std::slice::from_ref(sample))));
         }
+        self.mono.truncate(usize::try_from(self.most - self.given.min(self.most)).unwrap_or(usize::MAX));
         self.given += self.mono.len() as u64;
         (self.take)(rate_hz, &self.mono)
     }
