@@ -1,6 +1,7 @@
 //! Stale translations.
 
 use super::{FewDiagnostics, LocaleText};
+use crate::exchange::State;
 use crate::exchange::changes::changes;
 use crate::record::{Standing, TextRecord};
 use lipz_diagnostics::{Code, Diagnostic, escape};
@@ -8,7 +9,7 @@ use lipz_diagnostics::{Code, Diagnostic, escape};
 /// The most changes of a text that are marked individually.
 const MARKED: usize = 4;
 
-/// Reports the segments of a translation whose source text has changed.
+/// Reports the segments of a translation whose source text has changed, or which were marked for review.
 pub(super) fn check(
     record: &TextRecord,
     file: &str,
@@ -20,11 +21,22 @@ pub(super) fn check(
         record.standings(file, &source.locale, &translation.locale, &source.segments, &translation.segments);
     let mut found = FewDiagnostics::default();
     for (at, standing) in standings.into_iter().enumerate() {
-        if let Standing::Stale { made_from, is_changed } = standing {
-            found.add(|| stale(source, translation, at, &made_from, is_changed));
+        match standing {
+            Standing::Stale { made_from, is_changed } => {
+                found.add(|| stale(source, translation, at, &made_from, is_changed));
+            }
+            Standing::Current(State::Initial) => found.add(|| rejected(translation, at)),
+            Standing::Current(_) | Standing::Unknown => {}
         }
     }
     found.report(diagnostics);
+}
+
+/// Returns the diagnostic about a segment whose translation was marked for review in an imported file.
+fn rejected(translation: &LocaleText<'_>, at: usize) -> Diagnostic {
+    let message = "the translation was marked for review in an imported file";
+    Diagnostic::at(Code::StaleTranslation, translation.span(at, None), message)
+        .help("import a new translation, or run `lipz approve FILE` if this one is correct")
 }
 
 /// Returns the diagnostic about a segment.

@@ -48,7 +48,9 @@ pub(super) fn merge(
         let Some(parts) = clip.parts(entry, found) else { continue };
         // An untranslated entry does not count as an alternative translation.
         let is_translation = !entry.text.text.is_empty() || entry.mark.is_some();
-        for (at, text) in parts.into_iter().filter(|_| is_translation) {
+        // Nor does a text that was not changed in a copy of the file.
+        let is_exported = entry.mark == Some(mark_of(&parts));
+        for (at, text) in parts.into_iter().filter(|_| is_translation && !is_exported) {
             match places.get(&at) {
                 Some((_, other)) if *other != text => found.push((entry.file, twice(entry))),
                 Some(_) => continue,
@@ -123,13 +125,12 @@ impl ClipMerge<'_> {
             Some(number) => texts.get(number - 1).cloned().unwrap_or_default(),
             None => joined(texts),
         };
-        let text = joined(&parts.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>());
-        if entry.mark == Some(Mark::of(&text)) {
+        if entry.mark == Some(mark_of(&parts)) {
             // The text was not changed in the file.
             result.is_newer = true;
             return;
         }
-        if text.is_empty() {
+        if parts.iter().all(|(_, text)| text.is_empty()) {
             // A missing text without a mark never was in the file. With a mark, it was deleted there.
             match entry.mark {
                 Some(_) => changes().for_each(|(at, _)| found.push(self.missing(entry, *at))),
@@ -143,7 +144,10 @@ impl ClipMerge<'_> {
             return;
         }
         let own = of(self.own);
-        if entry.mark.is_some_and(|mark| mark != Mark::of(&own)) && !self.merge.is_forced {
+        // The file has the mark of its export. Its own earlier version may have been imported since.
+        let is_imported = changes().all(|(at, _)| self.merge.is_imported(&entry.locale, old(*at)));
+        let is_other = entry.mark.is_some_and(|mark| mark != Mark::of(&own));
+        if is_other && !is_imported && !self.merge.is_forced {
             let diagnostic = Diagnostic::at(
                 Code::TextConflict,
                 entry.text.span,
@@ -244,6 +248,11 @@ impl ClipMerge<'_> {
             state => format!("only {state}"),
         }
     }
+}
+
+/// Returns the mark of these segments.
+pub(super) fn mark_of(parts: &[(usize, String)]) -> Mark {
+    Mark::of(&joined(&parts.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>()))
 }
 
 /// Returns the character at byte `at` of a text if it is spelled literally in the file, otherwise the whole text.

@@ -1,6 +1,7 @@
 //! The source texts of translations according to an exchange file, whether imported or not.
 
 use super::ConfirmedTranslations;
+use super::clip::mark_of;
 use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::{State, joined};
 use crate::exchange::{Entry, Mark};
@@ -28,6 +29,7 @@ impl ConfirmedTranslations {
             texts,
             states: vec![None; count],
             is_looked_at: vec![false; count],
+            is_by_segment: false,
         }
     }
 }
@@ -63,7 +65,7 @@ pub(super) fn of_older(
 
 /// Returns the confirmations by the entries of the clip in the locale; `None` if there are none.
 pub(super) fn of_entries(mut confirmed: ConfirmedTranslations, entries: &[&Entry]) -> Option<ConfirmedTranslations> {
-    for entry in entries.iter().filter(|entry| entry.state >= State::Translated) {
+    for entry in entries.iter().filter(|entry| entry.says_state || entry.state >= State::Translated) {
         let parts: Vec<(usize, String)> = match entry.segment {
             Some(number) => vec![(number.saturating_sub(1), trim(&entry.text.text).to_owned())],
             None => trimmed(&entry.text.text).into_iter().enumerate().collect(),
@@ -75,6 +77,7 @@ pub(super) fn of_entries(mut confirmed: ConfirmedTranslations, entries: &[&Entry
         if !is_made_from(entry, &now) {
             continue;
         }
+        confirmed.is_by_segment |= entry.segment.is_some();
         let is_changed = entry.mark.is_some_and(|mark| mark != mark_of(&parts));
         for (at, text) in parts {
             if text.is_empty() || confirmed.texts.get(at) != Some(&text) {
@@ -97,10 +100,6 @@ pub(super) fn other_sources(sources: &[String], entries: &[&Entry]) -> Vec<(usiz
         entry.source.is_some() && !is_made_from(entry, own.unwrap_or(&now))
     };
     entries.iter().filter(is_other).filter_map(|entry| Some((entry.file, entry.source.as_ref()?.span))).collect()
-}
-
-fn mark_of(parts: &[(usize, String)]) -> Mark {
-    Mark::of(&joined(&parts.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>()))
 }
 
 /// Whether the file states that the translation was made from this text.

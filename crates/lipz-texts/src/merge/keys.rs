@@ -1,8 +1,8 @@
 //! Entries of clips that are missing from the project.
 
 use crate::exchange::Entry;
-use lipz_diagnostics::{Code, Diagnostic, escape, suggest};
-use std::collections::{BTreeSet, HashSet};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// The most diagnostics with a suggestion, because finding one takes long with many clips.
 const SUGGESTIONS: usize = 20;
@@ -10,9 +10,10 @@ const SUGGESTIONS: usize = 20;
 /// Returns a diagnostic, with the number of the file, for each clip of the entries that is not in `keys`.
 pub fn unknown_keys(entries: &[Entry], keys: &BTreeSet<&str>) -> Vec<(usize, Diagnostic)> {
     let mut told: HashSet<(usize, &str)> = HashSet::new();
-    let unknown = entries.iter().filter(|entry| !keys.contains(entry.key.text.as_str()));
+    let unknown = entries.iter().filter(|entry| is_foreign(entry, keys));
+    let (nameless, unknown): (Vec<&Entry>, Vec<&Entry>) = unknown.partition(|entry| entry.key.text.is_empty());
     let mut found = Vec::new();
-    for entry in unknown.filter(|entry| told.insert((entry.file, &entry.key.text))) {
+    for entry in unknown.into_iter().filter(|entry| told.insert((entry.file, &entry.key.text))) {
         let message = format!("the project has no clip {}", escape::quoted(&entry.key.text));
         let mut diagnostic = Diagnostic::at(Code::UnknownTextKey, entry.key.span, message);
         let near =
@@ -26,5 +27,23 @@ pub fn unknown_keys(entries: &[Entry], keys: &BTreeSet<&str>) -> Vec<(usize, Dia
         };
         found.push((entry.file, diagnostic));
     }
+    let mut first: BTreeMap<usize, (usize, Span)> = BTreeMap::new();
+    for entry in nameless {
+        first.entry(entry.file).or_insert((0, entry.key.span)).0 += 1;
+    }
+    for (file, (count, span)) in first {
+        let message = match count {
+            1 => "an entry has no key of a clip, and is not imported".to_owned(),
+            _ => format!("{count} entries have no key of a clip, and are not imported"),
+        };
+        found.push((file, Diagnostic::at(Code::UnknownTextKey, span, message).help(BY_TEXT)));
+    }
     found
 }
+
+/// Whether an entry belongs to no clip.
+pub(super) fn is_foreign(entry: &Entry, keys: &BTreeSet<&str>) -> bool {
+    !keys.contains(entry.key.text.as_str())
+}
+
+const BY_TEXT: &str = "if they translate texts of clips, import them with `--by-text`";

@@ -1,5 +1,6 @@
 //! Merging: inserts translations of an exchange file into the Lipz file, and changes nothing else there.
 
+mod by_text;
 mod clip;
 mod confirmed;
 mod keys;
@@ -8,6 +9,7 @@ mod options;
 mod results;
 mod splice;
 
+pub use by_text::TextTranslations;
 pub use keys::unknown_keys;
 pub use options::Merge;
 pub use results::{ConfirmedTranslations, Counts, MergedFile};

@@ -1,7 +1,8 @@
 //! The options for merging translations into Lipz files.
 
-use crate::exchange::State;
+use crate::exchange::{Mark, State};
 use lipz_diagnostics::Levels;
+use std::collections::BTreeSet;
 
 /// The options for merging translations into Lipz files.
 #[derive(Clone, PartialEq, Debug)]
@@ -11,13 +12,15 @@ pub struct Merge<'a> {
     pub(super) min_state: State,
     pub(super) is_forced: bool,
     pub(super) levels: Levels,
+    pub(super) imported: BTreeSet<(String, Mark)>,
 }
 
 impl<'a> Merge<'a> {
     /// Returns the options for translations from this locale.
     pub fn new(source_locale: &'a str) -> Merge<'a> {
         let levels = Levels::default();
-        Merge { source_locale, default_locale: None, min_state: State::Translated, is_forced: false, levels }
+        let (default_locale, imported) = (None, BTreeSet::new());
+        Merge { source_locale, default_locale, min_state: State::Translated, is_forced: false, levels, imported }
     }
 
     /// Sets the locale of `text` without a locale, which is also the first one in the layout.
@@ -36,6 +39,20 @@ impl<'a> Merge<'a> {
     #[must_use]
     pub fn forced(self, is_forced: bool) -> Self {
         Merge { is_forced, ..self }
+    }
+
+    /// Sets the locales and marks of texts that imports put into the clip: [`TextRecord::imported`]. A later version of the
+    /// same file may replace them.
+    ///
+    /// [`TextRecord::imported`]: crate::TextRecord::imported
+    #[must_use]
+    pub fn imported(self, imported: BTreeSet<(String, Mark)>) -> Self {
+        Merge { imported, ..self }
+    }
+
+    /// Whether an import put this text there.
+    pub(super) fn is_imported(&self, locale: &str, text: &str) -> bool {
+        !self.imported.is_empty() && self.imported.contains(&(locale.to_owned(), Mark::of(text)))
     }
 
     /// Sets the levels of lints. Texts with errors are not imported.

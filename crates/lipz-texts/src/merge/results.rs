@@ -35,6 +35,8 @@ pub struct ConfirmedTranslations {
     /// Whether the text of the segment was changed in the file, or the file states the state of each text. Other texts
     /// may only be new to the project's [record](crate::TextRecord), and possibly unchecked.
     pub is_looked_at: Vec<bool>,
+    /// Whether the file has an entry for each segment, rather than one for the clip.
+    pub is_by_segment: bool,
 }
 
 /// The numbers of texts of an exchange file, each for a clip in a locale.

@@ -1,8 +1,8 @@
 //! A line of the record: path, source locale, translations and source text, with tabs between them.
 //!
-//! `voices/mayor.lipz⇥en-us⇥de-de:1a2b3c4d,5e6f7a8br fr-fr:-,0a1b2c3d⇥Mayor? | Mayor!` states that the German texts
-//! with these marks, the second of them reviewed, and the French text of the second segment were made from that English
-//! text.
+//! `voices/mayor.lipz⇥en-us⇥de-de:1a2b3c4d,5e6f7a8br fr-fr:-,0a1b2c3dni⇥Mayor? | Mayor!` states that the German texts
+//! with these marks, the second of them reviewed (`r`; `f` is final), and the French text of the second segment were made
+//! from that English text. The French text needs work (`n`), and comes from an import (`i`).
 
 use super::version::{ApprovedMark, Version};
 use crate::exchange::State;
@@ -11,6 +11,11 @@ use std::fmt;
 
 /// The mark of a segment without information.
 const NOTHING: &str = "-";
+/// The states, as they follow a mark.
+const STATES: [(State, &str); 4] =
+    [(State::Initial, "n"), (State::Translated, ""), (State::Reviewed, "r"), (State::Final, "f")];
+/// The flag of an imported text, which follows the state.
+const IMPORTED: &str = "i";
 
 pub(super) struct Line {
     pub(super) file: String,
@@ -43,13 +48,10 @@ fn made(text: &str) -> Option<Option<ApprovedMark>> {
     if text == NOTHING {
         return Some(None);
     }
-    let (mark, state) = match text.get(8..)? {
-        "" => (text, State::Translated),
-        "r" => (text.strip_suffix('r')?, State::Reviewed),
-        "f" => (text.get(..8)?, State::Final),
-        _ => return None,
-    };
-    Some(Some(ApprovedMark { mark: mark.parse().ok()?, state }))
+    let (mark, flags) = text.split_at_checked(8)?;
+    let (flags, is_imported) = flags.strip_suffix(IMPORTED).map_or((flags, false), |flags| (flags, true));
+    let state = STATES.iter().find(|(_, name)| *name == flags)?.0;
+    Some(Some(ApprovedMark { mark: mark.parse().ok()?, state, is_imported }))
 }
 
 /// Writes the line of a version, whose source texts are `source`.
@@ -62,13 +64,10 @@ pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, s
             f.write_str(if at == 0 { "" } else { "," })?;
             match made {
                 None => f.write_str(NOTHING)?,
-                Some(ApprovedMark { mark, state }) => {
-                    write!(f, "{mark}")?;
-                    f.write_str(match state {
-                        State::Initial | State::Translated => "",
-                        State::Reviewed => "r",
-                        State::Final => "f",
-                    })?;
+                Some(ApprovedMark { mark, state, is_imported }) => {
+                    let name = STATES.iter().find(|(known, _)| known == state).map_or("", |(_, name)| name);
+                    write!(f, "{mark}{name}")?;
+                    f.write_str(if *is_imported { IMPORTED } else { "" })?;
                 }
             }
         }

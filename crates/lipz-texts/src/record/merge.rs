@@ -2,7 +2,7 @@
 //! the same file, in any order of merges.
 
 use super::version::{ApprovedMark, Version};
-use crate::exchange::{Mark, State};
+use crate::exchange::Mark;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::mem;
@@ -73,20 +73,19 @@ impl Version {
 
 /// Arranges the distinct marks of each segment in as few rows as possible: each row has the next one of every segment.
 fn laid_out(all: impl Iterator<Item = Vec<Option<ApprovedMark>>>) -> Vec<Vec<Option<ApprovedMark>>> {
-    let mut known: Vec<BTreeMap<Mark, State>> = Vec::new();
+    let mut known: Vec<BTreeMap<Mark, ApprovedMark>> = Vec::new();
     for made in all {
         known.resize_with(known.len().max(made.len()), BTreeMap::new);
         for (segment, made) in known.iter_mut().zip(made) {
-            if let Some(ApprovedMark { mark, state }) = made {
-                let known = segment.entry(mark).or_insert(state);
-                *known = state.max(*known);
+            if let Some(made) = made {
+                let known = segment.entry(made.mark).or_insert(made);
+                known.state = known.state.max(made.state);
+                known.is_imported |= made.is_imported;
             }
         }
     }
     let count = known.iter().map(BTreeMap::len).max().unwrap_or_default();
     let mut segments: Vec<_> = known.into_iter().map(BTreeMap::into_iter).collect();
-    let row = |_| {
-        segments.iter_mut().map(|segment| segment.next().map(|(mark, state)| ApprovedMark { mark, state })).collect()
-    };
+    let row = |_| segments.iter_mut().map(|segment| segment.next().map(|(_, made)| made)).collect();
     (0..count).map(row).collect()
 }

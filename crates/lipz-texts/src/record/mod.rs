@@ -130,18 +130,32 @@ impl TextRecord {
         texts: &[T],
         approved: &[Option<State>],
     ) {
+        self.record(file, source_locale, locale, (sources, texts), approved, false);
+    }
+
+    /// Like [`approve`](TextRecord::approve), for texts that an import put there if `is_imported`.
+    fn record<S: AsRef<str>, T: AsRef<str>>(
+        &mut self,
+        file: &str,
+        source_locale: &str,
+        locale: &str,
+        (sources, texts): (&[S], &[T]),
+        approved: &[Option<State>],
+        is_imported: bool,
+    ) {
         let facts = self.facts(file, source_locale, locale, sources, texts);
         let mut current = vec![None; sources.len()];
         let mut older: BTreeMap<usize, Vec<(usize, ApprovedMark)>> = BTreeMap::new();
         for (at, (fact, text)) in facts.into_iter().zip(texts).enumerate() {
             let mark = Mark::of(text.as_ref());
             let state = approved.get(at).copied().flatten().filter(|_| !text.as_ref().is_empty());
+            let made = |state, was_imported| Some(ApprovedMark { mark, state, is_imported: was_imported });
             match (state, fact) {
-                (Some(state), _) | (None, Fact::Current(state)) => {
-                    if let Some(slot) = current.get_mut(at) {
-                        *slot = Some(ApprovedMark { mark, state });
-                    }
+                (Some(state), Fact::Current { is_imported: was_imported, .. }) => {
+                    current[at] = made(state, is_imported || was_imported);
                 }
+                (Some(state), _) => current[at] = made(state, is_imported),
+                (None, Fact::Current { state, is_imported, .. }) => current[at] = made(state, is_imported),
                 (None, Fact::Stale { version, segment, made, .. }) => {
                     older.entry(version).or_default().push((segment, made));
                 }

@@ -3,7 +3,7 @@
 use super::TextRecord;
 use super::version::ApprovedMark;
 use crate::exchange::{Mark, State};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// The relation of a translation to the current source text.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -23,7 +23,13 @@ pub enum Standing {
 
 /// The same, with its source in the record.
 pub(super) enum Fact<'r> {
-    Current(State),
+    Current {
+        state: State,
+        /// Whether an import put the text there.
+        is_imported: bool,
+        /// Whether the record has this text for the current source text.
+        is_recorded: bool,
+    },
     Stale {
         /// The index in the versions of the file.
         version: usize,
@@ -60,7 +66,7 @@ impl TextRecord {
     ) -> Vec<Standing> {
         let facts = self.facts(file, source_locale, locale, sources, texts);
         let standing = |fact| match fact {
-            Fact::Current(state) => Standing::Current(state),
+            Fact::Current { state, .. } => Standing::Current(state),
             Fact::Stale { source, is_changed, .. } => Standing::Stale { made_from: source.to_owned(), is_changed },
             Fact::Unknown => Standing::Unknown,
         };
@@ -80,11 +86,12 @@ impl TextRecord {
         let marks: Vec<Mark> = texts.iter().map(|text| Mark::of(text.as_ref())).collect();
         let source = |at: usize| sources.get(at).map_or("", AsRef::as_ref);
         let has_text = |at: usize| texts.get(at).is_some_and(|text| !text.as_ref().is_empty());
-        let mut pairs: HashMap<(Mark, &str), State> = HashMap::new();
+        let mut pairs: HashMap<(Mark, &str), ApprovedMark> = HashMap::new();
         let mut by_mark: HashMap<Mark, Vec<&AcceptedFact<'_>>> = HashMap::new();
         for fact in &known {
-            let state = pairs.entry((fact.made.mark, fact.source)).or_insert(fact.made.state);
-            *state = fact.made.state.max(*state);
+            let pair = pairs.entry((fact.made.mark, fact.source)).or_insert(fact.made);
+            pair.state = pair.state.max(fact.made.state);
+            pair.is_imported |= fact.made.is_imported;
             by_mark.entry(fact.made.mark).or_default().push(fact);
         }
         let known_sources: HashSet<&str> = known.iter().map(|fact| fact.source).collect();
@@ -100,20 +107,42 @@ impl TextRecord {
             if !has_text(at) || known.is_empty() {
                 return Fact::Unknown;
             }
-            if let Some(state) = pairs.get(&(mark, source(at))) {
-                return Fact::Current(*state);
+            if let Some(ApprovedMark { state, is_imported, .. }) = pairs.get(&(mark, source(at))).copied() {
+                return Fact::Current { state, is_imported, is_recorded: true };
             }
             let same = by_mark.get(&mark).map_or(&[][..], Vec::as_slice);
             if let Some(fact) = same.iter().find(|fact| fact.segment == at).or(same.first()) {
                 return fact.stale(false);
             }
             if known_sources.contains(source(at)) {
-                return Fact::Current(State::Translated);
+                return Fact::Current { state: State::Translated, is_imported: false, is_recorded: false };
             }
             let before = first_of.get(&at).filter(|fact| !is_elsewhere(fact));
             before.map_or(Fact::Unknown, |fact| fact.stale(true))
         };
         marks.iter().enumerate().map(|(at, mark)| one(at, *mark)).collect()
+    }
+
+    /// Returns, by segment, whether the record has this translation of the current source text. Others may still be
+    /// [`Standing::Current`], if they changed while the source text stayed the same.
+    pub fn recorded<S: AsRef<str>, T: AsRef<str>>(
+        &self,
+        file: &str,
+        source_locale: &str,
+        locale: &str,
+        sources: &[S],
+        texts: &[T],
+    ) -> Vec<bool> {
+        let facts = self.facts(file, source_locale, locale, sources, texts);
+        facts.iter().map(|fact| matches!(fact, Fact::Current { is_recorded: true, .. })).collect()
+    }
+
+    /// Returns the locales and marks of translations that an import put into the file, or found there unchanged.
+    pub fn imported(&self, file: &str, source_locale: &str) -> BTreeSet<(String, Mark)> {
+        let versions = self.files.get(file).map_or(&[][..], Vec::as_slice).iter();
+        let made = versions.filter(|version| version.source_locale == source_locale).flat_map(|version| &version.made);
+        let marks = made.flat_map(|(locale, made)| made.iter().flatten().map(move |made| (locale, made)));
+        marks.filter(|(_, made)| made.is_imported).map(|(locale, made)| (locale.clone(), made.mark)).collect()
     }
 
     fn known(&self, file: &str, source_locale: &str, locale: &str) -> Vec<AcceptedFact<'_>> {

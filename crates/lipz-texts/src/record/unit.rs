@@ -27,7 +27,7 @@ impl TextRecord {
                     Standing::Unknown => {}
                 }
             }
-            translation.state = states.into_iter().min().unwrap_or(State::Translated).max(State::Translated);
+            translation.state = states.into_iter().min().unwrap_or(State::Translated);
             let is_stale = made_from.iter().zip(&sources).any(|(made_from, source)| made_from != source);
             translation.made_from = is_stale.then_some(made_from);
         }
@@ -36,13 +36,20 @@ impl TextRecord {
     /// Stores the confirmations of an import. Returns the number of texts whose source text was different or unknown
     /// before.
     pub fn confirm(&mut self, file: &str, source_locale: &str, confirmed: &ConfirmedTranslations) -> usize {
-        let ConfirmedTranslations { locale, sources, texts, states, is_looked_at } = confirmed;
+        let ConfirmedTranslations { locale, sources, texts, states, is_looked_at, is_by_segment } = confirmed;
         let before = self.standings(file, source_locale, locale, sources, texts);
+        // The export already marked a clip with such a segment.
+        let needs_work =
+            |before: &Standing| matches!(before, Standing::Stale { .. } | Standing::Current(State::Initial));
+        let is_marked = !is_by_segment && before.iter().any(needs_work);
         let mut count = 0;
         let approved: Vec<Option<State>> = (before.iter().zip(states).zip(is_looked_at))
             .map(|((before, state), is_looked_at)| match (before, (*state)?) {
+                // A rejected text, which did not change.
+                (Standing::Current(_), State::Initial) => Some(State::Initial).filter(|_| !is_marked),
                 (Standing::Current(known), state) if *is_looked_at => Some(state.max(*known)),
                 (Standing::Current(_), _) => None,
+                (Standing::Stale { .. }, State::Initial) => None,
                 (Standing::Stale { .. }, _) if !is_looked_at => None,
                 (_, state) => {
                     count += 1;
@@ -51,7 +58,7 @@ impl TextRecord {
             })
             .collect();
         if approved.iter().any(Option::is_some) {
-            self.approve(file, source_locale, locale, sources, texts, &approved);
+            self.record(file, source_locale, locale, (sources, texts), &approved, true);
         }
         count
     }

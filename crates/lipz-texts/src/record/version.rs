@@ -19,4 +19,6 @@ pub(super) struct ApprovedMark {
     /// The mark of its text.
     pub(super) mark: Mark,
     pub(super) state: State,
+    /// Whether an import put the text there, or found it unchanged.
+    pub(super) is_imported: bool,
 }

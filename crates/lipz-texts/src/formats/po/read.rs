@@ -13,7 +13,8 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
         incoming.text = decode::readable(bytes);
         return;
     };
-    let mut reader = Reader { options, locale: None, message: Message::default(), incoming };
+    let (message, plurals) = Default::default();
+    let mut reader = Reader { options, locale: None, message, plurals, incoming };
     if let [only] = options.wanted.as_slice() {
         reader.locale = Some(only.as_str().into());
     }
@@ -23,6 +24,7 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
         at += line.len();
     }
     reader.finish_message();
+    reader.finish();
     incoming.text = text.into_owned();
 }
 
@@ -59,6 +61,8 @@ struct Reader<'a> {
     /// The locale of the file.
     locale: Option<Arc<str>>,
     message: Message,
+    /// The entries with plural forms.
+    plurals: Vec<Span>,
     incoming: &'a mut IncomingFile,
 }
 
@@ -159,15 +163,15 @@ impl Reader<'_> {
             (None, Some(text)) => return self.wrong_at(text.span, "the entry has no `msgid`"),
             (None, None) => return,
         };
-        let Some(context) = message.context else {
-            if source.text.is_empty() {
-                return self.header(&text);
-            }
-            return self.wrong_at(source.span, "the entry has no `msgctxt` with the key of its clip");
-        };
-        if let Some(plural) = message.plural {
-            return self.wrong_at(plural, "the entry has plural forms, which texts of clips do not have");
+        if message.context.is_none() && source.text.is_empty() {
+            return self.header(&text);
         }
+        if let Some(plural) = message.plural {
+            self.plurals.push(plural);
+            return;
+        }
+        // Texts of a game's menus have no context. The entry belongs to no clip, except by its text.
+        let context = message.context.unwrap_or(Words { text: String::new(), span: source.span });
         let Some(locale) = self.locale.clone() else {
             self.locale = Some("".into()); // reported once
             return self.wrong_at(source.span, "the first entry has no header before it");
@@ -185,6 +189,27 @@ impl Reader<'_> {
             mark: message.mark,
             ..Entry::default()
         });
+    }
+
+    /// Reports the entries that texts of clips cannot be, and a file without any others.
+    fn finish(&mut self) {
+        if let Some(first) = self.plurals.first() {
+            let message = match self.plurals.len() {
+                1 => "an entry has plural forms, which texts of clips do not have; it is not imported".to_owned(),
+                count => {
+                    format!(
+                        "{count} entries have plural forms, which texts of clips do not have; they are not imported"
+                    )
+                }
+            };
+            self.incoming.diagnostics.push(Diagnostic::at(Code::UnknownTextKey, *first, message));
+        }
+        if self.incoming.entries.is_empty() && !self.incoming.diagnostics.iter().any(Diagnostic::is_error) {
+            self.incoming.diagnostics.push(
+                Diagnostic::new(Code::ExchangeSyntax, "the file has no entry that belongs to a clip")
+                    .help("check that it is the translated file; obsolete entries (`#~`) do not count"),
+            );
+        }
     }
 
     /// Reads the first entry, which names the language.

@@ -20,7 +20,7 @@ pub(crate) fn write(exchange: &Exchange, at: usize, division: Division, diagnost
     let mut has_nul = false;
     for item in exchange.items(division) {
         let translation = item.unit.translations.get(at).unwrap_or(&none);
-        let text = entry(&item, translation);
+        let text = entry(&item, translation, locale.is_empty());
         if text.contains("\\000") && !has_nul {
             has_nul = true;
             let key = escape::quoted(&item.unit.key);
@@ -54,13 +54,16 @@ fn header(source_locale: &str, locale: &str) -> String {
     out
 }
 
-fn entry(item: &Item<'_>, translation: &Translation) -> String {
+fn entry(item: &Item<'_>, translation: &Translation, is_template: bool) -> String {
     let text = item.text(translation);
     let mut out = String::new();
     for comment in item.comments() {
         let _ = writeln!(out, "#. {comment}");
     }
-    let _ = writeln!(out, "#. {EXPORTED}{}", item.mark(translation));
+    // A template has no marks: `msgmerge` would copy them into files with translations.
+    if !is_template {
+        let _ = writeln!(out, "#. {EXPORTED}{}", item.mark(translation));
+    }
     let paths: Vec<String> = item.paths().map(path).collect();
     if !paths.is_empty() {
         let _ = writeln!(out, "#: {}", paths.join(" "));

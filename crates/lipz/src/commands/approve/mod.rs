@@ -68,6 +68,8 @@ struct Translation {
     locale: String,
     texts: Vec<String>,
     standings: Vec<Standing>,
+    /// By segment: whether the record has this translation of this source text.
+    is_recorded: Vec<bool>,
 }
 
 /// Numbers of approved segments.
@@ -198,7 +200,12 @@ impl Approve {
             texts.into_iter().filter(|(locale, texts)| is_wanted(locale) && texts.len() == sources.len());
         let translations = translations.map(|(locale, texts)| {
             let standings = file.record.standings(&name, source_locale, &locale, &sources, &texts);
-            Translation { locale, texts, standings }
+            // Without the pair of texts in the record, a later merge could combine this translation with another source.
+            let is_recorded = match self.check {
+                true => vec![true; sources.len()],
+                false => file.record.recorded(&name, source_locale, &locale, &sources, &texts),
+            };
+            Translation { locale, texts, standings, is_recorded }
         });
         let translations: Vec<Translation> = translations.filter(|one| one.open(&sources).next().is_some()).collect();
         (!translations.is_empty()).then(|| ClipApproval { key: input.key.clone(), file: name, sources, translations })
@@ -210,7 +217,9 @@ impl Translation {
     fn open<'t>(&'t self, sources: &'t [String]) -> impl Iterator<Item = (usize, &'t Standing)> {
         self.standings.iter().enumerate().filter(|(at, standing)| {
             let has = |texts: &[String]| texts.get(*at).is_some_and(|text| !text.is_empty());
-            !matches!(standing, Standing::Current(_)) && has(&self.texts) && has(sources)
+            let is_recorded = self.is_recorded.get(*at).copied().unwrap_or_default();
+            let is_approved = matches!(standing, Standing::Current(state) if *state > State::Initial) && is_recorded;
+            !is_approved && has(&self.texts) && has(sources)
         })
     }
 }
@@ -223,21 +232,21 @@ impl ClipApproval {
                 if let Some(slot) = approved.get_mut(at) {
                     *slot = Some(State::Translated);
                 }
-                let Standing::Stale { made_from, .. } = standing else {
+                let reason = |now: &str| match standing {
+                    Standing::Stale { made_from, .. } => {
+                        Some(format!("source was {}, is now {now}", escape::quoted(made_from)))
+                    }
+                    Standing::Current(State::Initial) => Some("it was marked for review".to_owned()),
+                    Standing::Current(_) | Standing::Unknown => None,
+                };
+                let text = |texts: &[String]| escape::quoted(texts.get(at).map_or("", String::as_str)).to_string();
+                let Some(reason) = reason(&text(&self.sources)) else {
                     counts.unknown += 1;
                     continue;
                 };
                 counts.stale += 1;
-                let text = |texts: &[String]| escape::quoted(texts.get(at).map_or("", String::as_str)).to_string();
-                let _ = writeln!(
-                    said,
-                    "{} {}: {} (source was {}, is now {})",
-                    escape::text(&self.key),
-                    translation.locale,
-                    text(&translation.texts),
-                    escape::quoted(made_from),
-                    text(&self.sources)
-                );
+                let (key, now) = (escape::text(&self.key), text(&translation.texts));
+                let _ = writeln!(said, "{key} {}: {now} ({reason})", translation.locale);
             }
             record.approve(
                 &self.file,

@@ -19,7 +19,10 @@ use incoming_texts::IncomingTexts;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
-use lipz_texts::{ConfirmedTranslations, Counts, Entry, Merge, MergedFile, ReadOptions, unknown_keys};
+use lipz_file::Document;
+use lipz_texts::{
+    ConfirmedTranslations, Counts, Entry, Merge, MergedFile, ReadOptions, TextTranslations, unknown_keys,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
@@ -52,6 +55,10 @@ pub(crate) struct ImportTexts {
     /// Minimum state of imported translations
     #[arg(long, value_enum, default_value_t = MinState::Translated)]
     state: MinState,
+
+    /// Translate texts that have no translation by entries with the same source text, whatever their keys are
+    #[arg(long)]
+    by_text: bool,
 
     /// Import stale translations, and replace newer ones
     #[arg(long)]
@@ -125,7 +132,11 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
         .extended_locales(options.get_extended_locales());
     let mut incoming = IncomingTexts::read(&arguments.files, &read_options, reporter, &mut reports)?;
     let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
-    incoming.found.extend(unknown_keys(&incoming.entries, &keys));
+    let entries = std::mem::take(&mut incoming.entries);
+    let by_text = arguments.by_text.then(|| TextTranslations::new(&entries, &keys));
+    let (by_text, found) =
+        by_text.map_or_else(|| (None, unknown_keys(&entries, &keys)), |(by_text, found)| (Some(by_text), found));
+    incoming.found.extend(found);
     incoming.found.retain_mut(|(_, diagnostic)| {
         let mut one = vec![diagnostic.clone()];
         options.get_levels().apply(&mut one);
@@ -133,7 +144,9 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     });
     let (record, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
     reports.extend(odd_lines);
-    let (counts, confirmed) = arguments.merge(settings, &source_locale, &inputs, &mut incoming, &mut reports);
+    let translations = Translations { entries: &entries, by_text, record: &record };
+    let (counts, confirmed) =
+        arguments.merge(settings, &source_locale, &inputs, &translations, &mut incoming.found, &mut reports);
     let remembered = match arguments.check {
         true => Ok(String::new()),
         false => remember(record, &source_locale, &confirmed),
@@ -147,6 +160,14 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     reporter.end(reports, (!arguments.quiet.is_set()).then(|| summary(counts, arguments.check) + &remembered))
 }
 
+/// Everything to import.
+struct Translations<'e> {
+    entries: &'e [Entry],
+    /// With `--by-text`, the translations of texts whose clips the files do not name.
+    by_text: Option<TextTranslations<'e>>,
+    record: &'e RecordFile,
+}
+
 impl ImportTexts {
     /// Merges the translations into the clips.
     fn merge(
@@ -154,15 +175,18 @@ impl ImportTexts {
         settings: &Settings,
         source_locale: &str,
         inputs: &[Input],
-        incoming: &mut IncomingTexts,
+        translations: &Translations<'_>,
+        found: &mut Vec<(usize, Diagnostic)>,
         reports: &mut Vec<Report>,
     ) -> (Counts, Vec<(Input, Vec<ConfirmedTranslations>)>) {
         let options = &settings.options;
         let mut by_key: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
-        for entry in &incoming.entries {
+        let Translations { entries, by_text, record } = translations;
+        for entry in *entries {
             by_key.entry(&entry.key.text).or_default().push(entry);
         }
-        let inputs: Vec<Input> = inputs.iter().filter(|input| by_key.contains_key(&*input.key)).cloned().collect();
+        let inputs: Vec<Input> =
+            inputs.iter().filter(|input| by_text.is_some() || by_key.contains_key(&*input.key)).cloned().collect();
         let merge = Merge::new(source_locale)
             .default_locale(options.get_default_locale())
             .min_state(self.state.into())
@@ -172,26 +196,34 @@ impl ImportTexts {
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let files = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
-            let merged = one(&merge, input, bytes, by_key.get(&*input.key).map_or(&[], Vec::as_slice))?;
+            let imported = record.record.imported(&record.name(input), source_locale);
+            let merge = merge.clone().imported(imported);
+            let own = by_key.get(&*input.key).map_or(&[][..], Vec::as_slice);
+            let (merged, of_texts) = one(&merge, input, bytes, |document| {
+                let locales = (source_locale, options.get_default_locale());
+                let of_text = |by_text: &TextTranslations<'_>| by_text.of_clip(&input.key, document, locales, own);
+                (own, by_text.as_ref().map(of_text).unwrap_or_default())
+            })?;
             if let (Some(text), Content::File(path), false) = (&merged.text, &input.content, self.check) {
                 files.rewrite(path, bytes, text.as_bytes())?;
             }
-            Ok(merged)
+            Ok((merged, of_texts))
         });
         let unwritten = files.finish();
         bar.finish_and_clear();
         let mut counts = Counts::default();
-        let mut confirmed = Vec::new();
+        let (mut confirmed, mut used) = (Vec::new(), Vec::new());
         let mut other_sources: BTreeMap<usize, BTreeSet<Span>> = BTreeMap::new();
         for (input, result) in inputs.into_iter().zip(results) {
             match result.and_then(|result| result) {
-                Ok(merged) => {
+                Ok((merged, of_texts)) => {
+                    used.extend(of_texts);
                     counts.add(merged.counts);
                     let is_written = unwritten.iter().all(|report| report.source.path != input.name());
                     if is_written && !merged.confirmed.is_empty() {
                         confirmed.push((input, merged.confirmed));
                     }
-                    incoming.found.extend(merged.found);
+                    found.extend(merged.found);
                     for (file, span) in merged.other_sources {
                         other_sources.entry(file).or_default().insert(span);
                     }
@@ -200,13 +232,14 @@ impl ImportTexts {
             }
         }
         reports.extend(unwritten);
-        let mut found: Vec<(usize, Diagnostic)> =
+        let mut of_all: Vec<(usize, Diagnostic)> =
             other_sources.iter().filter_map(|(file, spans)| Some((*file, not_imported(spans)?))).collect();
-        found.extend((counts.unmarked > 0).then(|| (0, unmarked(counts.unmarked, self.check))));
-        for (file, diagnostic) in found {
+        of_all.extend(by_text.iter().flat_map(|by_text| by_text.unused(&used)));
+        of_all.extend((counts.unmarked > 0).then(|| (0, unmarked(counts.unmarked, self.check))));
+        for (file, diagnostic) in of_all {
             let mut one = vec![diagnostic];
             options.get_levels().apply(&mut one);
-            incoming.found.extend(one.into_iter().map(|diagnostic| (file, diagnostic)));
+            found.extend(one.into_iter().map(|diagnostic| (file, diagnostic)));
         }
         (counts, confirmed)
     }
@@ -228,13 +261,24 @@ fn remember(
     Ok(if is_written && !file.exists() { file.introduction() } else { String::new() })
 }
 
-/// Merges the translations into one clip.
-fn one(merge: &Merge<'_>, input: &Input, bytes: &[u8], entries: &[&Entry]) -> Result<MergedFile, Report> {
+/// Merges the translations into one clip. `entries` returns those for the clip itself, and those of its texts, which are
+/// returned with the result.
+fn one<'e>(
+    merge: &Merge<'_>,
+    input: &Input,
+    bytes: &[u8],
+    entries: impl FnOnce(&Document<'_>) -> (&'e [&'e Entry], Vec<Entry>),
+) -> Result<(MergedFile, Vec<Entry>), Report> {
     let parsed = lipz_file::parse(bytes);
     let mut diagnostics = parsed.diagnostics;
     diagnostics.retain(Diagnostic::is_error);
     match parsed.document.filter(|_| diagnostics.is_empty()) {
-        Some(document) => Ok(merge.merge(&String::from_utf8_lossy(bytes), &document, entries)),
+        Some(document) => {
+            let (own, of_texts) = entries(&document);
+            let entries: Vec<&Entry> = own.iter().copied().chain(&of_texts).collect();
+            let merged = merge.merge(&String::from_utf8_lossy(bytes), &document, &entries);
+            Ok((merged, of_texts))
+        }
         None => Err(Report::from_bytes(input.name(), bytes, diagnostics)),
     }
 }
