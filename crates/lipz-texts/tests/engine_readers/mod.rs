@@ -1,0 +1,83 @@
+//! The readers of engines, made again after their sources: what they accept, and which texts a player then sees.
+//!
+//! They follow the behaviour of Unity Localization 1.5.7 (`Plugins/CSV/Columns`), Yarn Spinner for Unity 3.2.7
+//! (`StringTableEntry`, `YarnImporter`), Godot 4.6 (`ResourceImporterCSVTranslation`, `String::c_unescape`) and Unreal 5
+//! (`FStringTable::ImportStrings`, `FString::ReplaceEscapedCharWithChar`).
+
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+
+/// Texts by key.
+pub(crate) type Texts = BTreeMap<String, String>;
+
+/// Returns the rows of a CSV file, the first of which has the names of its columns.
+fn rows(file: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(file.as_bytes());
+    let cells = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
+    let head = cells(reader.headers().unwrap());
+    (head, reader.records().map(|record| cells(&record.unwrap())).collect())
+}
+
+fn place(head: &[String], name: &str) -> Option<usize> {
+    head.iter().position(|known| known == name)
+}
+
+/// Returns the texts of a locale in Unity. Its column has the name of the culture and the code. Without such a column,
+/// all texts are empty.
+pub(crate) fn unity(file: &str, culture: &str, code: &str) -> Texts {
+    let (head, rows) = rows(file);
+    let (key, text) = (place(&head, "Key").unwrap(), place(&head, &format!("{culture}({code})")));
+    let text_of = |row: &Vec<String>| text.and_then(|at| row.get(at)).cloned().unwrap_or_default();
+    rows.iter().map(|row| (row[key].clone(), text_of(row))).collect()
+}
+
+/// Returns the texts of a strings file of Yarn Spinner, after an update with the project's `lines`. Lines whose lock is
+/// that of an older text need work; lines that the project does not have are lost.
+pub(crate) fn yarn(file: &str, lines: &[(&str, &str)]) -> Texts {
+    let (head, rows) = rows(file);
+    let at = |name: &str| place(&head, name).unwrap();
+    let (id, text, lock) = (at("id"), at("text"), at("lock"));
+    let mut texts = Texts::new();
+    for (name, base) in lines {
+        let Some(row) = rows.iter().find(|row| row[id] == *name) else { continue };
+        let hash = Sha256::digest(base.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+        let is_current = row[lock] == hash[..8];
+        let text = if is_current { row[text].clone() } else { format!("(NEEDS UPDATE) {}", row[text]) };
+        texts.insert((*name).to_owned(), text);
+    }
+    texts
+}
+
+/// Returns the texts of a locale in Godot. Columns whose names start with `_` are skipped, and cells are unescaped.
+pub(crate) fn godot(file: &str, locale: &str) -> Texts {
+    const ESCAPES: [(&str, &str); 10] = [
+        ("\\a", "\u{7}"),
+        ("\\b", "\u{8}"),
+        ("\\f", "\u{c}"),
+        ("\\n", "\n"),
+        ("\\r", "\r"),
+        ("\\t", "\t"),
+        ("\\v", "\u{b}"),
+        ("\\'", "'"),
+        ("\\\"", "\""),
+        ("\\\\", "\\"),
+    ];
+    let (head, rows) = rows(file);
+    let at = place(&head, locale).filter(|_| !locale.starts_with('_')).unwrap();
+    rows.iter().map(|row| (row[0].clone(), replaced(&row[at], &ESCAPES))).collect()
+}
+
+/// Returns the source texts of a string table in Unreal.
+pub(crate) fn unreal(file: &str) -> Texts {
+    const ESCAPES: [(&str, &str); 6] =
+        [("\\\"", "\""), ("\\'", "'"), ("\\t", "\t"), ("\\r", "\r"), ("\\n", "\n"), ("\\\\", "\\")];
+    let (head, rows) = rows(file);
+    let (key, source) = (place(&head, "Key").unwrap(), place(&head, "SourceString").unwrap());
+    let text = |row: &Vec<String>, at: usize| replaced(&row[at], &ESCAPES);
+    rows.iter().map(|row| (text(row, key), text(row, source))).collect()
+}
+
+/// Replaces escapes one after the other, as both engines do: an escaped backslash before an `n` is a line end, too.
+fn replaced(cell: &str, escapes: &[(&str, &str)]) -> String {
+    escapes.iter().fold(cell.to_owned(), |text, (escape, character)| text.replace(escape, character))
+}
