@@ -4,6 +4,7 @@
 mod engine_readers;
 
 use engine_readers::{godot, unity, unreal, yarn};
+use lipz_texts::{Collect, Exchange, Format, ReadOptions, Shape, State, WriteOptions, read, write};
 
 /// Files in the form that users of the engines have.
 #[test]
@@ -22,4 +23,69 @@ fn the_readers_read_the_files_of_their_engines() {
     );
     let table = "Key,SourceString,Comment\nDISK,\"A \\\"\"disk\\\"\"\\nin C:\\\\x\",\n";
     assert_eq!(unreal(table)["DISK"], "A \"disk\"\nin C:\\x");
+}
+
+const TEXT: &str = "- Quoth \"he\", 'C:\\x'.";
+const GERMAN: &str = "- Ja, =x, 'C:\\x', \"so\".";
+
+/// Returns the table of a clip in an engine's shape, and the messages about it.
+fn table(shape: Shape, source: &str, german: &str) -> (String, Vec<String>) {
+    let clip = serde_json::json!({ "visemes": "MA", "text_en-us": source, "text_de-de": german }).to_string();
+    let document = lipz_file::parse(clip.as_bytes()).document.unwrap();
+    let units = Collect::new("en-us", ["de-de"]).unit("act1/otto", &document, &mut Vec::new());
+    let exchange =
+        Exchange { source_locale: "en-us".into(), locales: vec!["de-de".into()], units: units.into_iter().collect() };
+    let written = write(Format::Csv, &exchange, &WriteOptions::new().shape(shape));
+    let messages = written.diagnostics.iter().map(|diagnostic| diagnostic.message.clone()).collect();
+    (String::from_utf8(written.files[0].bytes.clone()).unwrap(), messages)
+}
+
+#[test]
+fn engines_show_the_texts_of_the_project() {
+    let unity_table = table(Shape::Unity, TEXT, GERMAN).0;
+    assert_eq!(unity(&unity_table, "German (Germany)", "de-DE")["act1/otto"], GERMAN);
+    assert_eq!(unity(&unity_table, "English (United States)", "en-US")["act1/otto"], TEXT);
+    let yarn_table = table(Shape::Yarn, TEXT, GERMAN).0;
+    assert_eq!(yarn(&yarn_table, &[("line:act1/otto", TEXT)])["line:act1/otto"], GERMAN);
+    let godot_table = table(Shape::Godot, TEXT, GERMAN).0;
+    assert_eq!(godot(&godot_table, "de_DE")["act1/otto"], GERMAN);
+    assert_eq!(unreal(&table(Shape::Unreal, TEXT, GERMAN).0)["act1/otto"], TEXT);
+    // Both engines replace this escape also behind a backslash.
+    for shape in [Shape::Godot, Shape::Unreal] {
+        let messages = table(shape, "C:\\new", "").1;
+        assert_eq!(messages, ["a text of `act1/otto` has \\n, which the engine reads as a different character"]);
+    }
+}
+
+#[test]
+fn tables_of_engines_come_back_unchanged() {
+    for shape in Shape::ALL {
+        let text = "C:\\new\n'- x";
+        let file = table(shape, TEXT, text).0;
+        let incoming = read(Format::Csv, file.as_bytes(), &ReadOptions::new("en-us"));
+        let [entry] = incoming.entries.as_slice() else { unreachable!("{shape:?}: {:?}", incoming.diagnostics) };
+        assert_eq!((entry.key.text.as_str(), entry.text.text.as_str()), ("act1/otto", text), "{shape:?}");
+    }
+}
+
+#[test]
+fn tables_of_other_tools_are_read() {
+    let read = |table: &str| read(Format::Csv, table.as_bytes(), &ReadOptions::new("en-us").wanted(["de-de"]));
+    // Yarn Spinner puts a note before translations of older texts.
+    let yarn = "language,id,text,file,node,lineNumber,lock,comment\nde-DE,line:otto,(NEEDS UPDATE) Ja.,,,,801a2d12,\n";
+    let incoming = read(yarn);
+    let entry = &incoming.entries[0];
+    assert_eq!((entry.key.text.as_str(), entry.text.text.as_str(), entry.state), ("otto", "Ja.", State::Initial));
+    // Weblate and the Translate Toolkit, of a PO file.
+    let weblate = "\"location\",\"source\",\"target\",\"id\",\"fuzzy\",\"context\",\"translator_comments\",\"developer_comments\"\n\
+        \"a.lipz\",\"Hi.\",\"Hallo.\",\"\",\"True\",\"otto\",\"\",\"\"\n";
+    for (table, state) in [(weblate, State::Initial), ("context,source,target\notto,Hi.,Hallo.\n", State::Translated)] {
+        let incoming = read(table);
+        assert_eq!(incoming.diagnostics, []);
+        let entry = &incoming.entries[0];
+        assert_eq!((entry.key.text.as_str(), entry.text.text.as_str(), entry.state), ("otto", "Hallo.", state));
+        assert_eq!(entry.source.as_ref().unwrap().text, "Hi.");
+    }
+    let nameless = lipz_texts::read(Format::Csv, weblate.as_bytes(), &ReadOptions::new("en-us"));
+    assert!(nameless.diagnostics.iter().any(|found| found.message == "no column has translations"));
 }

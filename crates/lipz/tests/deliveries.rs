@@ -202,3 +202,17 @@ fn approval_records_pairs_of_texts() {
     let checked = lipz(folder, ["check"]);
     assert!(checked.stderr.contains("LZ1911"), "{checked:?}");
 }
+
+/// Spreadsheets change case and spaces; Unreal writes a namespace before the key.
+#[test]
+fn keys_mean_the_only_clip_that_they_can() {
+    for key in [" otto ", "OTTO", "Dialogue,otto"] {
+        let scene = project();
+        let folder = scene.path();
+        let head = "msgid \"\"\nmsgstr \"Language: de_DE\\n\"\n\n";
+        let entry = "msgid \"Good evening. | You?\"\nmsgstr \"Hallo. | Du?\"\n";
+        scene.write("de.po", format!("{head}msgctxt \"{key}\"\n{entry}"));
+        let imported = import(folder, &["de.po"]);
+        assert!(clip(folder).contains("Hallo.|Du?"), "{key:?}: {imported:?}");
+    }
+}

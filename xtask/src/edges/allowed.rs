@@ -133,6 +133,7 @@ pub(super) const RULES: &[Rule] = &[
             "rust_xlsxwriter",
             "serde",
             "serde_json",
+            "sha2",
             "similar",
             "twox-hash",
             "unicode-segmentation",

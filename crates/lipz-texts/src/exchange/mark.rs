@@ -1,5 +1,6 @@
 //! Marks: eight characters that identify the text at the time of export.
 
+use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
 use twox_hash::XxHash3_64;
@@ -24,6 +25,22 @@ impl Mark {
     pub fn of(text: &str) -> Mark {
         let low = |hash: u64| u32::try_from(hash & u64::from(u32::MAX)).unwrap_or_default();
         Mark((!text.is_empty()).then(|| low(XxHash3_64::oneshot(text.as_bytes()))))
+    }
+
+    /// Returns the mark of a text in Yarn Spinner: the first 32 bits of its SHA-256.
+    ///
+    /// ```
+    /// # use lipz_texts::Mark;
+    /// assert_eq!(Mark::of_yarn("Come, quickly.").to_string(), "801a2d12");
+    /// ```
+    pub fn of_yarn(text: &str) -> Mark {
+        let first = |hash: &[u8]| hash.first_chunk().map(|bytes| u32::from_be_bytes(*bytes));
+        Mark(first(&Sha256::digest(text.as_bytes())).filter(|_| !text.is_empty()))
+    }
+
+    /// Whether this is the mark of a text, made by lipz or by Yarn Spinner.
+    pub(crate) fn is_of(self, text: &str) -> bool {
+        self == Mark::of(text) || self == Mark::of_yarn(text)
     }
 }
 

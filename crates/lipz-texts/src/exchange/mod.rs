@@ -3,6 +3,7 @@
 pub(crate) mod changes;
 pub(crate) mod clip_texts;
 mod collect;
+pub(crate) mod culture;
 pub(crate) mod decode;
 pub mod difference;
 pub(crate) mod entry;

@@ -113,7 +113,7 @@ pub fn write(format: Format, exchange: &Exchange, options: &WriteOptions) -> Wri
         (Format::Po, Some(at)) => po::write(exchange, at, options.division, diagnostics),
         (Format::Xliff, Some(at)) => xliff::write_2_1(exchange, at),
         (Format::Xliff12, Some(at)) => xliff::write_1_2(exchange, at, options.division),
-        (Format::Csv, locale) => csv::write(exchange, locale, options),
+        (Format::Csv, locale) => csv::write(exchange, locale, options, diagnostics),
         #[cfg(feature = "xlsx")]
         (Format::Xlsx, _) => xlsx::write(exchange, options, diagnostics),
         (Format::Json, _) => json::write(exchange),

@@ -213,7 +213,7 @@ impl ClipMerge<'_> {
                 };
                 (source.span, Some(then).filter(|then| then != now)?)
             }
-            (None, Some(mark)) if mark != Mark::of(now) => (entry.text.span, String::new()),
+            (None, Some(mark)) if !mark.is_of(now) => (entry.text.span, String::new()),
             _ => return None,
         };
         let mut diagnostic = Diagnostic::at(Code::OutdatedSource, span, "the translation was made from an older text");

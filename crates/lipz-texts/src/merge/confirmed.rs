@@ -2,9 +2,9 @@
 
 use super::ConfirmedTranslations;
 use super::clip::mark_of;
+use crate::exchange::Entry;
 use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::{State, joined};
-use crate::exchange::{Entry, Mark};
 use lipz_diagnostics::Span;
 use lipz_file::text::trim;
 use std::collections::BTreeMap;
@@ -107,7 +107,7 @@ fn is_made_from(entry: &Entry, now: &str) -> bool {
     match (&entry.source, entry.source_mark) {
         (Some(source), _) if entry.segment.is_some() => trim(&source.text) == now,
         (Some(source), _) => joined(&trimmed(&source.text)) == now,
-        (None, Some(mark)) => mark == Mark::of(now),
+        (None, Some(mark)) => mark.is_of(now),
         (None, None) => false,
     }
 }

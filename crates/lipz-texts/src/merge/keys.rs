@@ -1,11 +1,28 @@
 //! Entries of clips that are missing from the project.
 
-use crate::exchange::Entry;
+use crate::exchange::{Entry, Words};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// The most diagnostics with a suggestion, because finding one takes long with many clips.
 const SUGGESTIONS: usize = 20;
+
+/// Gives entries the key of the only clip that they can mean, if their own is not among `keys`: without the namespace of
+/// Unreal (`Dialogue,act1/mayor`), and regardless of case and of spaces around it, which spreadsheets change.
+pub fn resolve_keys(entries: &mut [Entry], keys: &BTreeSet<&str>) {
+    let mut folded: HashMap<String, Option<&str>> = HashMap::new();
+    for key in keys {
+        folded.entry(key.to_lowercase()).and_modify(|known| *known = None).or_insert(Some(key));
+    }
+    for entry in entries.iter_mut().filter(|entry| is_foreign(entry, keys)) {
+        let own = entry.key.text.trim();
+        let without_namespace = own.split_once(',').map(|(_, key)| key).filter(|key| keys.contains(key));
+        let meant = without_namespace.or_else(|| folded.get(&own.to_lowercase()).copied().flatten());
+        if let Some(meant) = meant {
+            entry.key = Words { text: meant.to_owned(), span: entry.key.span }.into();
+        }
+    }
+}
 
 /// Returns a diagnostic, with the number of the file, for each clip of the entries that is not in `keys`.
 pub fn unknown_keys(entries: &[Entry], keys: &BTreeSet<&str>) -> Vec<(usize, Diagnostic)> {

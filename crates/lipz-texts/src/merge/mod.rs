@@ -10,7 +10,7 @@ mod results;
 mod splice;
 
 pub use by_text::TextTranslations;
-pub use keys::unknown_keys;
+pub use keys::{resolve_keys, unknown_keys};
 pub use options::Merge;
 pub use results::{ConfirmedTranslations, Counts, MergedFile};
 

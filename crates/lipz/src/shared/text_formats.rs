@@ -17,7 +17,7 @@ pub(crate) enum TextFormatArgument {
     Xliff12,
     /// A table for spreadsheets, with a column for each locale
     Csv,
-    /// A CSV string table of Unity: Key, Shared Comments, en-US(en-US)
+    /// A CSV string table of Unity: Key, Shared Comments, German (Germany)(de-DE)
     Unity,
     /// A CSV of Godot: keys, en_US, de_DE
     Godot,

@@ -22,6 +22,8 @@ pub(super) enum CsvColumn {
     Mark(Arc<str>),
     /// The state of the translation into the locale of the row.
     State,
+    /// Whether the translation needs work.
+    Fuzzy,
     /// Information for people or other tools.
     Other,
 }
@@ -33,6 +35,8 @@ pub(super) enum NoColumn {
     Unknown,
     /// The name is that of a language which is not a locale of the project.
     Locale,
+    /// The column has translations into a locale that the file does not name.
+    Target,
 }
 
 /// Columns for people or other tools.
@@ -58,12 +62,42 @@ const OTHERS: [&str; 16] = [
 /// The prefix of the locale in the names of columns with marks.
 pub(crate) const LOCK: &str = "lock";
 
+/// The program whose table it is, as far as it spells texts in its own way.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum CsvDialect {
+    /// A spreadsheet, in which an apostrophe marks a text that looks like a formula.
+    Sheet,
+    /// An engine that shows cells as they are.
+    Plain,
+    /// An engine that replaces escapes: Godot or Unreal.
+    Escaped,
+    /// Yarn Spinner, whose keys begin with `line:`, and whose old translations begin with a note.
+    Yarn,
+}
+
+impl CsvDialect {
+    /// Returns the dialect of a table with these columns.
+    pub(super) fn new(names: &[&str]) -> CsvDialect {
+        let has = |known: &str| names.iter().any(|name| name.trim().eq_ignore_ascii_case(known));
+        match () {
+            () if has("language") && has("text") => CsvDialect::Yarn,
+            () if has("keys") || has("sourcestring") => CsvDialect::Escaped,
+            () if names.iter().any(|name| name.contains('(') && name.ends_with(')')) => CsvDialect::Plain,
+            () => CsvDialect::Sheet,
+        }
+    }
+}
+
 /// Returns the content of the columns with these names; `Err` for one that is not imported.
 pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvColumn, NoColumn>> {
     let is = |name: &str, known: &str| name.trim().eq_ignore_ascii_case(known);
     let has = |known: &str| names.iter().any(|name| is(name, known));
     let is_by_row = has("language") && has("text");
-    let key = ["key", "keys", "id"].into_iter().find(|key| has(key)).unwrap_or_default();
+    // Tables that Weblate and the Translate Toolkit make of PO files.
+    let is_of_po = has("context") && has("source") && has("target");
+    let keys = if is_of_po { ["context"; 3] } else { ["key", "keys", "id"] };
+    let key = keys.into_iter().find(|key| has(key)).unwrap_or_default();
+    let only = options.wanted.first().filter(|_| options.wanted.len() == 1);
     let column = |name: &&str| {
         let name = name.trim();
         let plain = name.trim_start_matches('_');
@@ -71,7 +105,13 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
         let is_number = name == "Id" && key != "id";
         if is(name, key) {
             return Ok(CsvColumn::Key);
+        } else if is_of_po && is(name, "target") {
+            return only.map(|locale| CsvColumn::Locale(locale.as_str().into())).ok_or(NoColumn::Target);
+        } else if is_of_po && is(name, "fuzzy") {
+            return Ok(CsvColumn::Fuzzy);
         } else if is_number
+            || (is_of_po
+                && ["id", "location", "translator_comments", "developer_comments"].iter().any(|other| is(name, other)))
             || OTHERS.iter().any(|other| is(plain, other))
             || plain.to_ascii_lowercase().ends_with(" comments")
         {

@@ -1,6 +1,6 @@
 //! The columns of a table, from its first row.
 
-use super::columns::{CsvColumn, NoColumn, columns};
+use super::columns::{CsvColumn, CsvDialect, NoColumn, columns};
 use super::row::CsvRow;
 use crate::exchange::entry::{NoLocale, ReadOptions};
 use lipz_diagnostics::{Code, Diagnostic, bound, escape};
@@ -16,6 +16,8 @@ pub(super) struct CsvHeader {
     pub(super) source_mark: Option<usize>,
     pub(super) language: Option<usize>,
     pub(super) state: Option<usize>,
+    pub(super) fuzzy: Option<usize>,
+    pub(super) dialect: CsvDialect,
     /// The columns of wanted translations, sorted by the first cell of each.
     texts: Vec<TranslationColumn>,
     /// The columns of the marks of locales.
@@ -48,6 +50,9 @@ impl CsvHeader {
                         "name a column of texts after its locale, as in de-de",
                     ),
                     NoColumn::Locale => (NoLocale::NOTE, NoLocale::HELP),
+                    NoColumn::Target => {
+                        ("the file does not name the locale of this column", "name it with `--locale`, as in de-de")
+                    }
                 };
                 let message = format!("the column {name} is not imported");
                 let diagnostic = Diagnostic::at(Code::ExchangeLoss, row.span(at), message);
@@ -67,10 +72,10 @@ impl CsvHeader {
             diagnostics.push(missing("translations", "name each column after its locale, as in de-de"));
             return None;
         }
-        Some(CsvHeader::new(found, key, options))
+        Some(CsvHeader::new(found, key, CsvDialect::new(&names), options))
     }
 
-    fn new(columns: Vec<CsvColumn>, key: usize, options: &ReadOptions) -> CsvHeader {
+    fn new(columns: Vec<CsvColumn>, key: usize, dialect: CsvDialect, options: &ReadOptions) -> CsvHeader {
         let find = |column: &CsvColumn| columns.iter().position(|other| other == column);
         // Of two columns for one locale, the first counts.
         let named = columns.iter().enumerate().rev().filter_map(|(at, column)| match column {
@@ -100,6 +105,8 @@ impl CsvHeader {
             source_mark: find(&CsvColumn::SourceMark),
             language: find(&CsvColumn::Language),
             state: find(&CsvColumn::State),
+            fuzzy: find(&CsvColumn::Fuzzy),
+            dialect,
             texts,
             marks,
             columns,

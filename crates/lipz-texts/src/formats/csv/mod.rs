@@ -2,6 +2,7 @@
 
 mod cell;
 mod columns;
+mod escape;
 mod header;
 mod read;
 mod row;

@@ -1,6 +1,8 @@
 //! Reading of tables: rows with the position of every cell, from CSV files and spreadsheets.
 
 use super::cell;
+use super::columns::CsvDialect;
+use super::escape::unescaped;
 use super::header::CsvHeader;
 use super::row::CsvRow;
 use super::scan::scan;
@@ -50,7 +52,13 @@ fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
             incoming.diagnostics.push(fault.diagnostic(start));
             return;
         }
-        let cells = record.iter().map(|cell| cell::text(cell).to_owned()).collect();
+        let dialect = table.header.as_ref().map_or(CsvDialect::Sheet, |header| header.dialect);
+        let text = |cell: &str| match dialect {
+            CsvDialect::Sheet => cell::text(cell).to_owned(),
+            CsvDialect::Plain | CsvDialect::Yarn => cell.to_owned(),
+            CsvDialect::Escaped => unescaped(cell).into_owned(),
+        };
+        let cells = record.iter().map(text).collect();
         let row = CsvRow { cells, places: scanned.places, start, ..CsvRow::default() };
         incoming.diagnostics.extend(table.length(&row));
         if !table.row(row, incoming) {

@@ -1,11 +1,17 @@
 //! A row of a table, and the translations in it.
 
+use super::columns::CsvDialect;
 use super::header::{CsvHeader, TranslationColumn};
 use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
 use crate::exchange::{Mark, State};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::ops::Range;
 use std::sync::Arc;
+
+/// The prefix of all keys in Yarn Spinner.
+pub(super) const YARN_LINE: &str = "line:";
+/// The prefix of translations whose source text has changed, in Yarn Spinner.
+const NEEDS_UPDATE: &str = "(NEEDS UPDATE) ";
 
 /// A row, and the positions of its cells.
 #[derive(Debug, Default)]
@@ -50,13 +56,25 @@ impl CsvRow {
         let source = header.source.map(|at| Arc::new(self.words(at)));
         let source_mark = self.mark(header.source_mark);
         let state = header.state.and_then(|at| State::from_name(&self.cells.get(at)?.trim().to_ascii_lowercase()));
+        let fuzzy = header.fuzzy.and_then(|at| self.cells.get(at)).map(|cell| cell.trim().to_ascii_lowercase());
+        let state = state.or(fuzzy.map(|cell| match cell.as_str() {
+            "" | "false" | "0" => State::Translated,
+            _ => State::Initial,
+        }));
+        let is_of_yarn = header.dialect == CsvDialect::Yarn;
         let row_locale = self.locale(header.language, options, incoming);
-        let (id, segment) = entry::id(&key.text);
+        let own = if is_of_yarn { key.text.strip_prefix(YARN_LINE).unwrap_or(&key.text) } else { &key.text };
+        let (id, segment) = entry::id(own);
         let key = Arc::new(Words { text: id.to_owned(), span: key.span });
         let entry = |column: &TranslationColumn| {
             // These do not include columns of other locales, but rows may have any locale.
             let locale = column.locale.clone().or_else(|| row_locale.clone().filter(|locale| options.wants(locale)))?;
-            let text = self.words(column.at);
+            let mut text = self.words(column.at);
+            let is_outdated = is_of_yarn && text.text.starts_with(NEEDS_UPDATE);
+            if is_outdated {
+                text.text.replace_range(..NEEDS_UPDATE.len(), "");
+            }
+            let state = if is_outdated { Some(State::Initial) } else { state };
             Some(Entry {
                 key: Arc::clone(&key),
                 segment,

@@ -2,25 +2,63 @@
 
 use super::cell::defused;
 use super::columns::LOCK;
+use super::escape::{escaped, misread};
+use super::row::YARN_LINE;
+use crate::exchange::culture::english_name;
 use crate::exchange::model::{Exchange, Item, Segment, Translation, seconds};
 use crate::exchange::tag::{bcp47, underscored};
 use crate::exchange::{Mark, Shape, WriteOptions};
 use csv::{Terminator, WriterBuilder};
+use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::borrow::Cow;
 
 /// Returns the file with all locales, or with the one at `at`.
-pub(crate) fn write(exchange: &Exchange, at: Option<usize>, options: &WriteOptions) -> Vec<u8> {
+pub(crate) fn write(
+    exchange: &Exchange,
+    at: Option<usize>,
+    options: &WriteOptions,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<u8> {
+    report(exchange, options.shape, diagnostics);
     let mut writer = WriterBuilder::new().terminator(Terminator::CRLF).from_writer(Vec::new());
     for row in rows(exchange, at, options) {
-        let cells = row.iter().map(|cell| match options.raw_cells {
+        let cells = row.iter().map(|cell| match options.shape {
+            Shape::Godot | Shape::Unreal => escaped(cell),
+            // Engines show an apostrophe before a text.
+            Shape::Unity | Shape::Yarn => Cow::Borrowed(cell.as_str()),
             // A reader would mistake an apostrophe of the text for the mark of a text cell.
-            true if !cell.starts_with('\'') => Cow::Borrowed(cell.as_str()),
-            _ => defused(cell),
+            Shape::Sheet if options.raw_cells && !cell.starts_with('\'') => Cow::Borrowed(cell.as_str()),
+            Shape::Sheet => defused(cell),
         });
         // Writing to memory cannot fail.
         let _ = writer.write_record(cells.map(|cell| cell.into_owned().into_bytes()));
     }
     writer.into_inner().unwrap_or_default()
+}
+
+/// Reports what the engine cannot read.
+fn report(exchange: &Exchange, shape: Shape, diagnostics: &mut Vec<Diagnostic>) {
+    if shape == Shape::Unity {
+        let locales = std::iter::once(&exchange.source_locale).chain(&exchange.locales);
+        for locale in locales.filter(|locale| english_name(locale).is_none()) {
+            let message = format!("lipz does not know the name of {} in Unity", escape::quoted(locale));
+            let help = "rename its column as Unity's CSV export spells it, so that Unity finds the texts";
+            diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
+        }
+    }
+    if !matches!(shape, Shape::Godot | Shape::Unreal) {
+        return;
+    }
+    for unit in &exchange.units {
+        let sources = unit.segments.iter().map(|segment| segment.source.as_str());
+        let texts = unit.translations.iter().flat_map(|translation| &translation.texts).map(String::as_str);
+        if let Some(escape) = sources.chain(texts).find_map(misread) {
+            let key = escape::quoted(&unit.key);
+            let message = format!("a text of {key} has {escape}, which the engine reads as a different character");
+            let help = "put a space after the backslash, or leave it out; the engine has no spelling for it";
+            diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
+        }
+    }
 }
 
 /// Returns the rows of the table with all locales, or with the one at `at`. The first has the names of the columns.
@@ -80,10 +118,11 @@ impl TableWriter<'_> {
                 let language = self.tags().next().map(bcp47).unwrap_or_default();
                 let file = item.unit.file.clone().unwrap_or_default();
                 let line = item.number.map_or_else(String::new, |number| number.to_string());
-                let lock = Mark::of(&item.source()).to_string();
+                let lock = Mark::of_yarn(&item.source()).to_string();
                 let comment = [item.source(), comment(item)].into_iter().filter(|part| !part.is_empty());
                 let comment = comment.collect::<Vec<_>>().join("; ");
-                [vec![language], head, texts, vec![file, node, line, lock, comment], locks].concat()
+                let id = format!("{YARN_LINE}{}", item.id());
+                [vec![language, id], texts, vec![file, node, line, lock, comment], locks].concat()
             }
         }
     }
@@ -120,7 +159,8 @@ fn comment(item: &Item<'_>) -> String {
     cells.map(|(cell, name)| format!("{name}: {cell}")).collect::<Vec<_>>().join("; ")
 }
 
-/// Returns a column name as in Unity, except for the name of the language, which it does not read.
+/// Returns a column name as in Unity: `German (Germany)(de-DE)`.
 fn unity(locale: &str) -> String {
-    format!("{0}({0})", bcp47(locale))
+    let code = bcp47(locale);
+    format!("{}({code})", english_name(locale).unwrap_or(&code))
 }

@@ -21,7 +21,7 @@ use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
 use lipz_file::Document;
 use lipz_texts::{
-    ConfirmedTranslations, Counts, Entry, Merge, MergedFile, ReadOptions, TextTranslations, unknown_keys,
+    ConfirmedTranslations, Counts, Entry, Merge, MergedFile, ReadOptions, TextTranslations, resolve_keys, unknown_keys,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -132,7 +132,8 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
         .extended_locales(options.get_extended_locales());
     let mut incoming = IncomingTexts::read(&arguments.files, &read_options, reporter, &mut reports)?;
     let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
-    let entries = std::mem::take(&mut incoming.entries);
+    let mut entries = std::mem::take(&mut incoming.entries);
+    resolve_keys(&mut entries, &keys);
     let by_text = arguments.by_text.then(|| TextTranslations::new(&entries, &keys));
     let (by_text, found) =
         by_text.map_or_else(|| (None, unknown_keys(&entries, &keys)), |(by_text, found)| (Some(by_text), found));
