@@ -131,6 +131,31 @@ mod spreadsheets {
         }
     }
 
+    /// A spreadsheet makes a date of `3/4`, and a truth value of `true`.
+    #[test]
+    fn values_that_the_sheet_shows_in_a_different_form_are_told() {
+        let styles = r#"<styleSheet><numFmts><numFmt numFmtId="164" formatCode="d. mmm"/></numFmts>
+            <cellStyleXfs><xf numFmtId="0"/></cellStyleXfs>
+            <cellXfs><xf numFmtId="0"/><xf numFmtId="14"/><xf numFmtId="164"/></cellXfs></styleSheet>"#;
+        let text = |text: &str| format!(r#"<c t="inlineStr"><is><t>{text}</t></is></c>"#);
+        let read = |cell: &str| {
+            let rows = format!("<row>{}{}</row><row>{}{cell}</row>", text("key"), text("de-de"), text("a"));
+            let sheet = format!("<worksheet><sheetData>{rows}</sheetData></worksheet>");
+            let parts: [(&str, &[u8]); 2] =
+                [("xl/styles.xml", styles.as_bytes()), ("xl/worksheets/sheet1.xml", sheet.as_bytes())];
+            let incoming = lipz_texts::read(Format::Xlsx, &archive(&parts), &lipz_texts::ReadOptions::new("en-us"));
+            let told: Vec<String> = incoming.diagnostics.iter().map(|told| told.message.clone()).collect();
+            (told.join("; "), incoming.entries[0].text.text.clone())
+        };
+        let not = |what: &str| (format!("the cell contains {what}, not a text, and is not imported"), String::new());
+        assert_eq!(read(r#"<c s="1"><v>45413</v></c>"#), not("a date"));
+        assert_eq!(read(r#"<c s="2" t="n"><v>45413</v></c>"#), not("a date"));
+        assert_eq!(read(r#"<c t="d"><v>2026-04-03</v></c>"#), not("a date"));
+        assert_eq!(read(r#"<c t="b"><v>1</v></c>"#), not("a truth value"));
+        assert_eq!(read("<c><v>1.234567890123457E+19</v></c>"), not("a number with an exponent"));
+        assert_eq!(read(r#"<c s="0"><v>42</v></c>"#), (String::new(), "42".to_owned()));
+    }
+
     #[test]
     fn archives_and_sheets_without_end_are_refused() {
         let megabyte = format!("<a>{}</a>", "b".repeat(1 << 20));

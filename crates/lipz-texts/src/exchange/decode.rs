@@ -1,7 +1,7 @@
 //! Decoding of files: UTF-8, UTF-16, and the encoding that a file names.
 
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use std::borrow::Cow;
 
 /// The greatest size of a file in bytes, as for Lipz files.
@@ -18,6 +18,12 @@ pub(crate) fn text<'b>(
         diagnostics.push(Diagnostic::new(Code::FileTooLarge, Code::FileTooLarge.summary()).help("split the file"));
         return None;
     }
+    if let Some(label) = named.filter(|label| wide(bytes).is_none() && !is_known(label)) {
+        let label = escape::quoted(&String::from_utf8_lossy(label)).to_string();
+        let message = format!("the file states the unknown encoding {label}");
+        diagnostics.push(Diagnostic::new(Code::NotUtf8, message).help("save it as UTF-8"));
+        return None;
+    }
     let encoding = wide(bytes).or_else(|| Encoding::for_label(named?)).filter(|encoding| *encoding != UTF_8);
     let Some(encoding) = encoding else { return lipz_file::decode_marked(bytes, diagnostics).map(Cow::Borrowed) };
     let (text, has_errors) = encoding.decode_with_bom_removal(bytes);
@@ -27,6 +33,11 @@ pub(crate) fn text<'b>(
         return None;
     }
     Some(text)
+}
+
+/// Whether a label is that of an encoding, or missing. Templates of gettext have `CHARSET` in its place.
+fn is_known(label: &[u8]) -> bool {
+    label.is_empty() || label == b"CHARSET" || Encoding::for_label(label).is_some()
 }
 
 /// Returns a readable form of undecodable bytes, in which positions stay the same.
@@ -53,4 +64,22 @@ pub(crate) fn label<'b>(bytes: &'b [u8], before: &[u8]) -> Option<&'b [u8]> {
     let rest = head.get(start..)?;
     let is_part = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b':' | b'.');
     rest.get(..rest.iter().position(|byte| !is_part(byte)).unwrap_or(rest.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_encoding_is_refused() {
+        let read = |label: &'static str| {
+            let mut found = Vec::new();
+            let text = text(b"caf\xe9", Some(label.as_bytes()), &mut found).map(Cow::into_owned);
+            (text, found.into_iter().map(|found| found.message).collect::<Vec<_>>())
+        };
+        assert_eq!(read("latin1"), (Some("café".to_owned()), Vec::new()));
+        assert_eq!(read("KLINGON"), (None, vec!["the file states the unknown encoding `KLINGON`".to_owned()]));
+        let mut found = Vec::new();
+        assert_eq!(text(b"Hi", Some(b"CHARSET"), &mut found).as_deref(), Some("Hi"), "a template of gettext");
+    }
 }

@@ -60,7 +60,8 @@ fn workbook(rows: &[Vec<String>], source: &str, diagnostics: &mut Vec<Diagnostic
     let sheet = workbook.add_worksheet().set_name("texts")?;
     sheet.set_freeze_panes(1, 1)?;
     columns(sheet, rows.first().map_or(&[], Vec::as_slice), source)?;
-    let (head, text) = (Format::new().set_bold(), Format::new().set_text_wrap().set_align(FormatAlign::Top));
+    let (head, text) =
+        (Format::new().set_bold(), Format::new().set_text_wrap().set_align(FormatAlign::Top).set_num_format("@"));
     for (row, cells) in (0..).zip(rows) {
         for (column, cell) in (0..).zip(cells) {
             if cell.encode_utf16().count() > CELL_UNITS {
@@ -83,6 +84,8 @@ fn columns(sheet: &mut Worksheet, names: &[String], source: &str) -> Result<(), 
         if name.starts_with(LOCK) {
             sheet.set_column_hidden(column)?;
         } else if usize::from(column) >= first_text {
+            // Empty cells as well, so that a spreadsheet keeps what translators type.
+            sheet.set_column_format(column, &Format::new().set_num_format("@"))?;
             sheet.set_column_width(column, TEXT_WIDTH)?;
         } else {
             sheet.set_column_width(column, 16)?;

@@ -2,6 +2,7 @@
 
 use super::parts::Refusal;
 use super::strings::{Strings, add_string, unescaped};
+use super::styles::Styles;
 use super::xml::{PartReader, XmlStep};
 use crate::formats::csv::CsvRow;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
@@ -12,14 +13,14 @@ const MAX_COLUMNS: usize = 1 << 14;
 /// Reads the row that has just begun, and appends it to the text of the file, which is limited to a number of bytes.
 pub(super) fn row(
     part: &mut PartReader<'_, '_>,
-    strings: &Strings,
+    formats: (&Strings, &Styles),
     text: &mut String,
     most_bytes: u64,
 ) -> Result<CsvRow, Refusal> {
     let mut row = CsvRow { start: text.len(), ..CsvRow::default() };
     while let Some(step) = part.next()? {
         match step {
-            XmlStep::Start if part.name() == "c" => cell(part, strings, &mut row, text)?,
+            XmlStep::Start if part.name() == "c" => cell(part, formats, &mut row, text)?,
             XmlStep::Start => part.skip()?,
             XmlStep::End => break,
             XmlStep::Text | XmlStep::Other => {}
@@ -32,8 +33,14 @@ pub(super) fn row(
 }
 
 /// Reads the cell that has just begun. A formula without a value is a fault, because lipz does not compute it. So is an
-/// error, which was a text if its author typed one that begins with `=`.
-fn cell(part: &mut PartReader<'_, '_>, strings: &Strings, row: &mut CsvRow, text: &mut String) -> Result<(), Refusal> {
+/// error, which was a text if its author typed one that begins with `=`, and a value that the file stores in a different
+/// form than the sheet shows it.
+fn cell(
+    part: &mut PartReader<'_, '_>,
+    (strings, styles): (&Strings, &Styles),
+    row: &mut CsvRow,
+    text: &mut String,
+) -> Result<(), Refusal> {
     let at = part.attribute("r").as_deref().and_then(column).unwrap_or(row.cells.len());
     if at < row.cells.len() || at >= MAX_COLUMNS {
         return Err("the cells of a row are not in order".into());
@@ -41,7 +48,7 @@ fn cell(part: &mut PartReader<'_, '_>, strings: &Strings, row: &mut CsvRow, text
     while row.cells.len() < at {
         push(row, "", text);
     }
-    let kind = part.attribute("t");
+    let (kind, style) = (part.attribute("t"), part.attribute("s"));
     let kind = kind.as_deref();
     let (mut value, mut is_formula, mut has_value) = (String::new(), false, false);
     while let Some(step) = part.next()? {
@@ -65,15 +72,37 @@ fn cell(part: &mut PartReader<'_, '_>, strings: &Strings, row: &mut CsvRow, text
         Some("s") if !value.is_empty() => {
             push(row, strings.get(&value).ok_or("a cell refers to a missing string")?, text);
         }
-        Some("s" | "e") => push(row, "", text),
+        Some("s" | "e" | "b" | "d") => push(row, "", text),
+        None | Some("n") if other_form(&value, styles.is_date(style.as_deref())).is_some() => push(row, "", text),
         _ => push(row, &unescaped(&value), text),
     }
     let fault = match kind {
         Some("e") if is_computed => Some(error(row.span(at), &value)),
+        Some("b") if is_computed => Some(not_text(row.span(at), "a truth value")),
+        Some("d") if is_computed => Some(not_text(row.span(at), "a date")),
+        None | Some("n") if is_computed => {
+            other_form(&value, styles.is_date(style.as_deref())).map(|what| not_text(row.span(at), what))
+        }
         _ => (is_formula && !is_computed).then(|| not_computed(row.span(at))),
     };
     row.faults.extend(fault.map(|fault| (at, fault)));
     Ok(())
+}
+
+/// Returns the kind of a number that the sheet shows in a different form than the file has it.
+fn other_form(value: &str, is_date: bool) -> Option<&'static str> {
+    match value {
+        "" => None,
+        _ if is_date => Some("a date"),
+        value if value.contains(['e', 'E']) && value.parse::<f64>().is_ok() => Some("a number with an exponent"),
+        _ => None,
+    }
+}
+
+/// Returns the diagnostic for a cell that is not a text, although its author may have typed one: `3/4` becomes a date.
+fn not_text(span: Span, what: &str) -> Diagnostic {
+    Diagnostic::at(Code::ExchangeLoss, span, format!("the cell contains {what}, not a text, and is not imported"))
+        .help("set the format of the cell to `Text`, and type the text again")
 }
 
 /// Returns the diagnostic for a formula without a value.

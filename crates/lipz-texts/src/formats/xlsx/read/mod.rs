@@ -3,6 +3,7 @@
 mod cells;
 mod parts;
 mod strings;
+mod styles;
 mod xml;
 
 use crate::exchange::entry::{IncomingFile, ReadOptions};
@@ -11,6 +12,7 @@ use lipz_diagnostics::{Code, Diagnostic, Span};
 pub(super) use parts::exceeded;
 use parts::{Parts, Refusal, most_bytes};
 use strings::Strings;
+use styles::Styles;
 use xml::{PartReader, XmlStep};
 
 /// The most rows of a sheet, as in Excel.
@@ -40,6 +42,10 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) -> Res
         Some(mut part) => Strings::read(&mut part)?,
         None => Strings::default(),
     };
+    let styles = match parts.part("xl/styles.xml")? {
+        Some(mut part) => Styles::read(&mut part)?,
+        None => Styles::default(),
+    };
     let mut sheet = parts.part(&sheet)?.ok_or("it has no sheet")?;
     let (mut table, mut line) = (CsvTable::new(options), 0);
     while let Some(step) = sheet.next()? {
@@ -52,7 +58,7 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) -> Res
         }
         incoming.text.extend(std::iter::repeat_n('\n', number - line - usize::from(line == 0)));
         line = number;
-        let row = cells::row(&mut sheet, &strings, &mut incoming.text, most_bytes)?;
+        let row = cells::row(&mut sheet, (&strings, &styles), &mut incoming.text, most_bytes)?;
         if !table.row(row, incoming) {
             return Ok(());
         }
