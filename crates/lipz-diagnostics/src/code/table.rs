@@ -218,6 +218,7 @@ codes! {
     NumbersDiffer "LZ1913" "numbers-differ" Warning "a translation and its source have different numbers"
     MetaDiffers "LZ1914" "meta-differs" Warning "a translation and its source have different meta"
     OutdatedRecording "LZ1915" "outdated-recording" Warning "a recording is older than its text"
+    MarkupDiffers "LZ1916" "markup-differs" Warning "a translation and its source have different markup"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"

@@ -8,6 +8,7 @@ pub(crate) mod decode;
 pub mod difference;
 pub(crate) mod entry;
 pub(crate) mod mark;
+pub(crate) mod markup;
 pub(crate) mod model;
 pub(crate) mod placeholder;
 pub(crate) mod tag;

@@ -40,6 +40,8 @@ enum Meta<'t> {
     Placeholder(&'t str),
     /// `{to: amy}`, identified by its name. The part after the colon may be translated.
     Named(&'t str),
+    /// `%s` or `$name`, which some engines replace.
+    Engine(&'t str),
     /// `{very loud, then calm}`, a note for people, which may be translated.
     Note,
 }
@@ -62,8 +64,30 @@ fn metas(text: &str) -> Vec<Meta<'_>> {
         }
     };
     let mut all: Vec<Meta<'_>> = meta_places(text).into_iter().filter_map(meta).collect();
+    all.extend(engine_placeholders(text).map(Meta::Engine));
     all.sort_unstable();
     all
+}
+
+/// Returns the placeholders of `printf` (`%s`, `%2$d`) and variables (`$name`), in order.
+fn engine_placeholders(text: &str) -> impl Iterator<Item = &str> {
+    let is_word = |character: char| character.is_alphanumeric() || character == '_';
+    text.match_indices(['%', '$']).filter_map(move |(start, sign)| {
+        let rest = text.get(start + 1..)?;
+        let length = if sign == "$" {
+            let length = rest.find(|character| !is_word(character)).unwrap_or(rest.len());
+            rest.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_').then_some(length)?
+        } else {
+            let digits = rest.len() - rest.trim_start_matches(|digit: char| digit.is_ascii_digit()).len();
+            let number = rest.get(digits..)?.strip_prefix('$').filter(|_| digits > 0).map_or(0, |_| digits + 1);
+            let kind = rest.get(number..)?;
+            let is_alone = !kind.get(1..)?.starts_with(is_word);
+            (kind.starts_with(['s', 'd', 'i', 'u', 'f']) && is_alone).then_some(number + 1)?
+        };
+        // A sign after a word is a unit or a price: `US$`.
+        let is_first = !text.get(..start)?.ends_with(is_word);
+        text.get(start..start + 1 + length).filter(|_| is_first)
+    })
 }
 
 /// Whether a text has placeholders that are all plain names or numbers, `{name}` and `{0}`, and no other braces.
@@ -78,7 +102,7 @@ pub(crate) fn are_plain(text: &str) -> bool {
     let metas = metas(text);
     let plain = metas.iter().filter(|meta| match meta {
         Meta::Placeholder(whole) => whole.get(1..whole.len() - 1).is_some_and(|name| !name.is_empty() && is_name(name)),
-        Meta::Named(_) | Meta::Note => false,
+        Meta::Named(_) | Meta::Engine(_) | Meta::Note => false,
     });
     !places.is_empty() && plain.count() == places.len() && braces == 2 * places.len()
 }
@@ -88,7 +112,7 @@ pub(crate) fn are_plain(text: &str) -> bool {
 /// Lost placeholders occur less often in the translation, added ones more often.
 pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
     said(source, text, |meta| match meta {
-        Meta::Placeholder(whole) => Some(escape::quoted(whole).to_string()),
+        Meta::Placeholder(whole) | Meta::Engine(whole) => Some(escape::quoted(whole).to_string()),
         Meta::Named(_) | Meta::Note => None,
     })
 }
@@ -96,7 +120,7 @@ pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
 /// Returns the same for other meta: those with a name, by name, and the number of notes for people.
 pub(crate) fn meta_difference(source: &str, text: &str) -> Option<String> {
     said(source, text, |meta| match meta {
-        Meta::Placeholder(_) => None,
+        Meta::Placeholder(_) | Meta::Engine(_) => None,
         Meta::Named(name) => Some(format!("`{{{}: …}}`", escape::text(name))),
         Meta::Note => Some("a note `{…}`".to_owned()),
     })
@@ -139,6 +163,14 @@ mod tests {
         let added = Some("the translation has `{b}`, but its source does not".into());
         assert_eq!(difference("{a}", "{a}{b}"), added);
         assert_eq!(difference("{a}", "{A}"), Some("the translation has `{A}` instead of `{a}`".into()));
+    }
+
+    #[test]
+    fn placeholders_of_engines_count() {
+        let found = |text| engine_placeholders(text).collect::<Vec<_>>();
+        assert_eq!(found("Hi $name, %s, %2$d: $unit.name|"), ["$name", "%s", "%2$d", "$unit"]);
+        assert_eq!(found("100%ig, 50 % de, $5, US$ish, 5%s, %sth, %"), [""; 0]);
+        assert_eq!(difference("%s has $gold", "$gold hat"), Some("the translation lacks `%s`".into()));
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod same;
 mod stale;
 
 use crate::exchange::clip_texts::{tag_of, trimmed};
-use crate::exchange::placeholder;
+use crate::exchange::{markup, placeholder};
 use crate::record::TextRecord;
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use lipz_file::locale::language;
@@ -114,8 +114,8 @@ impl LocaleText<'_> {
 /// Reports translations whose content differs from the source, in segments that both have.
 fn compare(source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
     let is_other_language = language(&source.locale) != language(&translation.locale);
-    let mut found: [FewDiagnostics; 4] = Default::default();
-    let [same, placeholders, metas, numbers] = &mut found;
+    let mut found: [FewDiagnostics; 5] = Default::default();
+    let [same, placeholders, metas, tags, numbers] = &mut found;
     let numbers_differ = numbers::differ(&source.segments, &translation.segments);
     let pairs = source.segments.iter().zip(&translation.segments).enumerate();
     for (at, (from, to)) in pairs.filter(|(_, (from, to))| !from.is_empty() && !to.is_empty()) {
@@ -134,6 +134,9 @@ fn compare(source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &
         }
         if let Some(message) = placeholder::meta_difference(from, to) {
             metas.add(|| differs(Code::MetaDiffers, message, "the source", placeholder::META_HELP));
+        }
+        if let Some(message) = markup::difference(from, to) {
+            tags.add(|| differs(Code::MarkupDiffers, message, "the source", markup::HELP));
         }
         if let Some(message) = numbers_differ.then(|| numbers::difference(from, to)).flatten() {
             let help = "compare the texts, and correct one of the two";

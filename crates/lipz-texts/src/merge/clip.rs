@@ -3,7 +3,7 @@
 use super::Merge;
 use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::{State, joined};
-use crate::exchange::{Entry, Mark, placeholder};
+use crate::exchange::{Entry, Mark, markup, placeholder};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use lipz_file::text::{DELIMITER, trim};
 use std::collections::BTreeMap;
@@ -190,6 +190,10 @@ impl ClipMerge<'_> {
         if let Some(message) = placeholder::meta_difference(source, text) {
             let diagnostic = Diagnostic::at(Code::MetaDiffers, entry.text.span, message);
             found.push((entry.file, diagnostic.help(placeholder::META_HELP)));
+        }
+        if let Some(message) = markup::difference(source, text) {
+            let diagnostic = Diagnostic::at(Code::MarkupDiffers, entry.text.span, message);
+            found.push((entry.file, diagnostic.help(markup::HELP)));
         }
         let is_first = result.texts.insert(at, text.to_owned()).is_none();
         result.unmarked += usize::from(is_first && !old.is_empty() && entry.mark.is_none());
