@@ -1,8 +1,8 @@
 """Trains the recogniser of phones on synthetic speech.
 
-usage: train.py DATA_FOLDER OUT_FILE MINUTES
+usage: train.py DATA_FOLDER OUT_FILE MINUTES [START_FILE]
 
-DATA_FOLDER has the shards of speak.py. The network is a Conformer (A. Gulati and others, 2020) as in
+DATA_FOLDER has the shards of speak.py. START_FILE is a network to start from, with a lower rate. The network is a Conformer (A. Gulati and others, 2020) as in
 `crates/lipz-speech/src/neural`, trained with CTC (A. Graves and others, 2006). Next to it, a second layer learns the
 phone of each frame, which makes CTC converge faster; it is not exported. Each time that an utterance is used, its
 spectrum is changed at random: vocal tract, level, tilt, room, noise, other voices, gaps.
@@ -274,7 +274,11 @@ def main():
     network = Network()
     count = sum(parameter.numel() for parameter in network.parameters())
     print(f"{len(utterances)} utterances, {hours:.2f} hours, {count} parameters", flush=True)
-    optimizer = torch.optim.AdamW(network.parameters(), lr=2e-3, betas=(0.9, 0.98), weight_decay=1e-3)
+    peak = 2e-3
+    if len(sys.argv) > 4:
+        network.load_state_dict(torch.load(sys.argv[4])["state"])
+        peak = 1.2e-3
+    optimizer = torch.optim.AdamW(network.parameters(), lr=peak, betas=(0.9, 0.98), weight_decay=1e-3)
     started, step, total = time.time(), 0, None
     average = {name: value.clone() for name, value in network.state_dict().items()}
     while True:
@@ -283,7 +287,7 @@ def main():
             passed = (time.time() - started) / 60 / minutes
             if passed >= 1:
                 break
-            rate = 2e-3 * min(1, step / 300) * (0.5 + 0.5 * math.cos(math.pi * passed))
+            rate = peak * min(1, step / 300) * (0.5 + 0.5 * math.cos(math.pi * passed))
             for group in optimizer.param_groups:
                 group["lr"] = rate
             logs, labels, lengths = tensors(batch)

@@ -18,12 +18,13 @@ const PACKAGES: [&str; 8] = [
 ];
 /// The path of the packed network in the workspace.
 const PACKED: &str = "crates/lipz-speech/model/phones.bin";
-/// The synthesisers, each with a seed and its number of shards of 100 utterances.
-const SPEECH: [(&str, &str, &str); 3] = [("flite", "3", "14"), ("kokoro", "1", "11"), ("kokoro", "2", "10")];
-/// The length of the training, on one core.
-const MINUTES: &str = "62";
+/// A synthesiser, with a seed and its number of shards of 100 utterances.
+type Speech = (&'static str, &'static str, &'static str);
+/// The stages of the training: the speech that is added, and the length in minutes, on one core.
+const STAGES: [(&[Speech], &str); 2] =
+    [(&[("flite", "3", "14"), ("kokoro", "1", "11"), ("kokoro", "2", "10")], "62"), (&[("kokoro", "4", "9")], "95")];
 
-/// Makes the speech, trains the network, and packs it. Takes about three hours.
+/// Makes the speech, trains the network, and packs it. Takes about five hours.
 pub(crate) fn run() -> Result<(), Failure> {
     let found = Command::new("flite").arg("--version").output();
     found.map_err(|_| "`flite` is missing: install Debian's flite".to_owned())?;
@@ -40,9 +41,13 @@ pub(crate) fn run() -> Result<(), Failure> {
     };
     let (voices, speech, trained) = (folder.join("voices"), folder.join("speech"), folder.join("network.pt"));
     succeed(script("voices.py").arg(&python).arg(&voices), "voices.py")?;
-    for (synthesiser, seed, shards) in SPEECH {
-        succeed(script("speak.py").arg(synthesiser).args([&voices, &speech]).args([seed, shards]), "speak.py")?;
+    for (stage, (parts, minutes)) in STAGES.into_iter().enumerate() {
+        for (synthesiser, seed, shards) in parts {
+            succeed(script("speak.py").arg(synthesiser).args([&voices, &speech]).args([seed, shards]), "speak.py")?;
+        }
+        // Later stages start from the network of the one before.
+        let start = (stage > 0).then_some(&trained);
+        succeed(script("train.py").args([&speech, &trained]).arg(minutes).args(start), "train.py")?;
     }
-    succeed(script("train.py").args([&speech, &trained]).arg(MINUTES), "train.py")?;
     succeed(script("pack.py").arg(&trained).arg(root.join(PACKED)), "pack.py")
 }
