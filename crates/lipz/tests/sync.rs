@@ -270,6 +270,30 @@ fn what_is_odd_is_reported() {
     scene.finish(14);
 }
 
+/// A voice in loud noise looks like noise alone, but its text was found in it.
+#[test]
+fn a_recording_in_which_the_text_was_found_is_speech() {
+    let scene = Scene::new();
+    let clean = fs::read(repository().join("fixtures/speech/bobby.wav")).unwrap();
+    let (head, samples) = clean.split_at(44);
+    let noise = |at: u32| (at.wrapping_mul(2_654_435_761) >> 16) as i32 / 4 - 8_000;
+    let with_noise = |(at, sample): (u32, &[u8; 2])| {
+        let sum = i32::from(i16::from_le_bytes(*sample)) + noise(at);
+        i16::try_from(sum).unwrap().to_le_bytes()
+    };
+    let noisy: Vec<u8> = (0..).zip(samples.as_chunks().0).flat_map(with_noise).collect();
+    scene.write("rec/bobby.wav", [head, &noisy].concat());
+    scene.write("rec/bobby.txt", "Bobby ripped the ledger.");
+    scene.write("lipz.toml", "default-locale = \"en-us\"\nsources = [\"v\"]\n[audio]\nfolder = \"rec\"\n");
+    let synced = lipz(scene.path(), ["sync", "rec", "-o", "v"]);
+    assert_eq!((synced.code, synced.stderr.as_str()), (0, ""));
+    assert_eq!(lipz(scene.path(), ["check"]).stderr, "");
+    // Without the record of the run, lipz knows only the spectrum.
+    fs::remove_file(scene.path().join("v/lipz-sync.txt")).unwrap();
+    let checked = lipz(scene.path(), ["check"]);
+    assert!(checked.stderr.contains("LZ1720"), "{checked:?}");
+}
+
 /// Without a text, the opening of the lips follows the probabilities of all phones, in a curve that belongs to lipz while
 /// the phones are guessed.
 #[test]

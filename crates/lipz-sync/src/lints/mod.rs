@@ -101,7 +101,7 @@ fn one(
         None => {}
         Some((_, Err(report))) => reports.push(report),
         Some((path, Ok((facts, heard)))) => {
-            reports.extend(heard.condition.report(path));
+            let mut condition = heard.condition;
             let before = diagnostics.len();
             diagnostics.extend(length::check(&clip, path, facts, settings.audio.tolerance_ms));
             if let Some((folder, fps)) = settings.sync.textgrids.as_deref().zip(clip.fps) {
@@ -120,7 +120,12 @@ fn one(
                 let differences = made.and_then(|line| line.differences.as_ref());
                 let locale = recordings.locale(&input.key);
                 match crate::recordings::transcript::spoken_string(settings, locale, &document) {
-                    Some(text) => diagnostics.extend(mismatches(differences, text)),
+                    Some(text) => {
+                        if made.is_some_and(|line| line.is_said(&text.text)) {
+                            condition = condition.with_speech();
+                        }
+                        diagnostics.extend(mismatches(differences, text));
+                    }
                     None => reports.extend(of_borrowed(settings, locale, input, original, differences)),
                 }
                 if let Some(original) = original {
@@ -128,6 +133,7 @@ fn one(
                     diagnostics.extend(dub::check(&clip, original, &said.now, &recorded));
                 }
             }
+            reports.extend(condition.report(path));
             // If the length of the visemes is wrong, further positions would be wrong as well.
             if diagnostics.len() == before {
                 diagnostics.extend(voice::check(&clip, &heard));

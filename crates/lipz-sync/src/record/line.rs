@@ -30,6 +30,15 @@ pub struct RecordLine {
     pub differences: Option<WordTimes>,
 }
 
+impl RecordLine {
+    /// Whether `text` was found in the recording: it has words, of which most are certain, and all match.
+    pub(crate) fn is_said(&self, text: &str) -> bool {
+        let words = self.words.as_ref().map(|words| words.of_text(text)).unwrap_or_default();
+        let doubtful = words.iter().filter(|word| word.is_doubtful).count();
+        self.differences.is_none() && 2 * doubtful < words.len()
+    }
+}
+
 /// The hashes of a dub's original.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct OriginalHashes {
