@@ -219,6 +219,7 @@ codes! {
     MetaDiffers "LZ1914" "meta-differs" Warning "a translation and its source have different meta"
     OutdatedRecording "LZ1915" "outdated-recording" Warning "a recording is older than its text"
     MarkupDiffers "LZ1916" "markup-differs" Warning "a translation and its source have different markup"
+    OddCharacters "LZ1917" "odd-characters" Warning "a text has damaged or invisible characters, or letters of a different script"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"

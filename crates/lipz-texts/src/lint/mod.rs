@@ -1,5 +1,6 @@
 //! Lints of translations that are stale, or differ in content from their source.
 
+mod characters;
 mod numbers;
 mod numerals;
 mod same;
@@ -59,6 +60,9 @@ impl<'r> TextLints<'r> {
     /// Reports the problems of a clip's translations. `file` is the path of its Lipz file in the record.
     pub fn check(&self, file: &str, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) {
         let before = diagnostics.len();
+        for text in self.texts(clip) {
+            odd_characters(&text, diagnostics);
+        }
         let others = self.record.map(|record| record.source_locales_of(file)).unwrap_or_default();
         let others = others.into_iter().filter(|locale| *locale != self.source_locale);
         for source_locale in others.chain([self.source_locale.as_str()]) {
@@ -109,6 +113,19 @@ impl LocaleText<'_> {
         let range = range.unwrap_or(0..text::trim(shown).len());
         self.string.span_of(start + range.start..start + range.end)
     }
+}
+
+/// Reports the segments of a text with characters that it is not meant to have.
+fn odd_characters(text: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    let mut found = FewDiagnostics::default();
+    for (at, segment) in text.segments.iter().enumerate() {
+        if let Some((place, message)) = characters::odd(segment, &text.locale) {
+            found.add(|| {
+                Diagnostic::at(Code::OddCharacters, text.span(at, Some(place)), message).help(characters::HELP)
+            });
+        }
+    }
+    found.report(diagnostics);
 }
 
 /// Reports translations whose content differs from the source, in segments that both have.

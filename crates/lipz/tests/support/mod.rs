@@ -89,15 +89,18 @@ pub(crate) fn path_with_lipz(scene: &Scene) -> String {
     format!("{}:{}", bin.display(), std::env::var("PATH").unwrap())
 }
 
-/// Makes further runs of `lipz` interruptible. A process that was started in the background ignores interrupts, and its
-/// children inherit this, but not the handler that this process installs.
+/// Makes further runs of `lipz` interruptible. A process that was started in the background ignores interrupts, and one
+/// that `nohup` started ignores hang-ups. Its children inherit this, but not the handlers that this process installs.
 #[cfg(unix)]
 pub(crate) fn make_interruptible() {
-    use signal_hook::{consts::SIGINT, flag};
+    use signal_hook::consts::{SIGHUP, SIGINT};
+    use signal_hook::flag;
     use std::sync::{Arc, Once};
     static HANDLER: Once = Once::new();
     HANDLER.call_once(|| {
-        flag::register_conditional_shutdown(SIGINT, 1, Arc::new(true.into())).unwrap();
+        for signal in [SIGHUP, SIGINT] {
+            flag::register_conditional_shutdown(signal, 1, Arc::new(true.into())).unwrap();
+        }
     });
 }
 
