@@ -6,7 +6,9 @@ mod hama;
 mod wav;
 
 use hama::{TOKENS, hama};
-use lipz_speech::{Recogniser, RecogniserError};
+use lipz_speech::{
+    AlignOptions, Aligner, Language, Mismatch, MismatchKind, Model, Pronouncer, Recogniser, RecogniserError, Sound,
+};
 use std::io::Cursor;
 use wav::{Samples, wav};
 
@@ -92,4 +94,19 @@ fn the_built_in_network_recognises_a_human_voice() {
     let bobby = include_bytes!("../../../fixtures/speech/bobby.wav");
     assert_eq!(heard(Recogniser::built_in(), bobby), "bɑdiwɹɪpdʌlʌtʃ");
     assert_eq!(heard(Recogniser::built_in(), &wav(Samples::S16, 1, 16_000, &[0.0; 32_000])), "");
+}
+
+#[test]
+fn the_built_in_network_compares_a_voice_with_its_words_and_with_others() {
+    let bobby = include_bytes!("../../../fixtures/speech/bobby.wav");
+    let heard = Recogniser::built_in().hear(Cursor::new(bobby), Some("wav")).unwrap();
+    let sound = Sound::read(Cursor::new(bobby), Some("wav")).unwrap();
+    let found = |text: &str| {
+        let script = Pronouncer::new(Language::ENGLISH).script(text);
+        let alignment = Aligner::new(Model::english(), AlignOptions::default()).align(&sound, &script);
+        let words = |found: &Mismatch| (found.kind, found.words.clone());
+        heard.mismatches(&script, &alignment).iter().map(words).collect::<Vec<_>>()
+    };
+    assert_eq!(found("Bobby ripped the ledger."), []);
+    assert_eq!(found("Shoes for my young sister."), [(MismatchKind::OtherWords, 0..5)]);
 }

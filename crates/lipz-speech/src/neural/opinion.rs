@@ -139,7 +139,6 @@ mod tests {
     use super::*;
     use crate::align::tests::script;
     use crate::{AlignedPhone, AlignedWord, Recogniser};
-    use std::io::Cursor;
 
     fn phones(names: &str) -> Vec<Phone> {
         names.split_whitespace().map(|name| name.parse().unwrap()).collect()
@@ -194,18 +193,10 @@ mod tests {
     }
 
     #[test]
-    fn the_built_in_network_compares_a_voice_with_its_words_and_with_others() {
-        let sound = include_bytes!("../../../../fixtures/speech/bobby.wav");
-        let heard = Recogniser::built_in().hear(Cursor::new(sound), Some("wav")).unwrap();
-        let found = |words: &[&[&str]]| {
-            let doubt = of(MismatchKind::OtherWords, 0..words.len());
-            heard.mismatches(&script(words), &aligned(vec![doubt]).1)
-        };
-        assert_eq!(found(&[&["B AA B IY"], &["R IH P T"], &["DH AH"], &["L EH JH ER"]]), []);
-        assert_eq!(found(&[&["SH UW Z"], &["F AO R"], &["M AY"], &["Y AH NG"], &["S IH S T ER"]]).len(), 1);
-        let (silence, doubts) =
-            (Recogniser::built_in().hear_samples(&[0.0; 16_000]), vec![of(MismatchKind::NotSaid, 0..1)]);
+    fn a_network_that_finds_nothing_compares_nothing() {
+        let doubts = vec![of(MismatchKind::NotSaid, 0..1)];
+        let silence = Recogniser::built_in().hear_samples(&[0.0; 16_000]);
         let (script, alignment) = aligned(doubts.clone());
-        assert_eq!(silence.mismatches(&script, &alignment), doubts, "nothing is found, so nothing is compared");
+        assert_eq!(silence.mismatches(&script, &alignment), doubts);
     }
 }
