@@ -1,6 +1,7 @@
 //! `lipz import texts`: imports translations into clips.
 
 mod incoming_texts;
+mod translations;
 
 use crate::commands::Run;
 use crate::console;
@@ -19,12 +20,10 @@ use incoming_texts::IncomingTexts;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
-use lipz_file::Document;
-use lipz_texts::{
-    ConfirmedTranslations, Counts, Entry, Merge, MergedFile, ReadOptions, TextTranslations, resolve_keys, unknown_keys,
-};
+use lipz_texts::{ConfirmedTranslations, Counts, Merge, ReadOptions, TextTranslations, resolve_keys, unknown_keys};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use translations::Translations;
 
 /// Import translations into the clips that they belong to.
 ///
@@ -145,9 +144,9 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     });
     let (record, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
     reports.extend(odd_lines);
-    let translations = Translations { entries: &entries, by_text, record: &record };
-    let (counts, confirmed) =
-        arguments.merge(settings, &source_locale, &inputs, &translations, &mut incoming.found, &mut reports);
+    let locales = (source_locale.as_str(), options.get_default_locale());
+    let translations = Translations::new(&entries, by_text, locales, &record);
+    let (counts, confirmed) = arguments.merge(settings, &inputs, &translations, &mut incoming.found, &mut reports);
     let remembered = match arguments.check {
         true => Ok(String::new()),
         false => remember(record, &source_locale, &confirmed),
@@ -161,35 +160,20 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     reporter.end(reports, (!arguments.quiet.is_set()).then(|| summary(counts, arguments.check) + &remembered))
 }
 
-/// Everything to import.
-struct Translations<'e> {
-    entries: &'e [Entry],
-    /// With `--by-text`, the translations of texts whose clips the files do not name.
-    by_text: Option<TextTranslations<'e>>,
-    record: &'e RecordFile,
-}
-
 impl ImportTexts {
     /// Merges the translations into the clips.
     fn merge(
         &self,
         settings: &Settings,
-        source_locale: &str,
         inputs: &[Input],
         translations: &Translations<'_>,
         found: &mut Vec<(usize, Diagnostic)>,
         reports: &mut Vec<Report>,
     ) -> (Counts, Vec<(Input, Vec<ConfirmedTranslations>)>) {
         let options = &settings.options;
-        let mut by_key: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
-        let Translations { entries, by_text, record } = translations;
-        for entry in *entries {
-            by_key.entry(&entry.key.text).or_default().push(entry);
-        }
-        let inputs: Vec<Input> =
-            inputs.iter().filter(|input| by_text.is_some() || by_key.contains_key(&*input.key)).cloned().collect();
-        let merge = Merge::new(source_locale)
-            .default_locale(options.get_default_locale())
+        let inputs: Vec<Input> = inputs.iter().filter(|input| translations.concern(input)).cloned().collect();
+        let merge = Merge::new(translations.source_locale)
+            .default_locale(translations.default_locale)
             .min_state(self.state.into())
             .forced(self.discard_edits)
             .levels(options.get_levels());
@@ -197,14 +181,7 @@ impl ImportTexts {
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let files = Files::new();
         let results = compiler.each_file(&inputs, |input, bytes| {
-            let imported = record.record.imported(&record.name(input), source_locale);
-            let merge = merge.clone().imported(imported);
-            let own = by_key.get(&*input.key).map_or(&[][..], Vec::as_slice);
-            let (merged, of_texts) = one(&merge, input, bytes, |document| {
-                let locales = (source_locale, options.get_default_locale());
-                let of_text = |by_text: &TextTranslations<'_>| by_text.of_clip(&input.key, document, locales, own);
-                (own, by_text.as_ref().map(of_text).unwrap_or_default())
-            })?;
+            let (merged, of_texts) = translations.merge(&merge, input, bytes)?;
             if let (Some(text), Content::File(path), false) = (&merged.text, &input.content, self.check) {
                 files.rewrite(path, bytes, text.as_bytes())?;
             }
@@ -235,7 +212,7 @@ impl ImportTexts {
         reports.extend(unwritten);
         let mut of_all: Vec<(usize, Diagnostic)> =
             other_sources.iter().filter_map(|(file, spans)| Some((*file, not_imported(spans)?))).collect();
-        of_all.extend(by_text.iter().flat_map(|by_text| by_text.unused(&used)));
+        of_all.extend(translations.unused(&used));
         of_all.extend((counts.unmarked > 0).then(|| (0, unmarked(counts.unmarked, self.check))));
         for (file, diagnostic) in of_all {
             let mut one = vec![diagnostic];
@@ -260,28 +237,6 @@ fn remember(
     }
     let is_written = file.write()?;
     Ok(if is_written && !file.exists() { file.introduction() } else { String::new() })
-}
-
-/// Merges the translations into one clip. `entries` returns those for the clip itself, and those of its texts, which are
-/// returned with the result.
-fn one<'e>(
-    merge: &Merge<'_>,
-    input: &Input,
-    bytes: &[u8],
-    entries: impl FnOnce(&Document<'_>) -> (&'e [&'e Entry], Vec<Entry>),
-) -> Result<(MergedFile, Vec<Entry>), Report> {
-    let parsed = lipz_file::parse(bytes);
-    let mut diagnostics = parsed.diagnostics;
-    diagnostics.retain(Diagnostic::is_error);
-    match parsed.document.filter(|_| diagnostics.is_empty()) {
-        Some(document) => {
-            let (own, of_texts) = entries(&document);
-            let entries: Vec<&Entry> = own.iter().copied().chain(&of_texts).collect();
-            let merged = merge.merge(&String::from_utf8_lossy(bytes), &document, &entries);
-            Ok((merged, of_texts))
-        }
-        None => Err(Report::from_bytes(input.name(), bytes, diagnostics)),
-    }
 }
 
 /// Returns the diagnostic for source texts that differ from those of the project, at the first of them.
