@@ -130,7 +130,8 @@ impl<'m> LipSync<'m> {
         }
         let mut line = self.line(&sound, reading);
         let built_in = || line.alignment.is_uncertain().then(Recogniser::built_in);
-        if let Some(recogniser) = self.recogniser.or_else(built_in).filter(|_| !line.script.words.is_empty()) {
+        let is_compared = !line.script.words.is_empty() && !sound.is_silent();
+        if let Some(recogniser) = self.recogniser.or_else(built_in).filter(|_| is_compared) {
             line.alignment.mismatches = hear(recogniser)?.mismatches(&line.script, &line.alignment);
         }
         Ok(line)

@@ -89,3 +89,14 @@ fn tables_of_other_tools_are_read() {
     let nameless = lipz_texts::read(Format::Csv, weblate.as_bytes(), &ReadOptions::new("en-us"));
     assert!(nameless.diagnostics.iter().any(|found| found.message == "no column has translations"));
 }
+
+/// Apostrophes of a spreadsheet are removed, although a column of the team looks like one of Unity.
+#[test]
+fn a_column_in_parentheses_makes_no_table_of_unity() {
+    let table = "key,Notes (draft),de-de\na,,'- Was?\n";
+    let incoming = read(Format::Csv, table.as_bytes(), &ReadOptions::new("en-us"));
+    assert_eq!(incoming.entries[0].text.text, "- Was?");
+    let unity = "Key,English(en-us),German(de-de)\na,,'- Was?\n";
+    let incoming = read(Format::Csv, unity.as_bytes(), &ReadOptions::new("en-us"));
+    assert_eq!(incoming.entries[0].text.text, "'- Was?");
+}

@@ -28,12 +28,7 @@ impl Mark {
     }
 
     /// Returns the mark of a text in Yarn Spinner: the first 32 bits of its SHA-256.
-    ///
-    /// ```
-    /// # use lipz_texts::Mark;
-    /// assert_eq!(Mark::of_yarn("Come, quickly.").to_string(), "801a2d12");
-    /// ```
-    pub fn of_yarn(text: &str) -> Mark {
+    pub(crate) fn of_yarn(text: &str) -> Mark {
         let first = |hash: &[u8]| hash.first_chunk().map(|bytes| u32::from_be_bytes(*bytes));
         Mark(first(&Sha256::digest(text.as_bytes())).filter(|_| !text.is_empty()))
     }

@@ -1,7 +1,7 @@
 //! Markup of texts, such as `<i>…</i>` and `[b]…[/b]`, which a translation must close as its source does.
 
 use lipz_diagnostics::escape;
-use std::collections::BTreeMap;
+use std::collections::{HashMap, HashSet};
 
 /// The help for markup that differs.
 pub(crate) const HELP: &str = "repeat the tags as in the source, and close each of them";
@@ -9,53 +9,88 @@ pub(crate) const HELP: &str = "repeat the tags as in the source, and close each 
 /// Tags that only change the look of words. A language may do without them, or emphasise other words.
 const LOOKS: [&str; 8] = ["b", "bold", "em", "i", "italic", "s", "strong", "u"];
 
-/// A tag: its name, and whether it is a closing one.
-type Tag<'t> = (&'t str, bool);
-
 /// Returns the difference between the markup of a translation and its source; `None` if both can be displayed alike.
 pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
-    let (from, to) = (tags(source, text), tags(text, source));
-    // `<unknown>` without a closing tag is a word, which may be translated.
-    let is_closed = |name: &str| from.iter().chain(&to).any(|tag| tag.1 && tag.0.eq_ignore_ascii_case(name));
-    let is_pair = |name: &str| is_look(name) || is_closed(name);
-    if unclosed(&from, is_pair).is_none()
-        && let Some(tag) = unclosed(&to, is_pair)
-    {
-        return Some(format!("{} has no counterpart in the translation", escape::quoted(&spelled(tag, text))));
+    if !text.contains(['<', '[']) && !source.contains(['<', '[']) {
+        return None;
     }
-    let count = |tags: &[Tag<'_>]| {
-        let mut counts: BTreeMap<(String, bool), isize> = BTreeMap::new();
-        for (name, is_closing) in tags.iter().filter(|(name, _)| !is_look(name) && is_closed(name)) {
-            *counts.entry((name.to_ascii_lowercase(), *is_closing)).or_default() += 1;
+    let (from, to) = (all_tags(source), all_tags(text));
+    // `<unknown>` and `[laughs]`, without a closing tag, are words and notes, which may be translated.
+    let closed: HashSet<(bool, String)> = from.iter().chain(&to).filter(|tag| tag.is_closing).map(Tag::name).collect();
+    let is_look = |tag: &Tag<'_>| LOOKS.iter().any(|look| tag.name.eq_ignore_ascii_case(look));
+    let counts = |tags: &[Tag<'_>]| {
+        let mut counts = TagCounts::new();
+        let is_pair = |tag: &&Tag<'_>| closed.contains(&tag.name()) || (is_look(tag) && !tag.is_square);
+        for tag in tags.iter().filter(is_pair) {
+            *counts.entry(tag.name()).or_default().of(tag.is_closing) += 1;
         }
         counts
     };
-    let (from, to) = (count(&from), count(&to));
-    let names = from.keys().chain(to.keys());
-    let of = |counts: &BTreeMap<_, isize>, tag| counts.get(tag).copied().unwrap_or_default();
-    let other = names.into_iter().find(|tag| of(&from, tag) != of(&to, tag))?;
-    let tag =
-        escape::quoted(&spelled((&other.0, other.1), if of(&from, other) > 0 { source } else { text })).to_string();
-    Some(match of(&from, other) > of(&to, other) {
-        true => format!("the translation lacks the tag {tag}"),
-        false => format!("the translation has the tag {tag}, but its source does not"),
+    let (own, others) = (counts(&to), counts(&from));
+    let is_whole = |counts: &TagCounts| counts.values().all(|count| count.opening == count.closing);
+    let unpaired = |tag: &&Tag<'_>| own.get(&tag.name()).is_some_and(|count| count.has_more(tag.is_closing));
+    if is_whole(&others)
+        && let Some(tag) = to.iter().find(unpaired)
+    {
+        return Some(format!("{} has no counterpart in the translation", escape::quoted(&tag.spelled())));
+    }
+    let differs = |tag: &&Tag<'_>| {
+        let of = |counts: &TagCounts| counts.get(&tag.name()).copied().unwrap_or_default();
+        !is_look(tag) && of(&own) != of(&others)
+    };
+    let tag = from.iter().chain(&to).find(differs)?;
+    let of = |counts: &TagCounts| counts.get(&tag.name()).map_or(0, |count| count.opening + count.closing);
+    let shown = escape::quoted(&tag.spelled()).to_string();
+    Some(match of(&others) > of(&own) {
+        true => format!("the translation lacks the tag {shown}"),
+        false => format!("the translation has the tag {shown}, but its source does not"),
     })
 }
 
-fn is_look(name: &str) -> bool {
-    LOOKS.iter().any(|look| name.eq_ignore_ascii_case(look))
+/// A tag without its attributes.
+struct Tag<'t> {
+    name: &'t str,
+    is_closing: bool,
+    /// Whether it is in square brackets.
+    is_square: bool,
 }
 
-/// Returns the tag as written in a text.
-fn spelled((name, is_closing): Tag<'_>, text: &str) -> String {
-    let slash = if is_closing { "/" } else { "" };
-    let is_square = text.to_ascii_lowercase().contains(&format!("[{slash}{}", name.to_ascii_lowercase()));
-    if is_square { format!("[{slash}{name}]") } else { format!("<{slash}{name}>") }
+/// The numbers of tags, by kind of bracket and name in lower case.
+type TagCounts = HashMap<(bool, String), TagCount>;
+
+/// The numbers of tags with one name.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+struct TagCount {
+    opening: usize,
+    closing: usize,
 }
 
-/// Returns the tags of a text in order. Square brackets are tags if a closing one with the same name is in either text;
-/// other ones are directions for actors.
-fn tags<'t>(text: &'t str, other: &str) -> Vec<Tag<'t>> {
+impl TagCount {
+    fn of(&mut self, is_closing: bool) -> &mut usize {
+        if is_closing { &mut self.closing } else { &mut self.opening }
+    }
+
+    /// Whether there are more tags of this kind than of the other.
+    fn has_more(self, is_closing: bool) -> bool {
+        if is_closing { self.closing > self.opening } else { self.opening > self.closing }
+    }
+}
+
+impl Tag<'_> {
+    /// Returns what identifies tags that belong together.
+    fn name(&self) -> (bool, String) {
+        (self.is_square, self.name.to_ascii_lowercase())
+    }
+
+    fn spelled(&self) -> String {
+        let slash = if self.is_closing { "/" } else { "" };
+        let name = self.name;
+        if self.is_square { format!("[{slash}{name}]") } else { format!("<{slash}{name}>") }
+    }
+}
+
+/// Returns everything in a text that has the form of a tag, in order, except for those that close themselves: `<br/>`.
+fn all_tags(text: &str) -> Vec<Tag<'_>> {
     let mut tags = Vec::new();
     let mut rest = text;
     while let Some(at) = rest.find(['<', '[']) {
@@ -65,30 +100,17 @@ fn tags<'t>(text: &'t str, other: &str) -> Vec<Tag<'t>> {
         let length = inner.find(|character: char| !(character.is_ascii_alphanumeric() || "_-".contains(character)));
         let name = inner.get(..length.unwrap_or(inner.len())).unwrap_or_default();
         let after = inner.get(name.len()..).unwrap_or_default();
-        let Some(end) = after.find(if is_square { ['[', ']'] } else { ['<', '>'] }) else { continue };
+        // A tag ends before the next one.
+        let Some(end) = after.find(['<', '>', '[', ']']) else { break };
         let attributes = after.get(..end).unwrap_or_default();
-        let is_whole = after.get(end..).is_some_and(|end| end.starts_with([']', '>']));
+        let is_whole = after.get(end..).is_some_and(|end| end.starts_with(if is_square { ']' } else { '>' }));
         let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
-        if !is_whole || !is_name || !(attributes.is_empty() || attributes.starts_with([' ', '=', '/', ':'])) {
-            continue;
-        }
-        let closing = format!("[/{}]", name.to_ascii_lowercase());
-        let has_pair = || [text, other].iter().any(|text| text.to_ascii_lowercase().contains(&closing));
-        let is_empty = attributes.trim_end().ends_with('/');
-        if !is_empty && (!is_square || has_pair()) {
-            tags.push((name, is_closing));
+        let has_attributes = attributes.is_empty() || attributes.starts_with([' ', '=', '/', ':']);
+        if is_whole && is_name && has_attributes && !attributes.trim_end().ends_with('/') {
+            tags.push(Tag { name, is_closing, is_square });
         }
     }
     tags
-}
-
-/// Returns the first tag without a counterpart, among those that come in pairs.
-fn unclosed<'t>(tags: &[Tag<'t>], is_pair: impl Fn(&str) -> bool) -> Option<Tag<'t>> {
-    let is_same = |one: &Tag<'_>, other: &Tag<'_>| one.0.eq_ignore_ascii_case(other.0) && one.1 != other.1;
-    let count =
-        |tag: &Tag<'_>| tags.iter().filter(|other| other.0.eq_ignore_ascii_case(tag.0) && other.1 == tag.1).count();
-    let counterparts = |tag: &Tag<'_>| tags.iter().filter(|other| is_same(other, tag)).count();
-    tags.iter().find(|tag| is_pair(tag.0) && count(tag) > counterparts(tag)).copied()
 }
 
 #[cfg(test)]
@@ -109,7 +131,18 @@ mod tests {
         assert_eq!(found("<i>Go</i>", "<i>Geh"), "`<i>` has no counterpart in the translation");
         assert_eq!(found("<i>Go</i>", "<i>Geh<i>"), "`<i>` has no counterpart in the translation");
         assert_eq!(found("[b]Go[/b]", "Geh[/b]"), "`[/b]` has no counterpart in the translation");
+        assert_eq!(found("<B>Go</b>", "<b>Geh</B></b>"), "`</B>` has no counterpart in the translation");
         assert_eq!(found("<ref id='a'>Go</ref>", "Geh"), "the translation lacks the tag `<ref>`");
         assert_eq!(found("Go", "<big>Geh</big>"), "the translation has the tag `<big>`, but its source does not");
+    }
+
+    /// Time grows with the text, whatever a translator's file has in it.
+    #[test]
+    fn very_many_tags_are_compared_once_each() {
+        let text = |piece: &str| piece.repeat(100_000);
+        assert_eq!(difference(&text("[a]"), &text("[a] ")), None, "notes");
+        assert_eq!(difference(&text("<a></a>"), &text("<a></a> ")), None);
+        assert!(difference(&text("<b></b>"), &text("<b>")).is_some());
+        assert_eq!(difference(&text("<a [b "), &text("<a [c ")), None);
     }
 }

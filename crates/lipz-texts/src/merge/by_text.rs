@@ -14,6 +14,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct TextTranslations<'e> {
     /// By source text and locale: the translation, or `None` if there are different ones.
     known: BTreeMap<(String, &'e str), Option<&'e Entry>>,
+    /// The locales of these translations.
+    locales: BTreeSet<&'e str>,
 }
 
 impl<'e> TextTranslations<'e> {
@@ -38,7 +40,8 @@ impl<'e> TextTranslations<'e> {
                 }
             }
         }
-        (TextTranslations { known }, found)
+        let locales = known.keys().map(|(_, locale)| *locale).collect();
+        (TextTranslations { known, locales }, found)
     }
 
     /// Reports, by file, the translations that are not among `used`, the entries of [`of_clip`](Self::of_clip).
@@ -73,9 +76,8 @@ impl<'e> TextTranslations<'e> {
     ) -> Vec<Entry> {
         let strings = strings(clip, default_locale);
         let Some(sources) = strings.get(source_locale).map(|string| trimmed(&string.text)) else { return Vec::new() };
-        let locales: BTreeSet<&str> = self.known.keys().map(|(_, locale)| *locale).collect();
         let mut found = Vec::new();
-        for locale in locales {
+        for &locale in &self.locales {
             if entries.iter().any(|entry| &*entry.locale == locale && !entry.text.text.is_empty()) {
                 continue;
             }

@@ -149,13 +149,17 @@ impl TextRecord {
         for (at, (fact, text)) in facts.into_iter().zip(texts).enumerate() {
             let mark = Mark::of(text.as_ref());
             let state = approved.get(at).copied().flatten().filter(|_| !text.as_ref().is_empty());
-            let made = |state, was_imported| Some(ApprovedMark { mark, state, is_imported: was_imported });
+            let mut keep = |state, is_imported| {
+                if let Some(slot) = current.get_mut(at) {
+                    *slot = Some(ApprovedMark { mark, state, is_imported });
+                }
+            };
             match (state, fact) {
                 (Some(state), Fact::Current { is_imported: was_imported, .. }) => {
-                    current[at] = made(state, is_imported || was_imported);
+                    keep(state, is_imported || was_imported);
                 }
-                (Some(state), _) => current[at] = made(state, is_imported),
-                (None, Fact::Current { state, is_imported, .. }) => current[at] = made(state, is_imported),
+                (Some(state), _) => keep(state, is_imported),
+                (None, Fact::Current { state, is_imported, .. }) => keep(state, is_imported),
                 (None, Fact::Stale { version, segment, made, .. }) => {
                     older.entry(version).or_default().push((segment, made));
                 }

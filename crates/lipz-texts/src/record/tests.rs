@@ -177,3 +177,11 @@ proptest! {
         prop_assert_eq!(again.to_string(), both.to_string());
     }
 }
+
+#[test]
+fn texts_without_a_source_are_not_recorded() {
+    let mut record = TextRecord::default();
+    record.approve("a.lipz", "en-us", "de-de", &["Hi."], &["Hallo.", "Du?"], &[Some(State::Translated); 2]);
+    let standings = record.standings("a.lipz", "en-us", "de-de", &["Hi."], &["Hallo."]);
+    assert_eq!(standings, [Standing::Current(State::Translated)]);
+}

@@ -76,13 +76,17 @@ pub(super) enum CsvDialect {
 }
 
 impl CsvDialect {
-    /// Returns the dialect of a table with these columns.
-    pub(super) fn new(names: &[&str]) -> CsvDialect {
+    /// Returns the dialect of a table with these columns, by their names and contents.
+    pub(super) fn new(names: &[&str], columns: &[CsvColumn]) -> CsvDialect {
         let has = |known: &str| names.iter().any(|name| name.trim().eq_ignore_ascii_case(known));
+        // A team's own column, such as `Notes (draft)`, does not count.
+        let is_of_unity = |(name, column): (&&str, &CsvColumn)| {
+            matches!(column, CsvColumn::Locale(_) | CsvColumn::Source) && name.trim().ends_with(')')
+        };
         match () {
             () if has("language") && has("text") => CsvDialect::Yarn,
             () if has("keys") || has("sourcestring") => CsvDialect::Escaped,
-            () if names.iter().any(|name| name.contains('(') && name.ends_with(')')) => CsvDialect::Plain,
+            () if names.iter().zip(columns).any(is_of_unity) => CsvDialect::Plain,
             () => CsvDialect::Sheet,
         }
     }

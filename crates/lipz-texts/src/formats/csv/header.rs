@@ -72,7 +72,8 @@ impl CsvHeader {
             diagnostics.push(missing("translations", "name each column after its locale, as in de-de"));
             return None;
         }
-        Some(CsvHeader::new(found, key, CsvDialect::new(&names), options))
+        let dialect = CsvDialect::new(&names, &found);
+        Some(CsvHeader::new(found, key, dialect, options))
     }
 
     fn new(columns: Vec<CsvColumn>, key: usize, dialect: CsvDialect, options: &ReadOptions) -> CsvHeader {

@@ -9,7 +9,7 @@ use crate::exchange::model::{Exchange, Item, Segment, Translation, seconds};
 use crate::exchange::tag::{bcp47, underscored};
 use crate::exchange::{Mark, Shape, WriteOptions};
 use csv::{Terminator, WriterBuilder};
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, bound, escape};
 use std::borrow::Cow;
 
 /// Returns the file with all locales, or with the one at `at`.
@@ -57,6 +57,7 @@ fn report(exchange: &Exchange, shape: Shape, diagnostics: &mut Vec<Diagnostic>) 
             let message = format!("a text of {key} has {escape}, which the engine reads as a different character");
             let help = "put a space after the backslash, or leave it out; the engine has no spelling for it";
             diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
+            bound::limit_many(diagnostics);
         }
     }
 }
