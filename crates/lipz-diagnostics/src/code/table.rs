@@ -213,7 +213,7 @@ codes! {
     ExchangeLoss "LZ1908" "exchange-loss" Warning "an export or import of translations loses data"
     TextReplaced "LZ1909" "text-replaced" Warning "texts were replaced, but the file does not record their state at the export"
     TextRecordLine "LZ1910" "text-record-line" Warning "a line of `lipz-texts.txt` is invalid"
-    StaleTranslation "LZ1911" "stale-translation" Warning "a translation is older than its source"
+    StaleTranslation "LZ1911" "stale-translation" Warning "a translation is older than its source, or marked for review"
     UntranslatedText "LZ1912" "untranslated-text" Warning "a text is identical in two languages"
     NumbersDiffer "LZ1913" "numbers-differ" Warning "a translation and its source have different numbers"
     MetaDiffers "LZ1914" "meta-differs" Warning "a translation and its source have different meta"

@@ -1,23 +1,35 @@
-//! Characters that no text is meant to have: damage by encodings, invisible ones, and other scripts.
+//! Characters that texts should not contain: damaged and invisible ones, and letters of different scripts.
 
 use lipz_diagnostics::escape;
 use lipz_file::locale::language;
 use lipz_file::text::display;
 use std::ops::Range;
 
-/// The help for odd characters.
-pub(super) const HELP: &str =
-    "delete it, or type the text again; a copy from a page or a wrong encoding brings such characters";
+/// The help for damaged and invisible characters.
+const TYPE_AGAIN: &str =
+    "delete it, or type the text again; a wrong encoding or text copied from a web page contains such characters";
+/// The help for letters of a different script.
+const MOVE: &str = "move the text to the element of its language, or translate it";
 
 /// The least number of letters of a different script, so that a symbol or a name does not count.
 const LETTERS: usize = 3;
 
-/// Returns the first odd place of a text in a locale, and what it is; `None` if there is no such place.
-pub(super) fn odd(text: &str, locale: &str) -> Option<(Range<usize>, String)> {
-    damaged(text).or_else(|| unclosed(text)).or_else(|| foreign(text, locale))
+/// An odd place in a text.
+pub(super) struct OddPlace {
+    /// Its bytes.
+    pub(super) range: Range<usize>,
+    pub(super) message: String,
+    pub(super) help: &'static str,
 }
 
-/// Returns the first character that damage leaves behind, or that nobody sees.
+/// Returns the first odd place of a text in a locale.
+pub(super) fn odd(text: &str, locale: &str) -> Option<OddPlace> {
+    let place = |help| move |(range, message)| OddPlace { range, message, help };
+    let character = damaged(text).or_else(|| unclosed(text)).map(place(TYPE_AGAIN));
+    character.or_else(|| foreign(text, locale).map(place(MOVE)))
+}
+
+/// Returns the first damaged or invisible character, and a message about it.
 fn damaged(text: &str) -> Option<(Range<usize>, String)> {
     text.char_indices().find_map(|(at, character)| {
         let place = |length: usize| at..at + length;
@@ -48,7 +60,7 @@ fn damaged(text: &str) -> Option<(Range<usize>, String)> {
     })
 }
 
-/// Returns the first control of the direction of writing (UAX 9) that is not closed, or closes nothing.
+/// Returns the first control of the writing direction (UAX 9) without a counterpart.
 fn unclosed(text: &str) -> Option<(Range<usize>, String)> {
     let (mut embeddings, mut isolates) = (Vec::new(), Vec::new());
     let mut odd = None;
@@ -130,7 +142,8 @@ impl Letters {
     }
 }
 
-/// Returns a text that is mostly in a script of a different language. Latin letters are names and words everywhere.
+/// Returns the whole text if most of its letters belong to the script of a different language. Latin letters do not
+/// count, because all languages write names with them.
 fn foreign(text: &str, locale: &str) -> Option<(Range<usize>, String)> {
     let expected = Letters::of_locale(locale)?;
     let shown = display(text).text;
@@ -150,12 +163,12 @@ mod tests {
     use super::*;
 
     fn found(text: &str, locale: &str) -> Option<String> {
-        odd(text, locale).map(|(_, message)| message)
+        odd(text, locale).map(|place| place.message)
     }
 
     #[test]
     fn damage_and_invisible_characters_are_found() {
-        assert_eq!(odd("Sch\u{fffd}n", "de-de").unwrap().0, 3..6);
+        assert_eq!(odd("Sch\u{fffd}n", "de-de").unwrap().range, 3..6);
         assert_eq!(found("a\u{200b}b", "de-de").unwrap(), "the text has U+200B, which has no width");
         assert_eq!(found("SchÃ¶n", "de-de").unwrap(), "`Ã¶` is a character in a wrong encoding");
         assert_eq!(found("Itâ€™s", "en-us").unwrap(), "`â€` is a character in a wrong encoding");

@@ -9,6 +9,7 @@ mod stale;
 use crate::exchange::clip_texts::{tag_of, trimmed};
 use crate::exchange::{markup, placeholder};
 use crate::record::TextRecord;
+use characters::OddPlace;
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use lipz_file::locale::language;
 use lipz_file::text;
@@ -115,14 +116,12 @@ impl LocaleText<'_> {
     }
 }
 
-/// Reports the segments of a text with characters that it is not meant to have.
+/// Reports the segments of a text with characters that it should not contain.
 fn odd_characters(text: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
     let mut found = FewDiagnostics::default();
     for (at, segment) in text.segments.iter().enumerate() {
-        if let Some((place, message)) = characters::odd(segment, &text.locale) {
-            found.add(|| {
-                Diagnostic::at(Code::OddCharacters, text.span(at, Some(place)), message).help(characters::HELP)
-            });
+        if let Some(OddPlace { range, message, help }) = characters::odd(segment, &text.locale) {
+            found.add(|| Diagnostic::at(Code::OddCharacters, text.span(at, Some(range)), message).help(help));
         }
     }
     found.report(diagnostics);
