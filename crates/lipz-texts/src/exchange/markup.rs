@@ -16,11 +16,12 @@ pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
     }
     let (from, to) = (all_tags(source), all_tags(text));
     // `<unknown>` and `[laughs]`, without a closing tag, are words and notes, which may be translated.
-    let closed: HashSet<(bool, String)> = from.iter().chain(&to).filter(|tag| tag.is_closing).map(Tag::name).collect();
-    let is_look = |tag: &Tag<'_>| LOOKS.iter().any(|look| tag.name.eq_ignore_ascii_case(look));
-    let counts = |tags: &[Tag<'_>]| {
+    let closed: HashSet<(bool, String)> =
+        from.iter().chain(&to).filter(|tag| tag.is_closing).map(MarkupTag::name).collect();
+    let is_look = |tag: &MarkupTag<'_>| LOOKS.iter().any(|look| tag.name.eq_ignore_ascii_case(look));
+    let counts = |tags: &[MarkupTag<'_>]| {
         let mut counts = TagCounts::new();
-        let is_pair = |tag: &&Tag<'_>| closed.contains(&tag.name()) || (is_look(tag) && !tag.is_square);
+        let is_pair = |tag: &&MarkupTag<'_>| closed.contains(&tag.name()) || (is_look(tag) && !tag.is_square);
         for tag in tags.iter().filter(is_pair) {
             *counts.entry(tag.name()).or_default().of(tag.is_closing) += 1;
         }
@@ -28,13 +29,13 @@ pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
     };
     let (own, others) = (counts(&to), counts(&from));
     let is_whole = |counts: &TagCounts| counts.values().all(|count| count.opening == count.closing);
-    let unpaired = |tag: &&Tag<'_>| own.get(&tag.name()).is_some_and(|count| count.has_more(tag.is_closing));
+    let unpaired = |tag: &&MarkupTag<'_>| own.get(&tag.name()).is_some_and(|count| count.has_more(tag.is_closing));
     if is_whole(&others)
         && let Some(tag) = to.iter().find(unpaired)
     {
         return Some(format!("{} has no counterpart in the translation", escape::quoted(&tag.spelled())));
     }
-    let differs = |tag: &&Tag<'_>| {
+    let differs = |tag: &&MarkupTag<'_>| {
         let of = |counts: &TagCounts| counts.get(&tag.name()).copied().unwrap_or_default();
         !is_look(tag) && of(&own) != of(&others)
     };
@@ -48,7 +49,7 @@ pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
 }
 
 /// A tag without its attributes.
-struct Tag<'t> {
+struct MarkupTag<'t> {
     name: &'t str,
     is_closing: bool,
     /// Whether it is in square brackets.
@@ -76,7 +77,7 @@ impl TagCount {
     }
 }
 
-impl Tag<'_> {
+impl MarkupTag<'_> {
     /// Returns what identifies tags that belong together.
     fn name(&self) -> (bool, String) {
         (self.is_square, self.name.to_ascii_lowercase())
@@ -90,7 +91,7 @@ impl Tag<'_> {
 }
 
 /// Returns everything in a text that has the form of a tag, in order, except for those that close themselves: `<br/>`.
-fn all_tags(text: &str) -> Vec<Tag<'_>> {
+fn all_tags(text: &str) -> Vec<MarkupTag<'_>> {
     let mut tags = Vec::new();
     let mut rest = text;
     while let Some(at) = rest.find(['<', '[']) {
@@ -107,7 +108,7 @@ fn all_tags(text: &str) -> Vec<Tag<'_>> {
         let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
         let has_attributes = attributes.is_empty() || attributes.starts_with([' ', '=', '/', ':']);
         if is_whole && is_name && has_attributes && !attributes.trim_end().ends_with('/') {
-            tags.push(Tag { name, is_closing, is_square });
+            tags.push(MarkupTag { name, is_closing, is_square });
         }
     }
     tags
