@@ -87,7 +87,8 @@ fn tables_of_other_tools_are_read() {
         assert_eq!(entry.source.as_ref().unwrap().text, "Hi.");
     }
     let nameless = lipz_texts::read(Format::Csv, weblate.as_bytes(), &ReadOptions::new("en-us"));
-    assert!(nameless.diagnostics.iter().any(|found| found.message == "no column has translations"));
+    let found = nameless.diagnostics.iter().find(|found| found.message == "no column has translations").unwrap();
+    assert!(found.help.iter().any(|help| help.contains("`target` with `--locale`")), "{found:?}");
 }
 
 /// Apostrophes of a spreadsheet are removed, although a column of the team looks like one of Unity.

@@ -178,6 +178,7 @@ fn slips_on_the_command_line() {
         (&["coverage", "--show", "missing", "--locale", "fr"], "the locale `fr` does not have the form ll-cc"),
         (&["export", "texts", "xliff", "--by", "segment", "-o", "x.xlf"], "`--by` has no effect on this format"),
         (&["export", "texts", "po", "--raw-cells", "-o", "x.po"], "`--raw-cells` has no effect on this format"),
+        (&["export", "texts", "unity", "--raw-cells", "-o", "x.csv"], "`--raw-cells` has no effect on this format"),
         // Errors of the sources come before a missing locale that results from them.
         (&["export", "texts", "po", "nowhere", "-o", "x.po"], "`nowhere` does not exist"),
         (&["export", "texts", "po", "nowhere", "-o", "x.po", "--no-config"], "`nowhere` does not exist"),

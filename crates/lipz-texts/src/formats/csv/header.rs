@@ -40,9 +40,10 @@ impl CsvHeader {
     /// Reads the columns from a row; `None` if keys or translations are missing.
     pub(super) fn read(row: &CsvRow, options: &ReadOptions, diagnostics: &mut Vec<Diagnostic>) -> Option<CsvHeader> {
         let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
-        let mut found = Vec::new();
+        let (mut found, mut has_target) = (Vec::new(), false);
         for (at, column) in columns(&names, options).into_iter().enumerate() {
             if let Err(why) = &column {
+                has_target |= *why == NoColumn::Target;
                 let name = escape::quoted(names.get(at).copied().unwrap_or_default());
                 let (note, help) = match why {
                     NoColumn::Unknown => (
@@ -69,7 +70,11 @@ impl CsvHeader {
             return None;
         };
         if !found.iter().any(|column| matches!(column, CsvColumn::Text | CsvColumn::Locale(_))) {
-            diagnostics.push(missing("translations", "name each column after its locale, as in de-de"));
+            let help = match has_target {
+                true => "name the locale of the column `target` with `--locale`, as in de-de",
+                false => "name each column after its locale, as in de-de",
+            };
+            diagnostics.push(missing("translations", help));
             return None;
         }
         let dialect = CsvDialect::new(&names, &found);

@@ -83,12 +83,14 @@ impl ExportTexts {
     /// Refuses flags that have no effect for the format.
     fn refuse_idle_flags(&self, reporter: &mut Reporter) -> Result<(), Abort> {
         let knows_segments = matches!(self.text_format, TextFormatArgument::Xliff | TextFormatArgument::Json);
-        let is_csv = self.text_format.shape().is_some();
+        let is_sheet = self.text_format.shape() == Some(Shape::Sheet);
         let (flag, why) = match self {
             ExportTexts { by: Some(_), .. } if knows_segments => {
                 ("--by", "the format contains both clips and segments")
             }
-            ExportTexts { raw_cells: true, .. } if !is_csv => ("--raw-cells", "it applies only to CSV tables"),
+            ExportTexts { raw_cells: true, .. } if !is_sheet => {
+                ("--raw-cells", "it applies only to CSV tables for spreadsheets")
+            }
             _ => return Ok(()),
         };
         Err(reporter.usage(format!("`{flag}` has no effect on this format"), &format!("leave it out, because {why}")))
