@@ -149,7 +149,7 @@ pub(crate) fn of_articulations(bank: &Bank<'_>, limit: usize) -> bool {
 /// Makes the queries of the phones and of the articulation at a time.
 pub(crate) fn of_articulation(bank: &Bank<'_>, clip: &Clip<'_>, time: impl Time, limit: usize) {
     let phones = clip.phones();
-    let spans = phones.iter().take(limit + 1).map(|span| black_box((span.phone(), span.end_ms - span.start_ms)));
+    let spans = phones.iter().take(limit + 1).map(|span| black_box((span.phone(), span.start_ms, span.end_ms)));
     let names = Phone::all().map(|phone| black_box((phone.ipa(), phone.arpabet(), phone.name(), phone.number())).3);
     assert!(names.eq(0..Phone::COUNT as u8));
     assert!(spans.count() <= limit && phones.is_empty() == (phones.count() == 0));
@@ -157,7 +157,9 @@ pub(crate) fn of_articulation(bank: &Bank<'_>, clip: &Clip<'_>, time: impl Time,
     for profile in bank.articulations().chain([bank.default_articulation()]) {
         let mouth = clip.articulation_at(time, &profile);
         for (value, articulator) in mouth.values().iter().zip(Articulator::ALL) {
-            assert!(*value <= 1000 && *value == mouth.thousandths(articulator), "{}", articulator.name());
+            // The shapes of an unverified profile may be out of range.
+            assert!(*value <= 1000 || !bank.is_verified(), "{}", articulator.name());
+            assert_eq!(*value, mouth.thousandths(articulator), "{}", articulator.name());
         }
         let emotions = clip.emotions_at(time, Who::Speaker);
         let face = clip.face_at(time, Who::Speaker, &bank.default_face_profile(), LookAt::AHEAD);
