@@ -100,17 +100,9 @@ impl<'s> Document<'s> {
             others.entry(other.name.text.as_ref()).or_insert(&other.value);
         }
         let is_lost = move |element: &&Element<'_>| {
-            !others.get(element.name.text.as_ref()).is_some_and(|other| says_the_same(&element.value, other))
+            !others.get(element.name.text.as_ref()).is_some_and(|other| element.value.says_the_same(other))
         };
         self.elements.iter().filter(is_work).filter(is_lost).map(|element| &*element.name.text)
-    }
-}
-
-/// Whether two values differ at most in spaces around `|`, which only align it.
-fn says_the_same(one: &Value<'_>, other: &Value<'_>) -> bool {
-    match (one, other) {
-        (Value::String(one), Value::String(other)) => trimmed(&one.text).eq(trimmed(&other.text)),
-        _ => one == other,
     }
 }
 
@@ -120,6 +112,14 @@ fn trimmed(text: &str) -> impl Iterator<Item = &str> {
 }
 
 impl Value<'_> {
+    /// Whether two values differ at most in spaces around `|`, which only align it.
+    pub(crate) fn says_the_same(&self, other: &Value<'_>) -> bool {
+        match (self, other) {
+            (Value::String(one), Value::String(other)) => trimmed(&one.text).eq(trimmed(&other.text)),
+            _ => self == other,
+        }
+    }
+
     /// Returns the position of the value, including the quotes of a string.
     pub fn span(&self) -> Span {
         match self {

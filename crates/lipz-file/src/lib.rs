@@ -28,6 +28,8 @@ pub mod event;
 pub mod format;
 mod literal_walk;
 pub mod locale;
+#[cfg(feature = "format")]
+pub mod merge;
 mod parse;
 pub mod phones;
 pub mod rate;

@@ -72,7 +72,7 @@ fn a_new_project_packs() {
     scene.prepare(&["init"]);
     assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
     let attributes = || fs::read_to_string(scene.path().join(".gitattributes")).unwrap();
-    assert_eq!(attributes(), "lipz-texts.txt merge=union\n");
+    assert_eq!(attributes(), "lipz-texts.txt merge=union\n*.lipz merge=lipz\n");
     let first = lipz(scene.path(), ["check", "--deny", "warnings"]);
     assert_eq!((first.code, first.stderr.as_str()), (0, ""));
     assert_eq!(lipz(scene.path(), ["fmt", "--check"]).code, 0, "the first clip is in canonical layout");
@@ -92,7 +92,7 @@ fn a_new_project_packs() {
     }
     scene.prepare(&["init", "--overwrite"]);
     assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
-    assert_eq!(attributes(), "lipz-texts.txt merge=union\n");
+    assert_eq!(attributes(), "lipz-texts.txt merge=union\n*.lipz merge=lipz\n");
 }
 
 #[test]

@@ -20,6 +20,7 @@ codes! {
     ControlCharacter "LZ0106" "control-character" Error "a string contains an unescaped control character"
     BadEscape "LZ0107" "bad-escape" Error "a string contains an invalid escape"
     UnfinishedFile "LZ0108" "unfinished-file" Error "the file ends too early"
+    MergeConflict "LZ0109" "merge-conflict" Error "the file contains an unresolved merge"
 
     "Elements"
     DuplicateElement "LZ0201" "duplicate-element" Error "an element appears twice"

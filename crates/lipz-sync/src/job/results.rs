@@ -17,6 +17,9 @@ pub struct SyncResults {
     pub unchanged: usize,
     /// The keys of the clips whose visemes stay, because they were made or edited by hand.
     pub kept: Vec<(String, KeepReason)>,
+    /// The paths of renamed Lipz files, which keep their lines in the record: the old and the new ones, relative to its
+    /// folder.
+    pub renamed: Vec<(String, String)>,
     /// The number of clips with errors.
     pub refused: usize,
     /// The keys of clips with new visemes for a changed text, but with the same recording. The new text may have to be

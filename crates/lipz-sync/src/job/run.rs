@@ -8,9 +8,9 @@ use crate::job::reports::push_report;
 use crate::job::settings_hash::settings_hash;
 use crate::job::store::{ClipStore, ReadOnlyClips};
 use crate::job::{Job, SyncOptions};
-use crate::record::hashes::{mouth_hash, text_hash, words};
+use crate::record::hashes::{file_mouth_hash, text_hash, words};
 use crate::record::{MouthHashes, SyncRecord};
-use crate::recordings::clip::{ClipMouth, string};
+use crate::recordings::clip::{ClipMouth, own_type};
 use crate::recordings::file_facts::{hash_of, length_us, unreadable};
 use crate::recordings::paths::shown;
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
@@ -73,7 +73,6 @@ pub(super) fn with_loaded<R>(
     let script = to_read.map(|spoken| script(spoken, options, &mut of_text)).unwrap_or_default();
     let (locale, text) = spoken.as_ref().map_or((None, None), |(locale, text)| (locale.as_deref(), Some(*text)));
     let sound = hash_of(&job.recording)?;
-    let own_type = own_type(&before).or(options.options.get_default_viseme_type());
     let textgrids = options.textgrids.as_deref().filter(|_| rate.0 != VisemeType::Rms);
     let grid_place = textgrids.map(|folder| grid::place(folder, &job.key));
     let (grid, odd_grid) =
@@ -95,7 +94,7 @@ pub(super) fn with_loaded<R>(
         sound,
         text: text_hash(spoken_text),
         settings: settings_with(grid.as_ref()),
-        mouth: mouth_hash(&clip.codes, own_fps.or(options.options.get_default_fps()), own_type),
+        mouth: file_mouth_hash(&before, &clip, &options.options),
     };
     let known = known_lines.iter().map(|line| line.renewed(spoken_text)).collect();
     let of_original = spoken_in_original(job, original.as_ref(), options);
@@ -171,10 +170,6 @@ fn new_document(job: &Job, options: &SyncOptions) -> Document<'static> {
     let element =
         |text: &String| Element { name: string(options.text_element(job)), value: Value::String(string(text.clone())) };
     Document { elements: job.text.iter().map(element).collect() }
-}
-
-fn own_type(document: &Document<'_>) -> Option<VisemeType> {
-    string(document, "viseme_type").and_then(|name| name.text.parse().ok())
 }
 
 /// Reports a text of the script that differs from the one in the file, which stays.

@@ -19,7 +19,7 @@ use std::{fmt, fs, io};
 ///
 /// In an existing file, only `visemes`, `viseme_type` and `fps` change, and the `|` of its text move with the words.
 /// Visemes in the [`SyncRecord`] are only made again if their recording, text or settings change, and hand-edited ones
-/// stay (see [`force`](SyncRun::force)). The record is written with each file, so that an interrupted run can continue.
+/// stay (see [`force`](SyncRun::force)). A renamed file keeps its lines in the record. The record is written with each file, so that an interrupted run can continue.
 /// The number of threads does not affect the files.
 ///
 /// ```no_run
@@ -158,10 +158,11 @@ impl<'p> SyncRun<'p> {
     pub fn run(self) -> SyncResults {
         let SyncRun { jobs, options, mut record, warnings, progress, around_writes } = self;
         let whole: &WriteGuard<'_> = &around_writes;
+        let renamed = record.follow(jobs.iter().map(|job| job.lipz_file.as_path()), &options.options);
         let known = &record;
         let sources = ClipFiles { record: known, has_no_record: AtomicBool::new(false), whole };
         let done = work(&jobs, &options, known, &sources, &progress);
-        let mut synced = SyncResults { reports: warnings, ..SyncResults::default() };
+        let mut synced = SyncResults { reports: warnings, renamed, ..SyncResults::default() };
         let mut listed = ReviewLists::default();
         let (mut lines, mut new_words) = (Vec::new(), Vec::new());
         for (job, step, reports) in done {
@@ -289,6 +290,34 @@ mod tests {
         assert_eq!(fs::read_to_string(&file).unwrap(), by_hand);
         assert_eq!(SyncRun::new(&settings).unwrap().force(true).run().made, ["aye"]);
         assert_eq!(fs::read_to_string(&file).unwrap(), made);
+    }
+
+    /// Otherwise, its visemes would count as made by hand, and a new recording would not change them.
+    #[test]
+    fn a_renamed_clip_keeps_its_lines_in_the_record() {
+        let (folder, settings) = project();
+        let rename = |old: &str, new: &str| {
+            for (old, new) in [
+                (format!("voices/{old}.lipz"), format!("voices/{new}.lipz")),
+                (format!("recordings/{old}.wav"), format!("recordings/{new}.wav")),
+            ] {
+                fs::rename(folder.path().join(old), folder.path().join(new)).unwrap();
+            }
+        };
+        assert_eq!(SyncRun::new(&settings).unwrap().run().made, ["aye"]);
+        rename("aye", "yes");
+        let synced = SyncRun::new(&settings).unwrap().run();
+        assert_eq!((synced.unchanged, synced.kept.len()), (1, 0), "{:?}", synced.kept);
+        assert_eq!(synced.renamed, [("aye.lipz".to_owned(), "yes.lipz".to_owned())]);
+        let again = SyncRun::new(&settings).unwrap().run();
+        assert_eq!((again.unchanged, again.renamed.len()), (1, 0));
+        // Two copies of a deleted file may both be its successor, so none is.
+        rename("yes", "no");
+        for place in ["voices/no.lipz", "recordings/no.wav"] {
+            fs::copy(folder.path().join(place), folder.path().join(place.replace("no.", "nope."))).unwrap();
+        }
+        let synced = SyncRun::new(&settings).unwrap().run();
+        assert_eq!((synced.unchanged, synced.kept.len(), synced.renamed.len()), (0, 2, 0));
     }
 
     #[test]

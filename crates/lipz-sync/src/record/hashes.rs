@@ -1,6 +1,9 @@
 //! The hashes in a record, of everything that affects visemes.
 
 use crate::record::{MouthHashes, OriginalHashes, RecordLine};
+use crate::recordings::clip::{ClipMouth, own_type};
+use lipz_compiler::Options;
+use lipz_file::Document;
 use lipz_file::text::{DELIMITER, display, segments, trim};
 use lipz_types::{Fps, VisemeType};
 use twox_hash::XxHash3_64;
@@ -50,6 +53,13 @@ impl OriginalHashes {
 pub(crate) fn mouth_hash(codes: &[u8], fps: Option<Fps>, viseme_type: Option<VisemeType>) -> u64 {
     let head = format!("{:?} {viseme_type:?} ", fps.map(|fps| (fps.numerator(), fps.denominator())));
     hash(&[head.as_bytes(), codes].concat())
+}
+
+/// Returns the hash of the visemes in a Lipz file.
+pub(crate) fn file_mouth_hash(document: &Document<'_>, mouth: &ClipMouth<'_>, options: &Options) -> u64 {
+    let own_fps = document.get("fps").and(mouth.fps);
+    let viseme_type = own_type(document).or(options.get_default_viseme_type());
+    mouth_hash(&mouth.codes, own_fps.or(options.get_default_fps()), viseme_type)
 }
 
 /// Returns the words of a text, without `|`.

@@ -8,6 +8,7 @@ pub(crate) mod hashes;
 mod line;
 mod recorded_text;
 mod recording_state;
+mod renamed;
 mod word_times;
 
 pub use approval::{UnapprovedRecording, unapproved, unapproved_with_reports};

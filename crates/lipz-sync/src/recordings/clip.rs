@@ -3,7 +3,7 @@
 use lipz_compiler::Options;
 use lipz_file::text::{DELIMITER, is_white_space};
 use lipz_file::{Document, JsonString, Value, rate};
-use lipz_types::Fps;
+use lipz_types::{Fps, VisemeType};
 
 /// The visemes of a Lipz file. Invalid parts are missing, because the check of Lipz files reports them.
 pub(crate) struct ClipMouth<'d> {
@@ -35,6 +35,11 @@ impl<'d> ClipMouth<'d> {
     pub(crate) fn length_us(&self) -> Option<u64> {
         Some(self.fps?.start_of_frame_us(u32::try_from(self.codes.len()).ok()?))
     }
+}
+
+/// Returns the viseme type that a Lipz file states.
+pub(crate) fn own_type(document: &Document<'_>) -> Option<VisemeType> {
+    string(document, "viseme_type").and_then(|name| name.text.parse().ok())
 }
 
 /// Returns the string element with this name.

@@ -5,7 +5,6 @@ use crate::reporter::Reporter;
 use crate::shared::input_file::unreadable;
 use crate::shared::output_file;
 use crate::shared::run_flags::QuietFlag;
-use crate::shared::text_record::RECORD_NAME;
 use crate::{Abort, CommandResult, Outcome, console};
 use clap::Args;
 use lipz_compiler::settings::{FILE_NAME, Settings, short_template, template};
@@ -28,10 +27,18 @@ const BANK: &str = "dialogue.lipzbank";
 const IGNORED: &str = ".gitignore";
 const ATTRIBUTES: &str = ".gitattributes";
 
+/// How Git merges the files of a project. A merge of the record keeps the lines of both branches, and with them the
+/// approvals of both. The driver for Lipz files is [`MERGE_DRIVER`]; without it, Git merges them by lines.
+const MERGED: [&str; 2] = ["lipz-texts.txt merge=union", "*.lipz merge=lipz"];
+
+/// The command that tells Git how to merge Lipz files. Git does not read it from a file of the project, because a
+/// repository must not run programs without being asked.
+const MERGE_DRIVER: &str = "git config merge.lipz.driver 'lipz merge --versions %O %A %B -o %A --name %P'";
+
 /// Create a project: lipz.toml, a first clip, and entries for git.
 ///
-/// No clip is written with --audio, or if the folder already has Lipz files. The entries for git ignore the bank and merge
-/// the record of translations. Existing .gitignore and .gitattributes files get one more line.
+/// No clip is written with --audio, or if the folder already has Lipz files. The entries for git ignore the bank, and merge
+/// Lipz files and the record of translations. Existing .gitignore and .gitattributes files get these lines too.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz init
@@ -86,11 +93,9 @@ impl Run for Init {
         folders.iter().try_for_each(|folder| output_file::refuse_file(folder, reporter))?;
         // The bank can be rebuilt from the Lipz files.
         let is_bank = |known: &str| known == BANK || known == "*.lipzbank";
-        let ignored = with_line(self.folder.join(IGNORED), &format!("/{BANK}"), is_bank, reporter)?;
-        // A merge keeps the lines of both branches, and with them the approvals of both.
-        let is_merged = |known: &str| known.split_whitespace().next() == Some(RECORD_NAME);
-        let line = format!("{RECORD_NAME} merge=union");
-        let attributes = with_line(self.folder.join(ATTRIBUTES), &line, is_merged, reporter)?;
+        let is_ignored = |known: &str, _: &str| is_bank(known);
+        let ignored = with_lines(self.folder.join(IGNORED), &[format!("/{BANK}")], is_ignored, reporter)?;
+        let attributes = with_lines(self.folder.join(ATTRIBUTES), &MERGED.map(str::to_owned), is_merged, reporter)?;
         for folder in &folders {
             fs::create_dir_all(folder).map_err(|error| reporter.fail(output_file::unwritable(folder, &error)))?;
         }
@@ -113,7 +118,8 @@ impl Run for Init {
             true => "run `lipz pack` there to pack the first clip, or `lipz new KEY TEXT` to add one",
             false => "run `lipz check` there to check all Lipz files in the folder",
         };
-        reporter.summary(&format!("{shown} written\nnext: {next}\n"))?;
+        let merging = format!("to merge Lipz files by text instead of by line, run:\n  {MERGE_DRIVER}");
+        reporter.summary(&format!("{shown} written\nnext: {next}\n{merging}\n"))?;
         Ok(Outcome::Clean)
     }
 }
@@ -125,12 +131,17 @@ fn has_clips(folder: &Path) -> bool {
     folder.is_dir() && !settings.discover_with_reports().0.is_empty()
 }
 
-/// Returns the path of a git file and its text with an additional line. Returns `None` if it already contains that line
-/// or one that matches `says_so`.
-fn with_line(
+/// Whether a line of .gitattributes is about the same files as `line`.
+fn is_merged(known: &str, line: &str) -> bool {
+    known.split_whitespace().next() == line.split_whitespace().next()
+}
+
+/// Returns the path of a git file and its text with additional lines. Returns `None` if it already contains each line, or
+/// one that `replaces` it.
+fn with_lines(
     file: PathBuf,
-    line: &str,
-    says_so: impl Fn(&str) -> bool,
+    lines: &[String],
+    replaces: impl Fn(&str, &str) -> bool,
     reporter: &mut Reporter,
 ) -> Result<Option<(PathBuf, String)>, Abort> {
     let mut text = match fs::read_to_string(&file) {
@@ -138,11 +149,14 @@ fn with_line(
         Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
         Err(error) => return Err(reporter.fail(unreadable(&file, &error))),
     };
-    if text.lines().any(|known| known == line || says_so(known)) {
+    let is_missing = |line: &&String| !text.lines().any(|known| known == *line || replaces(known, line));
+    let missing: Vec<&String> = lines.iter().filter(is_missing).collect();
+    if missing.is_empty() {
         return Ok(None);
     }
     if !text.is_empty() && !text.ends_with('\n') {
         text.push('\n');
     }
-    Ok(Some((file, text + line + "\n")))
+    missing.into_iter().for_each(|line| text.extend([line.as_str(), "\n"]));
+    Ok(Some((file, text)))
 }

@@ -26,6 +26,9 @@ pub(crate) fn summary(synced: &SyncResults, without: usize, place: &Path) -> Str
     let kept: Vec<String> =
         (synced.kept.iter()).map(|(key, kept)| format!("{}  {}", escape::text(key), why(*kept))).collect();
     list(&mut out, "kept visemes (`lipz sync --discard-edits` replaces them)", &kept);
+    let renamed: Vec<String> =
+        synced.renamed.iter().map(|(old, new)| format!("{} -> {}", escape::text(old), escape::text(new))).collect();
+    list(&mut out, "renamed files (the record follows them)", &renamed);
     let new_texts: Vec<String> = synced.with_new_text.iter().map(|key| escape::text(key).into_owned()).collect();
     list(&mut out, "recordings older than their texts (record these lines again, or `lipz approve` them)", &new_texts);
     let by_letters: Vec<String> =

@@ -12,6 +12,8 @@ pub(crate) struct SyncDocument<'s> {
     synced: &'s [String],
     unchanged: usize,
     kept: Vec<KeptMouth<'s>>,
+    /// Old and new paths of renamed Lipz files.
+    renamed: &'s [(String, String)],
     refused: usize,
     without_recording: usize,
     /// Keys of clips whose recording may not match their new text.
@@ -53,6 +55,7 @@ impl<'s> SyncDocument<'s> {
             synced: &synced.made,
             unchanged: synced.unchanged,
             kept: kept.collect(),
+            renamed: &synced.renamed,
             refused: synced.refused,
             without_recording: without,
             older_than_text: &synced.with_new_text,

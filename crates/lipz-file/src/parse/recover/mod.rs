@@ -3,6 +3,7 @@
 //! Valid files never come here. If serde_json has rejected a file, every token is read once. If it is unexpected,
 //! `syntax` returns its probable meaning, and parsing continues after it.
 
+mod conflict;
 mod strings;
 mod tokens;
 
@@ -46,6 +47,7 @@ pub(super) fn recover<'s>(text: &'s str, diagnostics: &mut Vec<Diagnostic>) -> R
         is_damaged: false,
         has_last: false,
         is_sure: true,
+        is_in_conflict: false,
         lost: 0,
         found: RecoveredMembers { members: Vec::new(), is_complete: true },
         diagnostics,
@@ -79,6 +81,8 @@ struct Scan<'s, 'd> {
     has_last: bool,
     /// Whether the role of each character is certain.
     is_sure: bool,
+    /// Whether the position is in the first version of a conflict.
+    is_in_conflict: bool,
     /// How often the point to continue was unclear.
     lost: usize,
     found: RecoveredMembers<'s>,
@@ -100,11 +104,14 @@ impl<'s> Scan<'s, '_> {
         }
     }
 
-    /// Skips whitespace and comments, and reports the comments. Returns whether there were any.
+    /// Skips whitespace, comments and markers of conflicts, and reports them. Returns whether there were comments.
     fn comments(&mut self) -> bool {
         let mut has_comment = false;
         loop {
             self.white_space();
+            if self.conflict_marker() {
+                continue;
+            }
             let Some(Mistake { diagnostic, then }) = syntax::comment(&self.place()) else {
                 return has_comment;
             };
@@ -135,6 +142,9 @@ impl<'s> Scan<'s, '_> {
     fn elements(&mut self) -> bool {
         loop {
             self.white_space();
+            if self.conflict_marker() {
+                continue;
+            }
             let goes_on = match self.token() {
                 Some(goes_on) => goes_on,
                 None if self.rest().is_empty() => {

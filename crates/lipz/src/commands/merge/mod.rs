@@ -1,4 +1,6 @@
-//! `lipz merge`: merges a base and its layers into one bank.
+//! `lipz merge`: merges a base and its layers into one bank, or three versions of a Lipz file.
+
+mod versions;
 
 use crate::CommandResult;
 use crate::commands::Run;
@@ -13,22 +15,36 @@ use lipz_bank::{Bank, Dialogue};
 use lipz_compiler::Stack;
 use std::path::PathBuf;
 
-/// Make one bank from a base, its patches and text banks, or from a set.
+/// Make one bank from a base, its patches and text banks, or from a set; or merge versions of a Lipz file.
 ///
-/// The result has the same bytes as a bank that was packed from the patched sources at once.
+/// The bank has the same bytes as one that was packed from the patched sources at once. With --versions, the command merges
+/// the changes of two branches in a Lipz file: by element, and texts and events by segment. `lipz init` shows how to make
+/// Git use it.
 #[derive(Args, Debug)]
-#[command(override_usage = "lipz merge <BANK> <PATCH|TEXTS>... --output <BANK> [OPTIONS]")]
+#[command(override_usage = "lipz merge <BANK> <PATCH|TEXTS>... --output <BANK> [OPTIONS]
+       lipz merge --versions <BASE> <OURS> <THEIRS> --output <FILE> [--name <PATH>]")]
 #[command(after_help = "Examples:
   lipz merge dialogue.lipzbank patch-1.1.lipzbank patch-1.2.lipzbank -o whole.lipzbank
   lipz merge dialogue.lipzbank dialogue.*.lipztexts -o whole.lipzbank
-  lipz merge dialogue.lipzset patch-1.1.lipzbank -o whole.lipzbank")]
+  lipz merge dialogue.lipzset patch-1.1.lipzbank -o whole.lipzbank
+  git config merge.lipz.driver 'lipz merge --versions %O %A %B -o %A --name %P'
+
+Exit codes: 0 merged, 1 conflicts or other errors, 2 the tool could not run, 130 interrupted.")]
 pub(crate) struct Merge {
     /// Base (a bank or a set), then its patches and text banks in the order of their stack
-    #[arg(value_name = "BANK", required = true, num_args = 1..)]
+    #[arg(value_name = "BANK", required_unless_present = "versions", num_args = 1..)]
     banks: Vec<PathBuf>,
 
-    /// Bank to write; `-` is standard output
-    #[arg(short, long, value_name = "BANK")]
+    /// Merge versions of a Lipz file: the common ancestor, our version, and that of the other branch
+    #[arg(long, value_names = ["BASE", "OURS", "THEIRS"], num_args = 3, conflicts_with = "banks")]
+    versions: Vec<PathBuf>,
+
+    /// Path of the Lipz file in the project, for messages and settings [default: that of the output]
+    #[arg(long, value_name = "PATH", requires = "versions")]
+    name: Option<PathBuf>,
+
+    /// Bank or Lipz file to write; `-` is standard output for a bank
+    #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 
     #[command(flatten)]
@@ -41,6 +57,9 @@ impl Run for Merge {
     }
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
+        if let Ok(versions) = versions::VersionPaths::try_from(self.versions.clone()) {
+            return versions::run(&versions, &self.output, self.name.as_ref().unwrap_or(&self.output), reporter);
+        }
         let banks: Vec<PathBuf> = patterns::files(&self.banks).iter().flat_map(|path| stack::paths(path)).collect();
         let is_set = matches!(banks.as_slice(), [path] if SetFile::open(path, reporter)?.is_some());
         if banks.len() < 2 && !is_set {
