@@ -216,3 +216,43 @@ fn keys_mean_the_only_clip_that_they_can() {
         assert!(clip(folder).contains("Hallo.|Du?"), "{key:?}: {imported:?}");
     }
 }
+
+/// A vendor's file can be judged before it is in the project.
+#[test]
+fn a_check_reports_every_problem_that_a_delivery_would_bring() {
+    let scene = Scene::new();
+    scene.write(
+        "lipz.toml",
+        "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[text]\nlines = 1\nline-columns = 20\n",
+    );
+    scene.write(
+        "voices/otto.lipz",
+        "{ \"text_en-us\": \"Wait 15 minutes.|Good evening my friend.|Go {name} now!\", \"text_fr-fr\": \"Attendez.|Bonsoir.|Va, {name} !\" }\n",
+    );
+    let folder = scene.path();
+    for (format, name) in [("po", "de.po"), ("csv", "de.csv")] {
+        let exported = ["export", "texts", format, "--locale", "de-de", "--by", "segment", "-o", name];
+        assert_eq!(lipz(folder, exported).code, 0);
+        let translated = |text: &str, translation: &str| match format {
+            "po" => format!("msgid \"{text}\"\nmsgstr \"{translation}\""),
+            _ => format!("{text},{translation},"),
+        };
+        for (text, translation) in [
+            ("Wait 15 minutes.", "Warten Sie 50 Minuten."),
+            ("Good evening my friend.", "Good evening my friend."),
+            ("Go {name} now!", "Geh!"),
+        ] {
+            replace(folder, name, &translated(text, ""), &translated(text, translation));
+        }
+        let before = fs::read_to_string(folder.join("voices/otto.lipz")).unwrap();
+        let checked = lipz(folder, ["import", "texts", name, "--check"]);
+        assert_eq!(checked.code, 0, "warnings only: {checked:?}");
+        for code in ["LZ1913", "LZ1912", "LZ1906", "LZ0510"] {
+            assert!(checked.stderr.contains(code), "{format}: {code}: {}", checked.stderr);
+        }
+        assert!(checked.stderr.contains(&format!("--> {name}:")), "{}", checked.stderr);
+        let denied = lipz(folder, ["import", "texts", name, "--check", "--deny", "numbers-differ"]);
+        assert_eq!(denied.code, 1, "{denied:?}");
+        assert_eq!(fs::read_to_string(folder.join("voices/otto.lipz")).unwrap(), before);
+    }
+}

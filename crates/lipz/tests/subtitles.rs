@@ -176,3 +176,25 @@ fn white_space_and_speakers_return() {
         assert_eq!(diff.code, 0, "{diff:?}");
     }
 }
+
+/// Subtitles show texts without braces, so their translators cannot know the placeholders.
+#[test]
+fn placeholders_that_subtitles_lack_are_reported() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "default-locale = \"en-us\"\ndefault-fps = 24\n");
+    scene.write("voices/otto.lipz", r#"{ "visemes": "MAEO", "text_en-us": "Who goes there, {name}?" }"#);
+    scene.prepare(&["export", "subtitles", "srt", "voices", "-o", "out"]);
+    let srt = fs::read_to_string(scene.path().join("out/otto.en-us.srt")).unwrap();
+    scene.write("out/otto.de-de.srt", srt.replace("Who goes there, ?", "Wer da, ?"));
+    let imported = lipz(scene.path(), ["import", "subtitles", "out/otto.de-de.srt", "-o", "voices"]);
+    assert!(imported.code == 0 && imported.stderr.contains("LZ1906"), "{imported:?}");
+    assert!(imported.stderr.contains("the translation lacks `{name}`") && imported.stderr.contains("otto.de-de.srt"));
+    let denied =
+        lipz(scene.path(), ["import", "subtitles", "out/otto.de-de.srt", "-o", "voices", "--deny", "placeholder"]);
+    assert_eq!(denied.code, 1, "{denied:?}");
+    scene.write("voices/otto.lipz", r#"{ "visemes": "MAEO", "text_en-us": "Who goes there, {name}?" }"#);
+    let denied =
+        lipz(scene.path(), ["import", "subtitles", "out/otto.de-de.srt", "-o", "voices", "--deny", "placeholder"]);
+    assert_eq!(denied.code, 1, "{denied:?}");
+    assert!(!fs::read_to_string(scene.path().join("voices/otto.lipz")).unwrap().contains("de-de"));
+}

@@ -163,7 +163,7 @@ mod tests {
 ";
         // Each version aligns its own segments.
         let spaces = |text: &str| text.replace(' ', "");
-        assert_eq!(spaces(&text), spaces(&expected));
+        assert_eq!(spaces(&text), spaces(expected));
         assert_eq!(parse(text.as_bytes()).diagnostics.len(), 1, "{text}");
     }
 

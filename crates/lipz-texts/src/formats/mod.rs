@@ -23,7 +23,8 @@ pub enum Format {
     Xliff12,
     /// Comma-separated values (RFC 4180). `;` and tabs can also be read.
     Csv,
-    /// A spreadsheet with the same columns, for Excel, LibreOffice and Google Sheets.
+    /// A spreadsheet with the same columns, for Excel, LibreOffice and Google Sheets. OpenDocument spreadsheets (`.ods`)
+    /// can also be read.
     #[cfg(feature = "xlsx")]
     Xlsx,
     /// All exchanged data, for programs.
@@ -75,7 +76,8 @@ impl Format {
             "xlf" | "xliff" => Format::Xliff,
             "csv" | "tsv" | "txt" => Format::Csv,
             #[cfg(feature = "xlsx")]
-            "xlsx" => Format::Xlsx,
+            // `.xls` files are recognised, and refused with a reason.
+            "xlsx" | "ods" | "xls" => Format::Xlsx,
             "json" => Format::Json,
             _ => return None,
         })

@@ -107,7 +107,7 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
         let plain = name.trim_start_matches('_');
         // Unity numbers its rows in `Id`; `id` in lower case is Indonesian.
         let is_number = name == "Id" && key != "id";
-        if is(name, key) {
+        if !key.is_empty() && is(name, key) {
             return Ok(CsvColumn::Key);
         } else if is_of_po && is(name, "target") {
             return only.map(|locale| CsvColumn::Locale(locale.as_str().into())).ok_or(NoColumn::Target);

@@ -81,6 +81,11 @@ impl CsvHeader {
         Some(CsvHeader::new(found, key, dialect, options))
     }
 
+    /// Whether one of these cells names the column of keys, as in a header.
+    pub(super) fn names_keys(names: &[&str], options: &ReadOptions) -> bool {
+        columns(names, options).contains(&Ok(CsvColumn::Key))
+    }
+
     fn new(columns: Vec<CsvColumn>, key: usize, dialect: CsvDialect, options: &ReadOptions) -> CsvHeader {
         let find = |column: &CsvColumn| columns.iter().position(|other| other == column);
         // Of two columns for one locale, the first counts.

@@ -26,10 +26,7 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
 }
 
 fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
-    let first_line = text.lines().next().unwrap_or_default();
-    let count = |separator: &u8| first_line.bytes().filter(|byte| byte == separator).count();
-    // The first of equally frequent ones.
-    let separator = SEPARATORS.into_iter().rev().max_by_key(count).unwrap_or(b',');
+    let separator = separator(text, options);
     let mut reader =
         ReaderBuilder::new().delimiter(separator).has_headers(false).flexible(true).from_reader(text.as_bytes());
     let mut table = CsvTable::new(options);
@@ -68,15 +65,44 @@ fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
     table.finish(incoming);
 }
 
-/// A table that is being read. The first row names its columns.
+/// Returns the character that separates the cells of the header, which is in one of the first lines.
+fn separator(text: &str, options: &ReadOptions) -> u8 {
+    let most = |line: &str| {
+        let count = |separator: &u8| line.bytes().filter(|byte| byte == separator).count();
+        // The first of equally frequent ones.
+        SEPARATORS.into_iter().rev().max_by_key(count).unwrap_or(b',')
+    };
+    let names_keys = |line: &&str| {
+        let names: Vec<&str> = line.split(char::from(most(line))).map(|name| name.trim_matches('"')).collect();
+        CsvHeader::names_keys(&names, options)
+    };
+    let header = text.lines().take(MOST_ROWS_ABOVE + 1).find(names_keys);
+    most(header.or(text.lines().next()).unwrap_or_default())
+}
+
+/// The most rows above the header, such as titles and empty rows.
+const MOST_ROWS_ABOVE: usize = 20;
+
+/// A table that is being read. Its header names the columns. Other rows may be above it.
 pub(crate) struct CsvTable<'o> {
     options: &'o ReadOptions,
     header: Option<CsvHeader>,
+    /// The number of rows above the header.
+    above: usize,
+    /// The positions of those with content.
+    titles: Vec<Span>,
+    /// The reasons why the first row is not a header.
+    first: Vec<Diagnostic>,
 }
 
 impl<'o> CsvTable<'o> {
     pub(crate) fn new(options: &'o ReadOptions) -> CsvTable<'o> {
-        CsvTable { options, header: None }
+        CsvTable { options, header: None, above: 0, titles: Vec::new(), first: Vec::new() }
+    }
+
+    /// Whether the columns are known.
+    pub(crate) fn has_header(&self) -> bool {
+        self.header.is_some()
     }
 
     /// Returns the diagnostic for a row with more or fewer cells than the header.
@@ -99,17 +125,63 @@ impl<'o> CsvTable<'o> {
         let is_read = |at: usize| self.header.as_ref().is_none_or(|header| header.is_read(at, self.options));
         let faults = std::mem::take(&mut row.faults).into_iter().filter(|(at, _)| is_read(*at));
         incoming.diagnostics.extend(faults.map(|(_, fault)| fault));
-        match &self.header {
-            Some(header) => row.entries(header, self.options, incoming),
-            None => self.header = CsvHeader::read(&row, self.options, &mut incoming.diagnostics),
-        }
+        let goes_on = match &self.header {
+            Some(header) => {
+                row.entries(header, self.options, incoming);
+                true
+            }
+            None => self.header(&row, incoming),
+        };
         bound::limit_many(&mut incoming.diagnostics);
-        self.header.is_some()
+        goes_on
     }
 
-    /// Reports a table without rows.
-    pub(crate) fn finish(&self, incoming: &mut IncomingFile) {
-        if self.header.is_none() {
+    /// Reads the header, or a row above it. Returns false if there is no header.
+    fn header(&mut self, row: &CsvRow, incoming: &mut IncomingFile) -> bool {
+        let mut found = Vec::new();
+        self.header = CsvHeader::read(row, self.options, &mut found);
+        if self.header.is_some() {
+            incoming.diagnostics.append(&mut found);
+            incoming.diagnostics.extend(self.rows_above());
+            return true;
+        }
+        let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
+        if CsvHeader::names_keys(&names, self.options) {
+            self.first.clear();
+            incoming.diagnostics.append(&mut found);
+            return false;
+        }
+        if self.above == 0 {
+            self.first = found;
+        }
+        self.above += 1;
+        if let Some(first) = row.cells.iter().position(|cell| !cell.is_empty()) {
+            self.titles.push(row.span(first));
+        }
+        let goes_on = self.above <= MOST_ROWS_ABOVE;
+        if !goes_on {
+            incoming.diagnostics.append(&mut self.first);
+        }
+        goes_on
+    }
+
+    /// Reports the rows above the header.
+    fn rows_above(&self) -> Option<Diagnostic> {
+        let message = match self.titles.len() {
+            1 => "the row above the header is not imported".to_owned(),
+            count => format!("{count} rows above the header are not imported"),
+        };
+        Some(Diagnostic::at(Code::ExchangeLoss, *self.titles.first()?, message))
+    }
+
+    /// Reports a table without a header.
+    pub(crate) fn finish(&mut self, incoming: &mut IncomingFile) {
+        if self.header.is_some() {
+            return;
+        }
+        if !self.first.is_empty() {
+            incoming.diagnostics.append(&mut self.first);
+        } else {
             incoming.diagnostics.push(
                 Diagnostic::new(Code::ExchangeSyntax, "the file has no header")
                     .help("name the columns in the first row: key, en-us, de-de"),

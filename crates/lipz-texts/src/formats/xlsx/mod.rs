@@ -1,4 +1,4 @@
-//! XLSX: the table of a CSV as a spreadsheet.
+//! XLSX: the table of a CSV as a spreadsheet. OpenDocument spreadsheets can also be read.
 //!
 //! rust_xlsxwriter writes it. For reading, zip unpacks its parts and quick-xml parses them one tag at a time, so that
 //! only texts need memory. calamine, which reads spreadsheets of all kinds, reserves as much memory as a file claims to

@@ -23,7 +23,7 @@ use baseline::BaselineFlags;
 use clap::{Args, ValueEnum};
 use fix_result::{FixResult, fix_all};
 use lipz_compiler::settings::Settings;
-use lipz_compiler::{Content, Input};
+use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::Report;
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -207,6 +207,23 @@ pub(crate) fn checked(
     lipz_diagnostics::reports::sort(&mut run.reports);
     run.reports.dedup(); // both read the sync record
     (run, translations.is_unrecorded)
+}
+
+/// Returns the problems of these Lipz files and their translations, in files that are not on disk too. Recordings are not
+/// read.
+pub(crate) fn check_files(project: &Project, inputs: &[Input]) -> Vec<Report> {
+    let compiler = Compiler::new(project.settings.options.clone());
+    let mut reports = match Translations::open(project, inputs) {
+        Ok(opened) => {
+            let checked = compiler.check_with(inputs, &|input, bytes| opened.lint(input, bytes));
+            let mut reports = checked.compiled.reports;
+            reports.extend(opened.found(checked.linted, checked.marked).reports);
+            reports
+        }
+        Err(_) => compiler.check(inputs).reports,
+    };
+    lipz_diagnostics::reports::sort(&mut reports);
+    reports
 }
 
 /// Returns the inputs, with the texts of `in_memory` in place of those on disk.

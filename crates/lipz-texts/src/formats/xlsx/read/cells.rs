@@ -8,7 +8,7 @@ use crate::formats::csv::CsvRow;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 
 /// The most columns of a sheet, as in Excel.
-const MAX_COLUMNS: usize = 1 << 14;
+pub(super) const MAX_COLUMNS: usize = 1 << 14;
 
 /// Reads the row that has just begun, and appends it to the text of the file, which is limited to a number of bytes.
 pub(super) fn row(
@@ -100,7 +100,7 @@ fn other_form(value: &str, is_date: bool) -> Option<&'static str> {
 }
 
 /// Returns the diagnostic for a cell that is not a text, although its author may have typed one: `3/4` becomes a date.
-fn not_text(span: Span, what: &str) -> Diagnostic {
+pub(super) fn not_text(span: Span, what: &str) -> Diagnostic {
     Diagnostic::at(Code::ExchangeLoss, span, format!("the cell contains {what}, not a text, and is not imported"))
         .help("set the format of the cell to `Text`, and type the text again")
 }
@@ -121,7 +121,7 @@ fn error(span: Span, value: &str) -> Diagnostic {
 }
 
 /// Adds a cell. Its line ends and tabs become spaces in the text, so that a row stays on one line.
-fn push(row: &mut CsvRow, cell: &str, text: &mut String) {
+pub(super) fn push(row: &mut CsvRow, cell: &str, text: &mut String) {
     if !row.cells.is_empty() {
         text.push('\t');
     }

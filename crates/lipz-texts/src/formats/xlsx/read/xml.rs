@@ -93,6 +93,20 @@ impl<'p, 'b> PartReader<'p, 'b> {
         found.normalized_value(XmlVersion::Explicit1_0).ok().map(Cow::into_owned)
     }
 
+    /// Returns all attributes of the last tag with this name, in any namespace.
+    pub(super) fn attributes(&self, name: &str) -> impl Iterator<Item = String> {
+        let tag = BytesStart::from_content(self.tag.0.as_str(), self.tag.1);
+        let mut attributes = tag.attributes();
+        let named = attributes.with_checks(false).flatten().filter(|one| one.key.local_name().as_ref() == name);
+        let values = named.filter_map(|one| one.normalized_value(XmlVersion::Explicit1_0).ok().map(Cow::into_owned));
+        values.collect::<Vec<_>>().into_iter()
+    }
+
+    /// Returns the last piece of text.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Skips to the end of the element that has just begun.
     pub(super) fn skip(&mut self) -> Result<(), Refusal> {
         let outside = self.depth.saturating_sub(1);

@@ -19,10 +19,13 @@ use crate::shared::values::{parse_fps, parse_locale, with_default_locale};
 use clap::Args;
 use lipz_bank::Fps;
 use lipz_compiler::{Content, Input, Options, key};
-use lipz_diagnostics::{Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::format::{Style, format};
+use lipz_file::locale::text_name;
+use lipz_file::{Document, Element};
 use lipz_interop::subtitles::{SubtitleFormat, clip, join};
 use lipz_interop::{DEFAULT_RATE, Encoding, to_utf8};
+use lipz_texts::TextLints;
 use std::path::{Path, PathBuf};
 use subtitle_file::SubtitleFile;
 
@@ -137,8 +140,13 @@ fn one(
                 None => clip(&cues, &file.locale, rate, &mut diagnostics),
             };
             if !diagnostics.iter().any(Diagnostic::is_error) {
-                document = Some(joined);
-                is_changed = true;
+                let mut lost = lost_placeholders(&joined, &file.locale, options);
+                options.get_levels().apply(&mut lost);
+                if !lost.iter().any(Diagnostic::is_error) {
+                    document = Some(joined);
+                    is_changed = true;
+                }
+                diagnostics.extend(lost);
             }
         }
         options.get_levels().apply(&mut diagnostics);
@@ -156,4 +164,24 @@ fn one(
         }
     }
     Ok(true)
+}
+
+/// Reports placeholders of the default locale's text that are missing from the imported one. Subtitles show texts without
+/// the parts in braces, so translators of subtitles do not see them.
+fn lost_placeholders(document: &Document<'_>, locale: &str, options: &Options) -> Vec<Diagnostic> {
+    let Some(source) = options.get_default_locale().filter(|source| *source != locale) else { return Vec::new() };
+    let is_compared = |element: &Element<'_>| {
+        let tag = text_name(&element.name.text).and_then(|name| name.tag());
+        tag.is_some_and(|tag| tag == locale || tag == source)
+    };
+    let elements = document.elements.iter().filter(|element| is_compared(element)).cloned();
+    let mut found = Vec::new();
+    TextLints::new(source).check("", &Document { elements: elements.collect() }, &mut found);
+    found.retain(|found| found.code == Code::Placeholder);
+    for one in &mut found {
+        // The positions are those of the Lipz file.
+        (one.primary, one.labels) = (None, Vec::new());
+    }
+    found.dedup();
+    found
 }

@@ -37,7 +37,7 @@ impl IncomingTexts {
                     true => "the format of standard input is not set".to_owned(),
                     false => format!("`{}` does not have the extension of a supported format", console::path(&path)),
                 };
-                let tip = "use a .po, .xlf, .csv, .tsv, .xlsx or .json file; name standard input with `--stdin-filename de-de.po`";
+                let tip = "use a .po, .xlf, .csv, .tsv, .xlsx, .ods or .json file; name standard input with `--stdin-filename de-de.po`";
                 return Err(reporter.usage(message, tip));
             };
             let name = if is_standard { stdio::input_name() } else { console::path(&path) };

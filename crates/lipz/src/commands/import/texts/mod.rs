@@ -1,6 +1,7 @@
 //! `lipz import texts`: imports translations into clips.
 
 mod incoming_texts;
+mod new_problems;
 mod translations;
 
 use crate::commands::Run;
@@ -10,18 +11,18 @@ use crate::reporter::{CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::lint_flags::LintFlags;
 use crate::shared::run_flags::QuietFlag;
-use crate::shared::settings_file::SettingsFile;
+use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::{parse_locale, refuse_locales};
 use clap::{Args, ValueEnum};
 use incoming_texts::IncomingTexts;
-use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
 use lipz_texts::{ConfirmedTranslations, Counts, Merge, ReadOptions, TextTranslations, resolve_keys, unknown_keys};
-use std::collections::{BTreeMap, BTreeSet};
+use new_problems::new_problems;
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::PathBuf;
 use translations::Translations;
 
@@ -35,7 +36,7 @@ use translations::Translations;
   lipz import texts texts.xlsx -o voices --locale fr-fr --check
   msgmerge old.po texts.pot | lipz import texts - --stdin-filename de-de.po")]
 pub(crate) struct ImportTexts {
-    /// Translated files: .po, .xlf, .csv, .tsv, .xlsx, .json; `-` is standard input
+    /// Translated files: .po, .xlf, .csv, .tsv, .xlsx, .ods, .json; `-` is standard input
     #[arg(value_name = "FILES", required = true)]
     files: Vec<PathBuf>,
 
@@ -63,7 +64,7 @@ pub(crate) struct ImportTexts {
     #[arg(long)]
     discard_edits: bool,
 
-    /// Count the texts to import, and write nothing
+    /// Write nothing, but count the texts to import, and report the problems that they would bring into the project
     #[arg(long)]
     check: bool,
 
@@ -146,7 +147,7 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     reports.extend(odd_lines);
     let locales = (source_locale.as_str(), options.get_default_locale());
     let translations = Translations::new(&entries, by_text, locales, &record);
-    let (counts, confirmed) = arguments.merge(settings, &inputs, &translations, &mut incoming.found, &mut reports);
+    let (counts, confirmed) = arguments.merge(&project, &inputs, &translations, &mut incoming.found, &mut reports);
     let remembered = match arguments.check {
         true => Ok(String::new()),
         false => remember(record, &source_locale, &confirmed),
@@ -164,13 +165,13 @@ impl ImportTexts {
     /// Merges the translations into the clips.
     fn merge(
         &self,
-        settings: &Settings,
+        project: &Project,
         inputs: &[Input],
         translations: &Translations<'_>,
         found: &mut Vec<(usize, Diagnostic)>,
         reports: &mut Vec<Report>,
     ) -> (Counts, Vec<(Input, Vec<ConfirmedTranslations>)>) {
-        let options = &settings.options;
+        let options = &project.settings.options;
         let inputs: Vec<Input> = inputs.iter().filter(|input| translations.concern(input)).cloned().collect();
         let merge = Merge::new(translations.source_locale)
             .default_locale(translations.default_locale)
@@ -190,12 +191,13 @@ impl ImportTexts {
         let unwritten = files.finish();
         bar.finish_and_clear();
         let mut counts = Counts::default();
-        let (mut confirmed, mut used) = (Vec::new(), Vec::new());
+        let (mut confirmed, mut used, mut changed) = (Vec::new(), Vec::new(), Vec::new());
         let mut other_sources: BTreeMap<usize, BTreeSet<Span>> = BTreeMap::new();
         for (input, result) in inputs.into_iter().zip(results) {
             match result.and_then(|result| result) {
                 Ok((merged, of_texts)) => {
                     used.extend(of_texts);
+                    changed.extend(merged.text.filter(|_| self.check).map(|text| (input.clone(), text)));
                     counts.add(merged.counts);
                     let is_written = unwritten.iter().all(|report| report.source.path != input.name());
                     if is_written && !merged.confirmed.is_empty() {
@@ -210,6 +212,14 @@ impl ImportTexts {
             }
         }
         reports.extend(unwritten);
+        let (placed, others) = new_problems(project, changed, translations.entries().chain(&used));
+        // The merge has reported some of them.
+        let place = |(file, found): &(usize, Diagnostic)| {
+            (*file, found.code, found.primary.as_ref().map(|label| label.span), found.message.clone())
+        };
+        let mut known: HashSet<_> = found.iter().map(place).collect();
+        found.extend(placed.into_iter().filter(|new| known.insert(place(new))));
+        reports.extend(others);
         let mut of_all: Vec<(usize, Diagnostic)> =
             other_sources.iter().filter_map(|(file, spans)| Some((*file, not_imported(spans)?))).collect();
         of_all.extend(translations.unused(&used));

@@ -30,6 +30,11 @@ impl<'e> Translations<'e> {
         Translations { by_key, by_text, source_locale, default_locale, record }
     }
 
+    /// Returns the translations of clips that the files name.
+    pub(super) fn entries(&self) -> impl Iterator<Item = &'e Entry> + '_ {
+        self.by_key.values().flatten().copied()
+    }
+
     /// Whether some of them may be for this clip.
     pub(super) fn concern(&self, input: &Input) -> bool {
         self.by_text.is_some() || self.by_key.contains_key(&*input.key)
