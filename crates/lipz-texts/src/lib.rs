@@ -28,7 +28,9 @@ pub use exchange::{
 pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};
 pub use lint::{TextLints, has_translations};
-pub use merge::{ConfirmedTranslations, Counts, Merge, MergedFile, TextTranslations, resolve_keys, unknown_keys};
+pub use merge::{
+    ConfirmedTranslations, Counts, Merge, MergedFile, TextTranslations, TranslatorComments, resolve_keys, unknown_keys,
+};
 pub use progress::{Amount, LocaleWork, OpenSegment, Progress, Work, cost_of, csv_table, html, html_page, page};
 pub use record::{Standing, TextRecord};
 

@@ -87,6 +87,13 @@ fn the_first_sheet_with_a_table_is_imported() {
     assert!(none.entries.is_empty() && messages(&none).contains(&"no column has the keys of clips"));
 }
 
+#[test]
+fn comments_on_cells_are_reported() {
+    let (comments, sheet) = ("<comments/>", "<worksheet><sheetData/></worksheet>");
+    let read = incoming(Format::Xlsx, &archive(&[("xl/worksheets/sheet1.xml", sheet), ("xl/comments1.xml", comments)]));
+    assert!(messages(&read).contains(&"comments on cells are not imported"), "{:?}", read.diagnostics);
+}
+
 fn ods(tables: &str) -> Vec<u8> {
     let content = format!(
         "<office:document-content><office:body><office:spreadsheet>{tables}</office:spreadsheet></office:body></office:document-content>"

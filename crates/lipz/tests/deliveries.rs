@@ -256,3 +256,53 @@ fn a_check_reports_every_problem_that_a_delivery_would_bring() {
         assert_eq!(fs::read_to_string(folder.join("voices/otto.lipz")).unwrap(), before);
     }
 }
+
+/// Questions of a translator reach the others, and answers reach the translator.
+#[test]
+fn comments_of_translators_are_kept_and_come_back() {
+    for (format, name) in
+        [("po", "de.po"), ("csv", "de.csv"), ("xliff", "de.xlf"), ("xliff-1.2", "de.xlf"), ("json", "de.json")]
+    {
+        let scene = project();
+        let folder = scene.path();
+        export(folder, format, name);
+        let with_comment = |text: &str| match format {
+            "po" => replace(folder, name, "#. as exported", &format!("# {text}\n#. as exported")),
+            "csv" => replace(folder, name, "Guten Abend. | Du?,,", &format!("Guten Abend. | Du?,{text},")),
+            "xliff" => replace(folder, name, "<notes>", &format!("<notes><note>{text}</note>")),
+            "xliff-1.2" => {
+                replace(folder, name, "</trans-unit>", &format!("<note from=\"Anna\">{text}</note></trans-unit>"));
+            }
+            _ => replace(
+                folder,
+                name,
+                "\"segments\"",
+                &format!("\"comments\": {{ \"de-de\": {{ \"lines\": [\"{text}\"] }} }}, \"segments\""),
+            ),
+        };
+        with_comment("Formal or not?");
+        let imported = import(folder, &[name]);
+        assert!(imported.stdout.contains("comments of translators on 1 clip recorded"), "{format}: {imported:?}");
+        let exported = |count: usize| {
+            fs::remove_file(folder.join(name)).unwrap();
+            export(folder, format, name);
+            let text = fs::read_to_string(folder.join(name)).unwrap();
+            assert_eq!(text.matches("Formal or not?").count(), count, "{format}: {text}");
+        };
+        exported(1);
+        // The same file again changes nothing.
+        let record = || fs::read_to_string(folder.join("lipz-texts.txt")).unwrap();
+        let before = record();
+        assert_eq!(import(folder, &[name]).code, 0);
+        assert_eq!(record(), before, "{format}");
+        // A second translator answers.
+        replace(folder, name, "Formal or not?", "Formal or not? Not.");
+        assert_eq!(import(folder, &[name]).code, 0);
+        assert_eq!(record().matches("\tcomment\t").count(), 1, "{format}: {}", record());
+        exported(1);
+        assert!(record().contains("Formal or not? Not."), "{format}");
+        // A renamed clip keeps its comments.
+        fs::rename(folder.join("voices/otto.lipz"), folder.join("voices/mayor.lipz")).unwrap();
+        exported(1);
+    }
+}

@@ -70,7 +70,10 @@ fn a_new_project_packs() {
     let scene = Scene::new();
     scene.write(".gitignore", "target");
     scene.prepare(&["init"]);
-    assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
+    assert_eq!(
+        fs::read_to_string(scene.path().join(".gitignore")).unwrap(),
+        "target\n/dialogue.lipzbank\n.*.lipztmp\n"
+    );
     let attributes = || fs::read_to_string(scene.path().join(".gitattributes")).unwrap();
     assert_eq!(attributes(), "lipz-texts.txt merge=union\n*.lipz merge=lipz\n");
     let first = lipz(scene.path(), ["check", "--deny", "warnings"]);
@@ -91,7 +94,10 @@ fn a_new_project_packs() {
         assert!(list.contains(&format!("\"{key}\"")), "{list}");
     }
     scene.prepare(&["init", "--overwrite"]);
-    assert_eq!(fs::read_to_string(scene.path().join(".gitignore")).unwrap(), "target\n/dialogue.lipzbank\n");
+    assert_eq!(
+        fs::read_to_string(scene.path().join(".gitignore")).unwrap(),
+        "target\n/dialogue.lipzbank\n.*.lipztmp\n"
+    );
     assert_eq!(attributes(), "lipz-texts.txt merge=union\n*.lipz merge=lipz\n");
 }
 

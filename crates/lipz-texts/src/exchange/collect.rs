@@ -84,7 +84,7 @@ impl Collect {
                 None => vec![String::new(); sources.len()],
             };
             let state = if texts.iter().all(String::is_empty) { State::Initial } else { State::Translated };
-            Translation { texts, state, made_from: None }
+            Translation { texts, state, ..Translation::default() }
         };
         let translations = self.locales.iter().map(translation).collect();
         Some(Unit { key: key.to_owned(), segments: self.segments(clip, &sources), translations, ..Unit::default() })

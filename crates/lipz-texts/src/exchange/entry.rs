@@ -39,6 +39,10 @@ pub struct Entry {
     pub says_state: bool,
     /// The translation at the time of the export.
     pub mark: Option<Mark>,
+    /// The comments of translators on the clip, one line each.
+    pub comments: Vec<String>,
+    /// The mark of these comments at the time of the export, if there were any.
+    pub comments_mark: Option<Mark>,
     /// Whether it comes from a table. Programs that save tables change line ends inside cells.
     pub is_of_table: bool,
     /// A number for callers that read several files; [`read()`](crate::read()) sets 0.

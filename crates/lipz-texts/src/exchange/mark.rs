@@ -27,6 +27,11 @@ impl Mark {
         Mark((!text.is_empty()).then(|| low(XxHash3_64::oneshot(text.as_bytes()))))
     }
 
+    /// Returns the mark of translators' comments.
+    pub(crate) fn of_comments(comments: &[String]) -> Mark {
+        Mark::of(&comments.join("\n"))
+    }
+
     /// Returns the mark of a text in Yarn Spinner: the first 32 bits of its SHA-256.
     pub(crate) fn of_yarn(text: &str) -> Mark {
         let first = |hash: &[u8]| hash.first_chunk().map(|bytes| u32::from_be_bytes(*bytes));

@@ -57,6 +57,8 @@ pub struct Translation {
     pub state: State,
     /// The source texts of the translation, if they are known and have changed since.
     pub made_from: Option<Vec<String>>,
+    /// The comments of translators, one line each.
+    pub comments: Vec<String>,
 }
 
 /// The state of a translation; each includes those before it. The names are those of XLIFF 2.1.
@@ -228,6 +230,13 @@ impl Item<'_> {
         comments
             .extend(self.unit.note.iter().flat_map(|note| note.lines()).map(|line| escape::text(line).into_owned()));
         comments
+    }
+
+    /// Returns the comments of translators, which the first item of a clip has.
+    pub(crate) fn translator_comments<'t>(&self, translation: &'t Translation) -> &'t [String] {
+        let first = self.unit.segments.iter().position(|segment| !segment.source.is_empty()).unwrap_or(0);
+        let is_first = self.number.is_none_or(|number| number == first + 1);
+        if is_first { &translation.comments } else { &[] }
     }
 
     /// Returns the paths of the clip's Lipz file and recording.

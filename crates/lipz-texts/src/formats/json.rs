@@ -33,7 +33,15 @@ struct ClipOut<'a> {
     recording: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'a str>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    comments: BTreeMap<&'a str, CommentsOut<'a>>,
     segments: Vec<SegmentOut<'a>>,
+}
+
+#[derive(Serialize)]
+struct CommentsOut<'a> {
+    lines: &'a [String],
+    exported: String,
 }
 
 #[derive(Serialize)]
@@ -83,12 +91,23 @@ impl<'a> ClipOut<'a> {
             file: unit.file.as_deref(),
             recording: unit.recording.as_deref(),
             note: unit.note.as_deref(),
+            comments: comments(unit, locales),
             segments: (0..)
                 .zip(&unit.segments)
                 .map(|(at, segment)| SegmentOut::new(at, segment, unit, locales))
                 .collect(),
         }
     }
+}
+
+/// Returns the comments of translators by locale.
+fn comments<'a>(unit: &'a Unit, locales: &'a [String]) -> BTreeMap<&'a str, CommentsOut<'a>> {
+    let all = locales.iter().zip(&unit.translations).filter(|(_, translation)| !translation.comments.is_empty());
+    all.map(|(locale, translation)| {
+        let lines = translation.comments.as_slice();
+        (locale.as_str(), CommentsOut { lines, exported: Mark::of_comments(lines).to_string() })
+    })
+    .collect()
 }
 
 impl<'a> SegmentOut<'a> {
@@ -131,8 +150,16 @@ struct FileIn<'a> {
 struct ClipIn<'a> {
     #[serde(borrow)]
     key: &'a RawValue,
+    #[serde(default)]
+    comments: BTreeMap<String, CommentsIn>,
     #[serde(borrow)]
     segments: Vec<SegmentIn<'a>>,
+}
+
+#[derive(Deserialize)]
+struct CommentsIn {
+    lines: Vec<String>,
+    exported: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -198,6 +225,8 @@ fn clips(file: &FileIn<'_>, text: &str, options: &ReadOptions, incoming: &mut In
                         continue;
                     }
                 };
+                let comments = clip.comments.get(tag);
+                let lines = comments.into_iter().flat_map(|comments| &comments.lines).flat_map(|line| line.lines());
                 let state = translation.state.as_deref().and_then(State::from_name).unwrap_or(State::Translated);
                 incoming.entries.push(Entry {
                     key: Arc::clone(&key),
@@ -209,6 +238,8 @@ fn clips(file: &FileIn<'_>, text: &str, options: &ReadOptions, incoming: &mut In
                     says_state: translation.state.is_some(),
                     text,
                     mark: translation.exported.as_deref().and_then(|mark| mark.parse().ok()),
+                    comments: lines.filter(|line| !line.trim().is_empty()).map(str::to_owned).collect(),
+                    comments_mark: comments.and_then(|comments| comments.exported.as_ref()?.parse().ok()),
                     ..Entry::default()
                 });
             }

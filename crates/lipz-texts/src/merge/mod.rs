@@ -12,7 +12,7 @@ mod splice;
 pub use by_text::TextTranslations;
 pub use keys::{resolve_keys, unknown_keys};
 pub use options::Merge;
-pub use results::{ConfirmedTranslations, Counts, MergedFile};
+pub use results::{ConfirmedTranslations, Counts, MergedFile, TranslatorComments};
 
 use crate::exchange::Entry;
 use crate::exchange::clip_texts::{strings, trimmed};
@@ -20,7 +20,7 @@ use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::Document;
 use lipz_file::format::Style;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl Merge<'_> {
     /// Merges entries, all for the clip in `file`, into its text. A locale with an error stays unchanged; all others
@@ -48,6 +48,7 @@ impl Merge<'_> {
         let sources = trimmed(self.source_locale);
         let mut texts = Vec::new();
         for (locale, entries) in by_locale {
+            merged.comments.push(comments(locale, &entries));
             let Some(sources) = &sources else {
                 let first = entries.first().map(|entry| (entry.file, entry.key.span)).unwrap_or_default();
                 let message = format!("the clip has no text in {}, the source of the translation", self.source_locale);
@@ -97,4 +98,12 @@ impl Merge<'_> {
         }
         is_refused
     }
+}
+
+/// Returns the comments of the entries, each once.
+fn comments(locale: &str, entries: &[&Entry]) -> TranslatorComments {
+    let exported = entries.iter().find_map(|entry| entry.comments_mark);
+    let (mut lines, mut known) = (Vec::new(), BTreeSet::new());
+    lines.extend(entries.iter().flat_map(|entry| &entry.comments).filter(|line| known.insert(*line)).cloned());
+    TranslatorComments { locale: locale.to_owned(), lines, exported }
 }

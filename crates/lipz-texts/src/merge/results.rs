@@ -1,6 +1,6 @@
 //! The results of merging.
 
-use crate::exchange::State;
+use crate::exchange::{Mark, State};
 use lipz_diagnostics::{Diagnostic, Span};
 
 /// A Lipz file with translations.
@@ -15,9 +15,22 @@ pub struct MergedFile {
     pub counts: Counts,
     /// The source texts of translations that the file confirms, imported or unchanged.
     pub confirmed: Vec<ConfirmedTranslations>,
+    /// The comments of translators, whether the translations were imported or not.
+    pub comments: Vec<TranslatorComments>,
     /// The source texts in the file that differ from those of the clip, with the number of the file. They are never
     /// imported.
     pub other_sources: Vec<(usize, Span)>,
+}
+
+/// The comments of translators on a clip's translations into a locale.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct TranslatorComments {
+    /// The locale.
+    pub locale: String,
+    /// The comments, one line each.
+    pub lines: Vec<String>,
+    /// The mark of the comments at the time of the export, if there were any.
+    pub exported: Option<Mark>,
 }
 
 /// Translations of a clip into a locale and their source texts, according to an exchange file. The source texts are the

@@ -1,5 +1,6 @@
 //! The source text of each translation, in a text file that accompanies the Lipz files and merges in version control.
 
+mod comments;
 mod line;
 mod merge;
 mod moved;
@@ -11,17 +12,18 @@ pub use standing::Standing;
 
 use crate::exchange::Mark;
 use crate::exchange::model::{State, joined};
+use comments::{CommentLine, Comments};
 use line::Line;
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use merge::merge;
 use standing::Fact;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use version::{ApprovedMark, Version};
 
 /// The start of the file, for people.
 const HEAD: &str = "\
-# lipz texts: the source text that each translation was made from, with the marks of the translations.
+# lipz texts: the source text that each translation was made from, with the marks of the translations, and comments.
 # Keep this file with the Lipz files, and let git merge it by lines: `lipz-texts.txt merge=union` in .gitattributes.
 ";
 
@@ -44,6 +46,8 @@ const HEAD: &str = "\
 pub struct TextRecord {
     /// By the paths of Lipz files in the record.
     files: BTreeMap<String, Vec<Version>>,
+    /// By the same paths, the comments of translators.
+    comments: BTreeMap<String, Comments>,
 }
 
 impl TextRecord {
@@ -57,10 +61,14 @@ impl TextRecord {
         let mut start = 0;
         for whole in text.split_inclusive('\n') {
             let content = whole.trim_end_matches(['\n', '\r']).trim_start_matches('\u{feff}');
-            match Line::parse(content) {
-                Some(line) => record.add(line),
-                None if content.is_empty() || content.starts_with('#') => {}
-                None => {
+            match (Line::parse(content), CommentLine::parse(content)) {
+                (Some(line), _) => record.add(line),
+                (_, Some(line)) => {
+                    let of_file = record.comments.entry(line.file.clone()).or_default();
+                    line.add_to(of_file);
+                }
+                _ if content.is_empty() || content.starts_with('#') => {}
+                _ => {
                     let diagnostic = Diagnostic::at(
                         Code::TextRecordLine,
                         Span::new(start, start + content.len()),
@@ -82,17 +90,18 @@ impl TextRecord {
 
     /// Whether the record is empty.
     pub fn is_empty(&self) -> bool {
-        self.files.is_empty()
+        self.files.is_empty() && self.comments.is_empty()
     }
 
     /// Returns the files in the record.
     pub fn files(&self) -> impl Iterator<Item = &str> {
-        self.files.keys().map(String::as_str)
+        let only_comments = self.comments.keys().filter(|file| !self.files.contains_key(*file));
+        self.files.keys().chain(only_comments).map(String::as_str)
     }
 
     /// Whether the record contains a file.
     pub fn has(&self, file: &str) -> bool {
-        self.files.contains_key(file)
+        self.files.contains_key(file) || self.comments.contains_key(file)
     }
 
     /// Returns the source locales of translations.
@@ -115,6 +124,7 @@ impl TextRecord {
     /// Removes a file.
     pub fn forget(&mut self, file: &str) {
         self.files.remove(file);
+        self.comments.remove(file);
     }
 
     /// Records that translations were made from the current source texts, for the segments that have a state here.
@@ -197,14 +207,16 @@ impl TextRecord {
     }
 }
 
-/// Prints the file: a line for the source texts of each clip, sorted by path.
+/// Prints the file: lines for the source texts of each clip and for the comments on it, sorted by path.
 impl fmt::Display for TextRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(HEAD)?;
-        for (file, versions) in &self.files {
-            for version in versions {
+        let files: BTreeSet<&String> = self.files.keys().chain(self.comments.keys()).collect();
+        for file in files {
+            for version in self.files.get(file).into_iter().flatten() {
                 line::write(f, file, version, &joined(&version.sources))?;
             }
+            self.comments.get(file).map_or(Ok(()), |of_file| comments::write(f, file, of_file))?;
         }
         Ok(())
     }

@@ -41,6 +41,9 @@ impl TextRecord {
             if let Some(versions) = self.files.remove(old) {
                 self.files.insert(new.clone(), versions);
             }
+            if let Some(comments) = self.comments.remove(old) {
+                self.comments.insert(new.clone(), comments);
+            }
         }
         found
     }

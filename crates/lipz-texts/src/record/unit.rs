@@ -5,10 +5,11 @@ use crate::exchange::model::{State, Unit};
 use crate::merge::ConfirmedTranslations;
 
 impl TextRecord {
-    /// Sets the states and the source texts of a unit's translations, which are in these locales.
+    /// Sets the states, the source texts and the comments of a unit's translations, which are in these locales.
     pub fn describe(&self, file: &str, source_locale: &str, locales: &[String], unit: &mut Unit) {
         let sources: Vec<&str> = unit.segments.iter().map(|segment| segment.source.as_str()).collect();
         for (locale, translation) in locales.iter().zip(&mut unit.translations) {
+            translation.comments = self.comments(file, locale).to_vec();
             if translation.is_empty() {
                 continue;
             }

@@ -25,6 +25,9 @@ const VOICES: &str = "voices";
 const FIRST_PATH: &str = "voices/hello.lipz";
 const BANK: &str = "dialogue.lipzbank";
 const IGNORED: &str = ".gitignore";
+/// Files of a run that was killed while it was writing. The next run removes them.
+const TEMPORARY: &str = ".*.lipztmp";
+
 const ATTRIBUTES: &str = ".gitattributes";
 
 /// How Git merges the files of a project. A merge of the record keeps the lines of both branches, and with them the
@@ -37,8 +40,8 @@ const MERGE_DRIVER: &str = "git config merge.lipz.driver 'lipz merge --versions 
 
 /// Create a project: lipz.toml, a first clip, and entries for git.
 ///
-/// No clip is written with --audio, or if the folder already has Lipz files. The entries for git ignore the bank, and merge
-/// Lipz files and the record of translations. Existing .gitignore and .gitattributes files get these lines too.
+/// No clip is written with --audio, or if the folder already has Lipz files. The entries for git ignore the bank and
+/// unfinished files, and merge Lipz files and the record of translations. Existing .gitignore and .gitattributes files get these lines too.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz init
@@ -91,10 +94,8 @@ impl Run for Init {
         let folders: Vec<PathBuf> = folders.collect();
         // Nothing is written if something is in the way.
         folders.iter().try_for_each(|folder| output_file::refuse_file(folder, reporter))?;
-        // The bank can be rebuilt from the Lipz files.
-        let is_bank = |known: &str| known == BANK || known == "*.lipzbank";
-        let is_ignored = |known: &str, _: &str| is_bank(known);
-        let ignored = with_lines(self.folder.join(IGNORED), &[format!("/{BANK}")], is_ignored, reporter)?;
+        let lines = [format!("/{BANK}"), TEMPORARY.to_owned()];
+        let ignored = with_lines(self.folder.join(IGNORED), &lines, is_ignored, reporter)?;
         let attributes = with_lines(self.folder.join(ATTRIBUTES), &MERGED.map(str::to_owned), is_merged, reporter)?;
         for folder in &folders {
             fs::create_dir_all(folder).map_err(|error| reporter.fail(output_file::unwritable(folder, &error)))?;
@@ -129,6 +130,11 @@ fn has_clips(folder: &Path) -> bool {
     let mut settings = Settings::default();
     settings.sources = vec![folder.to_owned()];
     folder.is_dir() && !settings.discover_with_reports().0.is_empty()
+}
+
+/// Whether a line of .gitignore replaces `line`. All banks can be rebuilt from the Lipz files.
+fn is_ignored(known: &str, line: &str) -> bool {
+    line != TEMPORARY && (known == BANK || known == "*.lipzbank")
 }
 
 /// Whether a line of .gitattributes is about the same files as `line`.

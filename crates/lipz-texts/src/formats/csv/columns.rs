@@ -20,6 +20,10 @@ pub(super) enum CsvColumn {
     SourceMark,
     /// The marks of the translations into a locale.
     Mark(Arc<str>),
+    /// The comments of translators on the translations into a locale.
+    Comments(Arc<str>),
+    /// The marks of these comments.
+    CommentMark(Arc<str>),
     /// The state of the translation into the locale of the row.
     State,
     /// Whether the translation needs work.
@@ -27,6 +31,9 @@ pub(super) enum CsvColumn {
     /// Information for people or other tools.
     Other,
 }
+
+/// A kind of columns that belong to a locale.
+type LocaleColumn = fn(Arc<str>) -> CsvColumn;
 
 /// The reason why a column is not imported.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -61,6 +68,9 @@ const OTHERS: [&str; 16] = [
 
 /// The prefix of the locale in the names of columns with marks.
 pub(crate) const LOCK: &str = "lock";
+
+/// The prefix of the locale in the names of columns with comments of translators.
+pub(crate) const COMMENT: &str = "comment";
 
 /// The program whose table it is, as far as it spells texts in its own way.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -111,6 +121,8 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
             return Ok(CsvColumn::Key);
         } else if is_of_po && is(name, "target") {
             return only.map(|locale| CsvColumn::Locale(locale.as_str().into())).ok_or(NoColumn::Target);
+        } else if is_of_po && is(name, "translator_comments") && only.is_some() {
+            return only.map(|locale| CsvColumn::Comments(locale.as_str().into())).ok_or(NoColumn::Unknown);
         } else if is_of_po && is(name, "fuzzy") {
             return Ok(CsvColumn::Fuzzy);
         } else if is_number
@@ -131,8 +143,15 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
         } else if is(name, LOCK) {
             return Ok(CsvColumn::SourceMark);
         }
-        if let Some(locale) = plain.strip_prefix(LOCK).and_then(|rest| rest.strip_prefix(' ')) {
-            return options.locale(locale).map(|locale| CsvColumn::Mark(locale.into())).map_err(|_| NoColumn::Unknown);
+        // A longer prefix comes first.
+        let kinds = [
+            ("lock comment ", CsvColumn::CommentMark as LocaleColumn),
+            ("lock ", CsvColumn::Mark),
+            ("comment ", CsvColumn::Comments),
+        ];
+        if let Some((locale, kind)) = kinds.iter().find_map(|(prefix, kind)| Some((plain.strip_prefix(prefix)?, kind)))
+        {
+            return options.locale(locale).map(|locale| kind(locale.into())).map_err(|_| NoColumn::Unknown);
         }
         match locale(name, options) {
             Ok(locale) if locale == options.source_locale && !has("source") && !has("sourcestring") => {

@@ -32,6 +32,8 @@ pub(super) struct TranslationColumn {
     pub(super) locale: Option<Arc<str>>,
     /// The column of their marks, if the locale is known.
     mark: Option<usize>,
+    /// The columns of the comments of translators and of their marks, if the locale is known.
+    pub(super) comments: [Option<usize>; 2],
     /// Rows that end before this cell have no content for this column.
     first: usize,
 }
@@ -96,17 +98,21 @@ impl CsvHeader {
         let marks: HashMap<Arc<str>, usize> = named.collect();
         let mut known = HashSet::new();
         let texts = columns.iter().enumerate().filter_map(|(at, column)| {
-            let (locale, mark, first) = match column {
+            let (locale, mark, comments, first) = match column {
                 CsvColumn::Locale(locale) if options.wants(locale) => {
                     let mark = marks.get(locale).copied();
-                    (Some(Arc::clone(locale)), mark, mark.map_or(at, |mark| mark.min(at)))
+                    let comments =
+                        [CsvColumn::Comments(Arc::clone(locale)), CsvColumn::CommentMark(Arc::clone(locale))];
+                    let comments = comments.map(|column| find(&column));
+                    let first = [mark, comments[0]].into_iter().flatten().fold(at, usize::min);
+                    (Some(Arc::clone(locale)), mark, comments, first)
                 }
-                CsvColumn::Text => (None, None, 0),
+                CsvColumn::Text => (None, None, [None; 2], 0),
                 _ => return None,
             };
             // A mark without a text is reported once.
             let first = if known.insert(column) { first } else { at };
-            Some(TranslationColumn { at, locale, mark, first })
+            Some(TranslationColumn { at, locale, mark, comments, first })
         });
         let mut texts: Vec<TranslationColumn> = texts.collect();
         texts.sort_by_key(|column| column.first);
@@ -133,7 +139,12 @@ impl CsvHeader {
     pub(super) fn is_read(&self, at: usize, options: &ReadOptions) -> bool {
         match self.columns.get(at) {
             None | Some(CsvColumn::Other) => false,
-            Some(CsvColumn::Locale(locale) | CsvColumn::Mark(locale)) => options.wants(locale),
+            Some(
+                CsvColumn::Locale(locale)
+                | CsvColumn::Mark(locale)
+                | CsvColumn::Comments(locale)
+                | CsvColumn::CommentMark(locale),
+            ) => options.wants(locale),
             Some(_) => true,
         }
     }

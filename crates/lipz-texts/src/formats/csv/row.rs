@@ -75,6 +75,8 @@ impl CsvRow {
                 text.text.replace_range(..NEEDS_UPDATE.len(), "");
             }
             let state = if is_outdated { Some(State::Initial) } else { state };
+            let [comments, comments_mark] = column.comments;
+            let comments = comments.and_then(|at| self.cells.get(at)).into_iter().flat_map(|cell| cell.lines());
             Some(Entry {
                 key: Arc::clone(&key),
                 segment,
@@ -84,13 +86,16 @@ impl CsvRow {
                 says_state: state.is_some(),
                 text,
                 mark: self.mark(header.mark(column, &locale)),
+                comments: comments.map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect(),
+                comments_mark: self.mark(comments_mark),
                 locale,
                 is_of_table: true,
                 ..Entry::default()
             })
         };
         let before = incoming.entries.len();
-        let has_something = |entry: &Entry| !entry.text.text.is_empty() || entry.mark.is_some();
+        let has_something =
+            |entry: &Entry| !entry.text.text.is_empty() || entry.mark.is_some() || !entry.comments.is_empty();
         incoming.entries.extend(header.texts_of(self.cells.len()).filter_map(entry).filter(has_something));
         if incoming.entries.len() == before {
             incoming.entries.extend(header.texts_of(usize::MAX).find_map(entry));

@@ -1,7 +1,7 @@
 //! Writing of CSV files.
 
 use super::cell::defused;
-use super::columns::LOCK;
+use super::columns::{COMMENT, LOCK};
 use super::escape::{escaped, misread};
 use super::row::YARN_LINE;
 use crate::exchange::culture::english_name;
@@ -64,8 +64,10 @@ fn report(exchange: &Exchange, shape: Shape, diagnostics: &mut Vec<Diagnostic>) 
 
 /// Returns the rows of the table with all locales, or with the one at `at`. The first has the names of the columns.
 pub(crate) fn rows(exchange: &Exchange, at: Option<usize>, options: &WriteOptions) -> Vec<Vec<String>> {
-    let table =
-        TableWriter { exchange, options, locales: at.map_or(0..exchange.locales.len(), |at| at..at + 1).collect() };
+    let locales = at.map_or(0..exchange.locales.len(), |at| at..at + 1).collect();
+    let mut translations = exchange.units.iter().flat_map(|unit| &unit.translations);
+    let has_comments = translations.any(|translation| !translation.comments.is_empty());
+    let table = TableWriter { exchange, options, locales, has_comments };
     let rows = exchange.items(options.division).map(|item| table.row(&item));
     std::iter::once(table.header()).chain(rows).collect()
 }
@@ -75,6 +77,8 @@ struct TableWriter<'a> {
     options: &'a WriteOptions,
     /// The indices of the locales.
     locales: Vec<usize>,
+    /// Whether translators have commented on a clip. Only then, marks of comments are needed.
+    has_comments: bool,
 }
 
 /// The columns with information for translators.
@@ -87,8 +91,15 @@ impl TableWriter<'_> {
         let with =
             |before: &str, name: fn(&str) -> String| self.tags().map(|tag| format!("{before}{}", name(tag))).collect();
         let locks: Vec<String> = with(&format!("{LOCK} "), str::to_owned);
+        let comments =
+            [with(&format!("{COMMENT} "), str::to_owned), with(&format!("{LOCK} {COMMENT} "), str::to_owned)];
         match self.options.shape {
-            Shape::Sheet => [own(&["key"]), own(&CONTEXT), own(&[source]), with("", str::to_owned), locks].concat(),
+            Shape::Sheet => {
+                let [comments, comment_locks] = comments;
+                let texts = with("", str::to_owned);
+                let comment_locks = if self.has_comments { comment_locks } else { Vec::new() };
+                [own(&["key"]), own(&CONTEXT), own(&[source]), texts, comments, locks, comment_locks].concat()
+            }
             Shape::Unity => [own(&["Key", "Shared Comments"]), vec![unity(source)], with("", unity), locks].concat(),
             Shape::Godot => {
                 let notes = CONTEXT.iter().map(|name| format!("_{name}")).collect();
@@ -110,7 +121,13 @@ impl TableWriter<'_> {
         let head = vec![item.id()];
         let source = vec![item.source()];
         match self.options.shape {
-            Shape::Sheet => [head, context(item), source, texts, locks].concat(),
+            Shape::Sheet => {
+                let of_item = || translations().map(|translation| item.translator_comments(translation));
+                let comments = of_item().map(|comments| comments.join("\n")).collect();
+                let mark = |comments: &[String]| Mark::of_comments(comments).to_string();
+                let comment_locks = of_item().filter(|_| self.has_comments).map(mark).collect();
+                [head, context(item), source, texts, comments, locks, comment_locks].concat()
+            }
             Shape::Unity => [head, vec![comment(item)], source, texts, locks].concat(),
             Shape::Godot => [head, source, texts, context(item), locks].concat(),
             Shape::Unreal => [head, source, texts, vec![comment(item)], locks].concat(),

@@ -9,3 +9,6 @@ pub(crate) use write::write;
 
 /// The prefix of a translation's mark in the comments of an entry.
 const EXPORTED: &str = "as exported: ";
+
+/// The prefix of the mark of translators' comments.
+const COMMENTS_EXPORTED: &str = "comments as exported: ";

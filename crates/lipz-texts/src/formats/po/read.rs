@@ -1,7 +1,7 @@
 //! Reading of PO files, with the position of every text.
 
-use super::EXPORTED;
 use super::string::unescaped;
+use super::{COMMENTS_EXPORTED, EXPORTED};
 use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
 use crate::exchange::{Mark, State, decode};
 use lipz_diagnostics::{Code, Diagnostic, Span};
@@ -51,6 +51,8 @@ struct Message {
     plural: Option<Span>,
     text: Option<Words>,
     mark: Option<Mark>,
+    comments: Vec<String>,
+    comments_mark: Option<Mark>,
     is_fuzzy: bool,
     /// The field that the next string without a keyword continues.
     field: Option<Field>,
@@ -71,7 +73,7 @@ impl Reader<'_> {
         let start = at + line.len() - line.trim_start().len();
         let line = line.trim();
         if let Some(comment) = line.strip_prefix('#') {
-            // Obsolete entries are skipped. Comments before the previous text are for people.
+            // Obsolete entries are skipped. Other comments belong to the next entry.
             if self.message.text.is_some() && !comment.starts_with('~') {
                 self.finish_message();
             }
@@ -87,12 +89,17 @@ impl Reader<'_> {
     }
 
     fn comment(&mut self, comment: &str) {
+        let mark = |text: &str, name: &str| text.trim().strip_prefix(name.trim_end()).map(str::parse);
         if let Some(flags) = comment.strip_prefix(',') {
             self.message.is_fuzzy |= flags.split(',').any(|flag| flag.trim() == "fuzzy");
-        } else if let Some(extracted) = comment.strip_prefix('.')
-            && let Some(mark) = extracted.trim().strip_prefix(EXPORTED.trim_end())
-        {
-            self.message.mark = mark.parse().ok();
+        } else if let Some(extracted) = comment.strip_prefix('.') {
+            if let Some(exported) = mark(extracted, EXPORTED) {
+                self.message.mark = exported.ok();
+            } else if let Some(exported) = mark(extracted, COMMENTS_EXPORTED) {
+                self.message.comments_mark = exported.ok();
+            }
+        } else if comment.starts_with(' ') && !comment.trim().is_empty() {
+            self.message.comments.push(comment.trim().to_owned());
         }
     }
 
@@ -187,6 +194,8 @@ impl Reader<'_> {
             says_state: true,
             text,
             mark: message.mark,
+            comments: message.comments,
+            comments_mark: message.comments_mark,
             ..Entry::default()
         });
     }

@@ -1,7 +1,8 @@
 //! Writing of PO files.
 
-use super::EXPORTED;
 use super::string::literal;
+use super::{COMMENTS_EXPORTED, EXPORTED};
+use crate::exchange::Mark;
 use crate::exchange::model::{Division, Exchange, Item, State, Translation};
 use crate::exchange::placeholder;
 use crate::exchange::tag::underscored;
@@ -57,8 +58,15 @@ fn header(source_locale: &str, locale: &str) -> String {
 fn entry(item: &Item<'_>, translation: &Translation, is_template: bool) -> String {
     let text = item.text(translation);
     let mut out = String::new();
+    let own = item.translator_comments(translation);
+    for comment in own {
+        let _ = writeln!(out, "# {}", escape::text(comment));
+    }
     for comment in item.comments() {
         let _ = writeln!(out, "#. {comment}");
+    }
+    if !own.is_empty() {
+        let _ = writeln!(out, "#. {COMMENTS_EXPORTED}{}", Mark::of_comments(own));
     }
     // A template has no marks: `msgmerge` would copy them into files with translations.
     if !is_template {

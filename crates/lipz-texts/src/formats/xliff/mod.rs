@@ -16,5 +16,8 @@ pub(crate) use write2::write as write_2_1;
 /// The category of notes with marks, and the prefix of a mark in a note of version 1.2.
 const EXPORTED: &str = "as exported";
 
+/// The same for the mark of translators' comments.
+const COMMENTS_EXPORTED: &str = "comments as exported";
+
 /// The type of a placeholder for a character that XML does not allow.
 const CHARACTER: &str = "x-lipz-character";

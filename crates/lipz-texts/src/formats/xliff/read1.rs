@@ -2,7 +2,7 @@
 
 use super::read::{locale, start, unknown_markup};
 use super::xml::{inner, whole};
-use super::{CHARACTER, EXPORTED};
+use super::{CHARACTER, COMMENTS_EXPORTED, EXPORTED};
 use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
 use crate::exchange::model::{State, joined};
 use lipz_diagnostics::{Code, Diagnostic, bound};
@@ -42,8 +42,14 @@ fn unit(node: Node<'_, '_>, locale: &Arc<str>, incoming: &mut IncomingFile) {
         Some(target) => Words { text: text(target, &mut incoming.diagnostics), span: inner(target) },
         None => Words { text: String::new(), span: whole(node) },
     };
-    let notes = node.children().filter(|child| child.tag_name().name() == "note").filter_map(|note| note.text());
-    let mut marks = notes.filter_map(|note| note.strip_prefix(EXPORTED)?.strip_prefix(": "));
+    let notes = || node.children().filter(|child| child.tag_name().name() == "note");
+    let mark = |name: &str| {
+        let mut marks = notes().filter_map(|note| note.text()?.strip_prefix(name)?.strip_prefix(": "));
+        marks.next().and_then(|mark| mark.parse().ok())
+    };
+    // Tools do not always keep the author of a note, but they keep the texts of those by lipz.
+    let is_own = |note: &Node<'_, '_>| note.attribute("from").is_some_and(|author| author != "lipz");
+    let comments = notes().filter(is_own).filter_map(|note| note.text()).flat_map(str::lines).map(str::trim);
     let (key, segment) = entry::id(id);
     incoming.entries.push(Entry {
         key: Words { text: key.to_owned(), span: start(node) }.into(),
@@ -53,7 +59,9 @@ fn unit(node: Node<'_, '_>, locale: &Arc<str>, incoming: &mut IncomingFile) {
         state: if words.text.is_empty() { State::Initial } else { state(node, target) },
         says_state: node.has_attribute("approved") || target.is_some_and(|target| target.has_attribute("state")),
         text: words,
-        mark: marks.next().and_then(|mark| mark.parse().ok()),
+        mark: mark(EXPORTED),
+        comments: comments.filter(|line| !line.is_empty()).map(str::to_owned).collect(),
+        comments_mark: mark(COMMENTS_EXPORTED),
         ..Entry::default()
     });
 }

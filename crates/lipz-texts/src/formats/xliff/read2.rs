@@ -1,8 +1,8 @@
 //! Reading of XLIFF 2.0, 2.1 and 2.2.
 
-use super::EXPORTED;
 use super::read::{locale, start, unknown_markup};
 use super::xml::{inner, whole};
+use super::{COMMENTS_EXPORTED, EXPORTED};
 use crate::exchange::State;
 use crate::exchange::entry::{Entry, IncomingFile, ReadOptions, Words};
 use lipz_diagnostics::{Code, Diagnostic, bound};
@@ -23,6 +23,9 @@ pub(super) fn read(root: Node<'_, '_>, options: &ReadOptions, incoming: &mut Inc
 fn namespace<'a>(root: Node<'a, '_>) -> &'a str {
     root.tag_name().namespace().unwrap_or_default()
 }
+
+/// The categories of notes that lipz writes. All other notes are comments of translators.
+const OWN_NOTES: [&str; 5] = ["context", "location", "translated from", EXPORTED, COMMENTS_EXPORTED];
 
 /// The data that a unit shares with its segments.
 struct UnitContent<'d> {
@@ -45,11 +48,17 @@ fn unit(node: Node<'_, '_>, locale: &Arc<str>, incoming: &mut IncomingFile) {
             unit.data.insert(id, text);
         }
     }
-    let marks: HashMap<&str, &str> = children("notes")
-        .flat_map(|notes| notes.children())
+    let notes = || children("notes").flat_map(|notes| notes.children()).filter(|note| note.tag_name().name() == "note");
+    let marks: HashMap<&str, &str> = notes()
         .filter(|note| note.attribute("category") == Some(EXPORTED))
         .filter_map(|note| Some((note.attribute("id")?, note.text()?)))
         .collect();
+    let is_by_lipz =
+        |note: &Node<'_, '_>| note.attribute("category").is_some_and(|category| OWN_NOTES.contains(&category));
+    let lines = notes().filter(|note| !is_by_lipz(note)).filter_map(|note| note.text()).flat_map(str::lines);
+    let comments: Vec<String> = lines.map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect();
+    let is_mark = |note: &Node<'_, '_>| note.attribute("category") == Some(COMMENTS_EXPORTED);
+    let comments_mark = notes().find(is_mark).and_then(|note| note.text()?.trim().parse().ok());
     let is_segment = |child: &Node<'_, '_>| matches!(child.tag_name().name(), "segment" | "ignorable");
     let segments: Vec<Node<'_, '_>> = node.children().filter(is_segment).collect();
     for (at, segment) in segments.iter().enumerate().filter(|(_, segment)| segment.tag_name().name() == "segment") {
@@ -84,6 +93,8 @@ fn unit(node: Node<'_, '_>, locale: &Arc<str>, incoming: &mut IncomingFile) {
             says_state: segment.has_attribute("state"),
             text,
             mark: marks.get(id).and_then(|mark| mark.parse().ok()),
+            comments: comments.clone(),
+            comments_mark,
             ..Entry::default()
         });
     }

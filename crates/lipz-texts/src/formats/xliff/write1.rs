@@ -2,7 +2,8 @@
 
 use super::ids::Ids;
 use super::xml::{plain, push};
-use super::{CHARACTER, EXPORTED};
+use super::{CHARACTER, COMMENTS_EXPORTED, EXPORTED};
+use crate::exchange::Mark;
 use crate::exchange::model::{Division, Exchange, Item, State, Translation};
 use crate::exchange::placeholder::{TextPart, parts};
 use crate::exchange::tag::bcp47;
@@ -50,6 +51,13 @@ fn unit(out: &mut String, item: &Item<'_>, translation: &Translation) {
         };
         let target = content(&targets, targets.len() > 1, |text| ids.of_target(text));
         let _ = writeln!(out, "        <target state=\"{state}\">{target}</target>");
+    }
+    let own = item.translator_comments(translation);
+    for comment in own {
+        let _ = writeln!(out, "        <note from=\"translator\">{}</note>", plain(comment));
+    }
+    if !own.is_empty() {
+        let _ = writeln!(out, "        <note from=\"lipz\">{COMMENTS_EXPORTED}: {}</note>", Mark::of_comments(own));
     }
     for comment in item.comments() {
         let _ = writeln!(out, "        <note from=\"lipz\">{}</note>", plain(&comment));

@@ -1,8 +1,8 @@
 //! Writing of XLIFF 2.1.
 
-use super::EXPORTED;
 use super::ids::Ids;
 use super::xml::{plain, push};
+use super::{COMMENTS_EXPORTED, EXPORTED};
 use crate::exchange::Mark;
 use crate::exchange::model::{Division, Exchange, Item, State, Translation};
 use crate::exchange::placeholder::{TextPart, parts};
@@ -57,6 +57,11 @@ fn unit(out: &mut String, item: &Item<'_>, translation: &Translation) {
     let note = |out: &mut String, category: &str, id: &str, text: &str| {
         let _ = writeln!(out, "        <note{id} category=\"{category}\">{}</note>", plain(text));
     };
+    let own = item.translator_comments(translation);
+    own.iter().for_each(|comment| note(out, "comment", "", comment));
+    if !own.is_empty() {
+        note(out, COMMENTS_EXPORTED, "", &Mark::of_comments(own).to_string());
+    }
     item.comments().iter().for_each(|comment| note(out, "context", "", comment));
     item.paths().for_each(|path| note(out, "location", "", path));
     item.made_from(translation).iter().for_each(|text| note(out, "translated from", "", text));

@@ -15,11 +15,11 @@ use lipz_bank::{Bank, Dialogue};
 use lipz_compiler::Stack;
 use std::path::PathBuf;
 
-/// Make one bank from a base, its patches and text banks, or from a set; or merge versions of a Lipz file.
+/// Merge a bank and its patches, or three versions of a Lipz file.
 ///
-/// The bank has the same bytes as one that was packed from the patched sources at once. With --versions, the command merges
-/// the changes of two branches in a Lipz file: by element, and texts and events by segment. `lipz init` shows how to make
-/// Git use it.
+/// The base may also be a set, and text banks may follow it. The result has the same bytes as a bank that was packed from
+/// the patched sources at once. With --versions, the command merges the changes of two branches in a Lipz file: by element,
+/// and texts and events by segment. `lipz init` prints the command that makes Git use it.
 #[derive(Args, Debug)]
 #[command(override_usage = "lipz merge <BANK> <PATCH|TEXTS>... --output <BANK> [OPTIONS]
        lipz merge --versions <BASE> <OURS> <THEIRS> --output <FILE> [--name <PATH>]")]

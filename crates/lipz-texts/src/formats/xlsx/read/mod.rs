@@ -64,6 +64,7 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) -> Res
         Some(mut part) => Styles::read(&mut part)?,
         None => Styles::default(),
     };
+    let has_comments = parts.has_cell_comments();
     let mut all = Sheets::new(options);
     for Sheet { name, path } in sheets {
         let mut part = parts.part(&path)?.ok_or("it has no sheet")?;
@@ -72,7 +73,13 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) -> Res
         };
         all.add(name, |sheet| sheet_rows(&mut part, sheet, read_row))?;
     }
-    all.finish(incoming)
+    all.finish(incoming)?;
+    if has_comments {
+        let message = "comments on cells are not imported";
+        let help = "write comments into the column for them, such as `comment de-de`";
+        incoming.diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
+    }
+    Ok(())
 }
 
 /// Reads the rows of a sheet, one by one, until they are not needed.

@@ -80,6 +80,12 @@ impl<'b> Parts<'b> {
         Ok(Parts { archive, limits })
     }
 
+    /// Whether cells have comments, in the old or the new form.
+    pub(super) fn has_cell_comments(&self) -> bool {
+        let mut names = self.archive.file_names().flatten();
+        names.any(|name| name.starts_with("xl/comments") || name.starts_with("xl/threadedComments/"))
+    }
+
     /// Returns a part; `None` if there is no part with this name.
     pub(super) fn part(&mut self, name: &str) -> Result<Option<PartReader<'_, 'b>>, Refusal> {
         let file = match self.archive.by_name(name) {

@@ -21,7 +21,7 @@ use lipz_bank::Fps;
 use lipz_compiler::{Content, Input, Options, key};
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::format::{Style, format};
-use lipz_file::locale::text_name;
+use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Element};
 use lipz_interop::subtitles::{SubtitleFormat, clip, join};
 use lipz_interop::{DEFAULT_RATE, Encoding, to_utf8};
@@ -171,7 +171,7 @@ fn one(
 fn lost_placeholders(document: &Document<'_>, locale: &str, options: &Options) -> Vec<Diagnostic> {
     let Some(source) = options.get_default_locale().filter(|source| *source != locale) else { return Vec::new() };
     let is_compared = |element: &Element<'_>| {
-        let tag = text_name(&element.name.text).and_then(|name| name.tag());
+        let tag = text_name(&element.name.text).and_then(TextName::tag);
         tag.is_some_and(|tag| tag == locale || tag == source)
     };
     let elements = document.elements.iter().filter(|element| is_compared(element)).cloned();

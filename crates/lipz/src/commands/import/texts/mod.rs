@@ -20,7 +20,9 @@ use clap::{Args, ValueEnum};
 use incoming_texts::IncomingTexts;
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
-use lipz_texts::{ConfirmedTranslations, Counts, Merge, ReadOptions, TextTranslations, resolve_keys, unknown_keys};
+use lipz_texts::{
+    ConfirmedTranslations, Counts, Merge, ReadOptions, TextTranslations, TranslatorComments, resolve_keys, unknown_keys,
+};
 use new_problems::new_problems;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::PathBuf;
@@ -170,7 +172,7 @@ impl ImportTexts {
         translations: &Translations<'_>,
         found: &mut Vec<(usize, Diagnostic)>,
         reports: &mut Vec<Report>,
-    ) -> (Counts, Vec<(Input, Vec<ConfirmedTranslations>)>) {
+    ) -> (Counts, Vec<ToRecord>) {
         let options = &project.settings.options;
         let inputs: Vec<Input> = inputs.iter().filter(|input| translations.concern(input)).cloned().collect();
         let merge = Merge::new(translations.source_locale)
@@ -200,8 +202,8 @@ impl ImportTexts {
                     changed.extend(merged.text.filter(|_| self.check).map(|text| (input.clone(), text)));
                     counts.add(merged.counts);
                     let is_written = unwritten.iter().all(|report| report.source.path != input.name());
-                    if is_written && !merged.confirmed.is_empty() {
-                        confirmed.push((input, merged.confirmed));
+                    if is_written {
+                        confirmed.push(ToRecord { input, confirmed: merged.confirmed, comments: merged.comments });
                     }
                     found.extend(merged.found);
                     for (file, span) in merged.other_sources {
@@ -233,20 +235,37 @@ impl ImportTexts {
     }
 }
 
-/// Records the source texts of the translations, and returns a message about them.
-fn remember(
-    mut file: RecordFile,
-    source_locale: &str,
-    confirmed: &[(Input, Vec<ConfirmedTranslations>)],
-) -> Result<String, Report> {
-    for (input, confirmed) in confirmed {
-        let name = file.name(input);
-        for one in confirmed {
+/// The information about a clip for the record.
+struct ToRecord {
+    input: Input,
+    confirmed: Vec<ConfirmedTranslations>,
+    comments: Vec<TranslatorComments>,
+}
+
+/// Records the source texts of the translations and the comments on them, and returns a message about them.
+fn remember(mut file: RecordFile, source_locale: &str, clips: &[ToRecord]) -> Result<String, Report> {
+    let mut commented = 0;
+    for clip in clips {
+        let name = file.name(&clip.input);
+        for one in &clip.confirmed {
             file.record.confirm(&name, source_locale, one);
         }
+        let mut has_new = false;
+        for TranslatorComments { locale, lines, exported } in &clip.comments {
+            has_new |= file.record.take_comments(&name, locale, lines, *exported);
+        }
+        commented += usize::from(has_new);
     }
     let is_written = file.write()?;
-    Ok(if is_written && !file.exists() { file.introduction() } else { String::new() })
+    let mut message = String::new();
+    if commented > 0 {
+        let clips = console::counted(commented, "clip");
+        message = format!("comments of translators on {clips} recorded in {}\n", file.shown());
+    }
+    if is_written && !file.exists() {
+        message += &file.introduction();
+    }
+    Ok(message)
 }
 
 /// Returns the diagnostic for source texts that differ from those of the project, at the first of them.
