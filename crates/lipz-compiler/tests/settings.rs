@@ -55,6 +55,17 @@ fn every_setting_is_read() {
     let limits = options.get_text_limits();
     assert_eq!((limits.get_line_columns(), limits.get_lines()), (Some(42), Some(2)));
     assert_eq!(limits.get_characters_per_second(), Some(17.5));
+    let settings = "[text]\nlines = 2\n[text.locales.ja]\nlines = 3\nshortest-seconds = 0.5\n[text.locales.de-de]\nline-columns = 40";
+    let (japanese, report) = parse(settings.as_bytes());
+    let of = |tag: &str| japanese.options.get_text_limits_of(tag);
+    assert_eq!(
+        (of("ja-jp").get_lines(), of("ja-jp").get_shortest_seconds(), report.diagnostics.len()),
+        (Some(3), Some(0.5), 0)
+    );
+    assert_eq!(
+        (of("de-de").get_line_columns(), of("de-at").get_line_columns(), of("de-de").get_lines()),
+        (Some(40), None, Some(2))
+    );
     assert_eq!(options.get_levels().severity(Code::UnknownEmotion), None, "a lint takes precedence over its group");
     assert_eq!(options.get_levels().severity(Code::UnknownLocale), Some(Severity::Error));
     assert_eq!(options.get_levels().severity(Code::SegmentCount), Some(Severity::Warning));

@@ -53,6 +53,32 @@ fn reading_takes_the_time_of_the_segment() {
     assert!(diagnostics(r#"{ "fps": 4, "text_en-us": "1234567890!" }"#, &options).is_empty());
 }
 
+/// Published guides have 20 characters a second for English, 12 for Korean, 9 for Chinese and 4 for Japanese.
+#[test]
+fn a_language_has_its_own_limits() {
+    let english = TextLimits::new().characters_per_second(20.0).line_columns(42);
+    let options = limits(english).locale_limits("ja", TextLimits::new().characters_per_second(4.0)).unwrap();
+    let options = options.locale_limits("zh-tw", TextLimits::new().lines(1)).unwrap();
+    let file = r#"{ "fps": 4, "visemes": "AAAA", "text_en-us": "1234567890", "text_ja-jp": "いいえいえ", "text_zh-tw": "a\nb" }"#;
+    let found = diagnostics(file, &options);
+    let messages: Vec<&str> = found.iter().map(|(_, _, message)| message.as_str()).collect();
+    let japanese = "5 characters in 1.00 s are 5.0 per second, but the limit is 4";
+    assert_eq!(messages, [japanese, "this text has 2 lines, but the limit is 1"]);
+    let japanese = options.get_text_limits_of("ja-jp");
+    assert_eq!((japanese.get_line_columns(), japanese.get_characters_per_second()), (Some(42), Some(4.0)));
+}
+
+#[test]
+fn a_segment_is_shown_for_a_minimum_of_time() {
+    let options = limits(TextLimits::new().shortest_seconds(0.8));
+    let found = diagnostics(r#"{ "fps": 4, "visemes": "AAA|AAAA|A", "text_en-us": "Hi|you|" }"#, &options);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(
+        (found[0].0, found[0].2.as_str()),
+        (Code::ReadsTooFast, "this text is shown for 0.75 s, but the minimum is 0.8 s")
+    );
+}
+
 #[test]
 fn many_diagnostics_are_counted() {
     let options = limits(TextLimits::new().line_columns(1));

@@ -85,9 +85,9 @@ pub(crate) fn check(
         bound::limit_many(diagnostics);
         texts::display_texts(text.string, options, &mut clip.displays, diagnostics);
         let count = expected_count(clip.displays.count());
-        let is_divided = clip.displays.count() == count;
+        let (is_divided, locale) = (clip.displays.count() == count, locales.tag(text.locale));
         checks::run_on_text(
-            &CheckedText { string: text.string, displays: &clip.displays, clip, is_divided, options },
+            &CheckedText { string: text.string, locale, displays: &clip.displays, clip, is_divided, options },
             diagnostics,
         );
         join::texts(&mut clip.displays, count);
@@ -144,7 +144,14 @@ pub(crate) fn fragment(fragment: &Fragment<'_>, options: &Options, diagnostics: 
         texts::display_texts(text.string, options, &mut clip.displays, &mut found);
         let (displays, is_divided) = (&clip.displays, false);
         checks::run_on_text(
-            &CheckedText { string: text.string, displays, clip: &clip, is_divided, options },
+            &CheckedText {
+                string: text.string,
+                locale: locales.tag(text.locale),
+                displays,
+                clip: &clip,
+                is_divided,
+                options,
+            },
             &mut found,
         );
         bank_limits::for_texts(text.string, &clip.displays, &mut found);

@@ -13,13 +13,14 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 pub(super) const CHECKS: &[Check] = &[Check { trigger: Trigger::Options(has_limits), run: Run::Text(of_text) }];
 
 fn has_limits(options: &Options) -> bool {
-    options.text_limits != TextLimits::default()
+    options.text_limits != TextLimits::default() || !options.locale_limits.is_empty()
 }
 
 fn of_text(text: &CheckedText<'_>, diagnostics: &mut Vec<Diagnostic>) {
     if has_limits(text.options) && text.is_divided {
         let times = Times::new(text.clip);
-        check(text.string, text.displays.iter(), times.as_ref(), &text.options.text_limits, diagnostics);
+        let limits = text.options.get_text_limits_of(text.locale);
+        check(text.string, text.displays.iter(), times.as_ref(), &limits, diagnostics);
     }
 }
 
@@ -69,7 +70,8 @@ fn check<'t>(
             Diagnostic::at(Code::TooManyLines, span, message).help("shorten it, or split the segment with `|`")
         }));
         let seconds = times.and_then(|times| times.seconds(segment));
-        fast.extend(seconds.and_then(|seconds| too_fast(display, seconds, limits)).map(|message| {
+        let brief = |seconds| too_fast(display, seconds, limits).or_else(|| too_brief(display, seconds, limits));
+        fast.extend(seconds.and_then(brief).map(|message| {
             Diagnostic::at(Code::ReadsTooFast, span, message)
                 .help("shorten the text, or move the `|` so that the segment lasts longer")
         }));
@@ -107,4 +109,9 @@ fn too_fast(display: &str, seconds: f64, limits: &TextLimits) -> Option<String> 
     (speed > limit).then(|| {
         format!("{characters} characters in {seconds:.2} s are {speed:.1} per second, but the limit is {limit}")
     })
+}
+
+fn too_brief(display: &str, seconds: f64, limits: &TextLimits) -> Option<String> {
+    let limit = limits.shortest_seconds.filter(|limit| seconds < *limit && !display.is_empty())?;
+    Some(format!("this text is shown for {seconds:.2} s, but the minimum is {limit} s"))
 }

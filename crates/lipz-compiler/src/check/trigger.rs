@@ -52,6 +52,8 @@ pub(super) struct CleanFile<'f> {
 /// A text element.
 pub(super) struct CheckedText<'t> {
     pub(super) string: &'t JsonString<'t>,
+    /// The tag of its locale.
+    pub(super) locale: &'t str,
     /// Its display texts, one per segment.
     pub(super) displays: &'t Strings,
     /// The unfinished clip, with its visemes, the curves of the file, and the texts before this one.

@@ -230,6 +230,7 @@ fn are_possible(options: &Options) -> bool {
         baked_rig,
         // A check covers these.
         text_limits: _,
+        locale_limits: _,
         // The pass follows these.
         default_fps: _,
         default_viseme_type: _,

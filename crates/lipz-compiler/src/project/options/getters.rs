@@ -8,6 +8,7 @@ use crate::project::rigs::RigSettings;
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
+use lipz_file::locale::language;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Options {
@@ -69,6 +70,15 @@ impl Options {
     /// Returns the limits of texts on a screen, and of reading speed.
     pub fn get_text_limits(&self) -> TextLimits {
         self.text_limits
+    }
+
+    /// Returns the limits of texts in a locale.
+    pub fn get_text_limits_of(&self, locale: &str) -> TextLimits {
+        let of = |tag: &str| self.locale_limits.get(tag).copied().unwrap_or_default();
+        match self.locale_limits.is_empty() {
+            true => self.text_limits,
+            false => of(locale).or(of(language(locale))).or(self.text_limits),
+        }
     }
 
     /// Returns the names that events may use.

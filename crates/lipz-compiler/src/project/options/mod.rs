@@ -71,6 +71,8 @@ pub struct Options {
     pub(crate) literal_braces: bool,
     /// Limits of texts on a screen, and of reading speed.
     pub(crate) text_limits: TextLimits,
+    /// The limits of locales and languages, which replace these.
+    pub(crate) locale_limits: BTreeMap<String, TextLimits>,
     /// The names that events may use.
     pub(crate) known_names: KnownNames,
     /// The viseme type that clips of other types are converted to.

@@ -13,6 +13,8 @@ pub struct TextLimits {
     pub(crate) lines: Option<u32>,
     /// The most characters per second that a player reads, during the segment.
     pub(crate) characters_per_second: Option<f64>,
+    /// The shortest time in seconds for which a segment with a text is shown.
+    pub(crate) shortest_seconds: Option<f64>,
 }
 
 /// The percentages of clips that must have a text of their own, from 0 to 100.
@@ -66,6 +68,22 @@ impl TextLimits {
         TextLimits { characters_per_second: Some(count), ..self }
     }
 
+    /// Sets the shortest time in seconds for which a segment with a text is shown.
+    #[must_use]
+    pub fn shortest_seconds(self, seconds: f64) -> TextLimits {
+        TextLimits { shortest_seconds: Some(seconds), ..self }
+    }
+
+    /// Returns these limits, with those of `others` where these are `None`.
+    pub(crate) fn or(self, others: TextLimits) -> TextLimits {
+        TextLimits {
+            line_columns: self.line_columns.or(others.line_columns),
+            lines: self.lines.or(others.lines),
+            characters_per_second: self.characters_per_second.or(others.characters_per_second),
+            shortest_seconds: self.shortest_seconds.or(others.shortest_seconds),
+        }
+    }
+
     /// Returns the most columns of a line; `None` if they are not checked.
     pub fn get_line_columns(&self) -> Option<u32> {
         self.line_columns
@@ -79,6 +97,11 @@ impl TextLimits {
     /// Returns the most characters per second that a player reads; `None` if they are not checked.
     pub fn get_characters_per_second(&self) -> Option<f64> {
         self.characters_per_second
+    }
+
+    /// Returns the shortest time in seconds for which a segment with a text is shown; `None` if it is not checked.
+    pub fn get_shortest_seconds(&self) -> Option<f64> {
+        self.shortest_seconds
     }
 }
 

@@ -112,6 +112,16 @@ impl Options {
         Options { text_limits, ..self }
     }
 
+    /// Sets the limits of texts in a locale or, for a language such as `ja`, in all of its locales. Limits that are not set
+    /// here are those of [`text_limits`](Options::text_limits).
+    ///
+    /// # Errors
+    /// If the tag is not a BCP 47 language tag.
+    pub fn locale_limits(mut self, tag: impl AsRef<str>, limits: TextLimits) -> Result<Options, LocaleError> {
+        self.locale_limits.insert(LocaleError::check(tag.as_ref(), true)?, limits);
+        Ok(self)
+    }
+
     /// Sets the names that events may use.
     #[must_use]
     pub fn known_names(self, known_names: KnownNames) -> Options {

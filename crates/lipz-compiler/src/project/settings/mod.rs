@@ -31,6 +31,7 @@ mod syntax;
 mod table;
 #[cfg(feature = "settings")]
 mod template;
+mod text;
 #[cfg(feature = "settings")]
 mod value;
 

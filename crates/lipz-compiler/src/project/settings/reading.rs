@@ -44,7 +44,7 @@ impl SettingsReader<'_> {
     }
 
     /// Reads the locale in a key.
-    fn locale_of_key(&mut self, name: &str, value: &NamedValue<'_>) -> Option<String> {
+    pub(super) fn locale_of_key(&mut self, name: &str, value: &NamedValue<'_>) -> Option<String> {
         match canonical_locale(name, self.extended()) {
             Ok(locale) => Some(locale),
             Err((what, help)) => {
@@ -56,7 +56,7 @@ impl SettingsReader<'_> {
     }
 
     /// Reports a second entry for a locale in a table, whose key has a different spelling than the first.
-    fn refuse_second(&mut self, table: &'static str, locale: String, value: &NamedValue<'_>) {
+    pub(super) fn refuse_second(&mut self, table: &'static str, locale: String, value: &NamedValue<'_>) {
         let message = format!("the locale `{locale}` has two entries");
         if self.locales.insert((table, locale)) {
             return;

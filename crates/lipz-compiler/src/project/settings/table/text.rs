@@ -35,4 +35,21 @@ pub(super) const TEXT: &[Setting] = &[
         example: "17",
         read: |value, to| to.settings.options.text_limits.characters_per_second = value.positive(&mut to.diagnostics),
     },
+    Setting {
+        name: "shortest-seconds",
+        flat_name: "",
+        about: "Minimum number of seconds for which a segment with a text is shown.",
+        default: "no limit",
+        example: "0.8",
+        read: |value, to| to.settings.options.text_limits.shortest_seconds = value.positive(&mut to.diagnostics),
+    },
+    Setting {
+        name: "locales",
+        flat_name: "",
+        about: "Limits that replace those above in a locale, or in all locales of a language: `line-columns`, `lines`, \
+            `characters-per-second` and `shortest-seconds`.",
+        default: "none",
+        example: "{ ja = { characters-per-second = 4, line-columns = 26 } }",
+        read: |value, to| to.text_locales(value),
+    },
 ];

@@ -308,7 +308,11 @@ fn units(
     reports: &mut Vec<Report>,
 ) -> Vec<Unit> {
     let options = &settings.options;
-    let limits = options.get_text_limits();
+    // Files in one locale have its limits.
+    let limits = match locales {
+        [only] => options.get_text_limits_of(only),
+        _ => options.get_text_limits(),
+    };
     let on_screen =
         limits.get_line_columns().zip(limits.get_lines()).map(|(columns, lines)| columns as usize * lines as usize);
     let collect = Collect::new(source_locale, locales.iter().cloned())
