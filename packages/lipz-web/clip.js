@@ -5,6 +5,7 @@ import { Curve, emotionsOf } from "./curve.js";
 import { LipzError } from "./error.js";
 import { articulationOf } from "./articulation.js";
 import { faceOf, lookAtOf, profileOf, whoOf } from "./face-profile.js";
+import { estimatedFrame, rateOf } from "./frame-time.js";
 import { Voice, handleOf } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
 import { segmentOf } from "./segment.js";
@@ -18,10 +19,15 @@ export class Clip {
   #memory;
   #fields;
   #key;
+  /** Frames per second; NaN without a valid rate. */
+  #rate;
+  /** The address of the frame codes, which stay in their place; NaN if a damaged bank lacks some. */
+  #frames;
 
   constructor(memory, fields) {
     this.#memory = memory;
     this.#fields = fields;
+    this.#rate = rateOf(fields.fps_numerator, fields.fps_denominator);
   }
 
   get #address() {
@@ -120,15 +126,30 @@ export class Clip {
   }
 
   frameAt(time) {
-    return this.#ask(c.u32, "lipz_clip_frame_at", this.#memory.time(time));
+    // A call of the module takes ten times as long, and only times at the start of a frame need it.
+    const frame = estimatedFrame(time, this.#rate);
+    if (frame === undefined) return this.#ask(c.u32, "lipz_clip_frame_at", this.#memory.time(time));
+    return frame < this.#fields.frame_count ? frame : undefined;
   }
 
   viseme(frame) {
-    return this.#ask(c.lipz_viseme, "lipz_clip_viseme", frame) ?? "-";
+    if (!(frame >= 0 && frame < this.#fields.frame_count)) return "-";
+    const code = this.#memory.byte(this.#framesAt + frame);
+    // Without such a byte, the module decides.
+    return code === undefined ? this.#ask(c.lipz_viseme, "lipz_clip_viseme", frame) : String.fromCharCode(code);
   }
 
   visemeAt(time) {
-    return this.#ask(c.lipz_viseme, "lipz_clip_viseme_at", this.#memory.time(time)) ?? "-";
+    return this.viseme(this.frameAt(time));
+  }
+
+  get #framesAt() {
+    return (this.#frames ??= this.#findFrames());
+  }
+
+  #findFrames() {
+    const { data, length_bytes: length } = this.#ask(c.lipz_string, "lipz_clip_frames") ?? {};
+    return length === this.#fields.frame_count ? data : NaN;
   }
 
   /** The openness of the mouth at a time; undefined without visemes or a frame rate. */

@@ -2,6 +2,7 @@
 // results are read from it.
 
 import { LipzError, NONE, OK, remedyFor } from "./error.js";
+import { isSampleRate } from "./frame-time.js";
 import { lipz_problem, lipz_string, lipz_time } from "./structs.js";
 
 const PAGE_BYTES = 65536;
@@ -22,8 +23,6 @@ const SLOTS = 7;
 
 /** The `rate_hz` of a time in seconds. */
 const SECONDS = 0xffffffff;
-/** The lowest `rate_hz` that is not a sample rate. */
-const FIRST_UNIT = 0xfffffffe;
 
 const DECODER = new TextDecoder("utf-8", { ignoreBOM: true });
 const ENCODER = new TextEncoder();
@@ -44,11 +43,14 @@ export class Memory {
   #isInSeconds = false;
   /** The struct in each slot, to avoid writing it again. */
   #held = [];
-  #viewed;
+  /** The whole memory, as bytes and as numbers. */
+  #bytes;
+  #view;
 
   constructor({ exports: { memory, ...functions } }) {
     this.#memory = memory;
     this.#functions = functions;
+    this.#look();
     // Rust owns the memory that exists at the start, for its stack and its constants.
     this.#end = memory.buffer.byteLength;
     this.#slots = this.allocate(SLOTS * Memory.SLOT_BYTES);
@@ -59,9 +61,18 @@ export class Memory {
   allocate(length) {
     const at = Math.ceil(this.#end / ALIGN_BYTES) * ALIGN_BYTES;
     const missing = at + length - this.#memory.buffer.byteLength;
-    if (missing > 0) this.#memory.grow(Math.ceil(missing / PAGE_BYTES));
+    if (missing > 0) {
+      this.#memory.grow(Math.ceil(missing / PAGE_BYTES));
+      this.#look();
+    }
     this.#end = at + length;
     return at;
+  }
+
+  /** Looks at the current buffer, which growing replaces. The module itself never grows its memory. */
+  #look() {
+    this.#bytes = new Uint8Array(this.#memory.buffer);
+    this.#view = new DataView(this.#memory.buffer);
   }
 
   /** Copies the bytes of a file and calls `use` with their address. If `use` throws an error, frees the bytes again. */
@@ -75,6 +86,11 @@ export class Memory {
       this.#end = end;
       throw error;
     }
+  }
+
+  /** The byte at an address. */
+  byte(at) {
+    return this.#bytes[at];
   }
 
   /** The bytes at an address, until the memory grows. */
@@ -207,12 +223,6 @@ export class Memory {
     const about = { file: nameOf(file), status, offsetBytes, remedy: remedyFor(status) };
     throw new LipzError(`${message} (status ${status}, at byte ${offsetBytes})`, about);
   }
-
-  get #view() {
-    // The buffer is replaced when the memory grows.
-    if (this.#viewed?.buffer !== this.#memory.buffer) this.#viewed = new DataView(this.#memory.buffer);
-    return this.#viewed;
-  }
 }
 
 /** A time in whole units, as in `lipz_time`: their count and the rate, which is 0 for microseconds. */
@@ -220,5 +230,5 @@ function timeOf(time) {
   if ("us" in time) return [BigInt(time.us), 0];
   const { position, rateHz } = time;
   // Without a rate, the time counts as before the start.
-  return rateHz > 0 && rateHz < FIRST_UNIT ? [BigInt(position), rateHz] : [-1n, 0];
+  return isSampleRate(rateHz) ? [BigInt(position), rateHz] : [-1n, 0];
 }

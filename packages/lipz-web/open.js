@@ -11,6 +11,7 @@ const UNVERIFIED = 1;
 
 const CHECK_PATH = "check the path of the file";
 const NAME_BANK = "name it after the index, or pass the option `load`";
+const COPY_MODULE = "copy lipz.wasm from the package next to the bundle, or pass its URL as the option `wasm`";
 
 /**
  * The function `openDialogue` of a platform. `read` reads a file, `beside` returns the path of a file next to it, and
@@ -28,15 +29,24 @@ export function openerWith({ read, beside, nameOf }) {
     }
   }
 
+  /** The module of the package, which bundlers copy or leave behind. */
+  async function ownModule() {
+    try {
+      // Bundlers search for this expression, and copy the file.
+      return await WebAssembly.compile(bytesOf(await read(new URL("./lipz.wasm", import.meta.url))));
+    } catch (cause) {
+      // A missing file, the page that some servers send instead, or a bundle without a URL of its own.
+      throw new LipzError(cause.message, { file: "lipz.wasm", remedy: COPY_MODULE, cause });
+    }
+  }
+
   /** The compiled module: that of the program, or the file next to this one, which is compiled once. */
   async function moduleOf(source) {
     if (source instanceof WebAssembly.Module) return source;
     if (isPath(source)) return WebAssembly.compile(await contentsOf(source));
     if (source) return WebAssembly.compile(source);
     if (compiled === undefined) {
-      // Bundlers search for this expression, and copy the file.
-      const url = new URL("./lipz.wasm", import.meta.url);
-      compiled = contentsOf(url).then((bytes) => WebAssembly.compile(bytes));
+      compiled = ownModule();
       // After a failure, the next call tries again.
       compiled.catch(() => (compiled = undefined));
     }
