@@ -1,7 +1,8 @@
 // Articulation: how far jaw, lips and tongue are from rest, and the weights of a model's shapes.
 
 import { EMOTIONS } from "./curve.js";
-import { FIRST, FOURTH, SECOND, THIRD } from "./memory.js";
+import { throwForeign } from "./error.js";
+import { FOURTH, SECOND, THIRD } from "./memory.js";
 import * as c from "./structs.js";
 import { THOUSAND } from "./words.js";
 
@@ -44,34 +45,40 @@ export class ArticulationProfile {
 
 export class Rig {
   #memory;
-  #fields;
-  /** The address of its weights in the memory. */
+  /** Its address in the memory, and that of its weights. */
+  #address;
   #weights;
 
   constructor(memory, fields) {
     this.#memory = memory;
-    this.#fields = fields;
+    this.#address = memory.allocate(c.lipz_rig.size);
+    memory.write(this.#address, c.lipz_rig, fields);
     this.#weights = memory.allocate(fields.weight_count * BYTES_OF_WEIGHT);
     this.name = memory.string(fields.name);
-    const name = (_, index) =>
-      memory.string(memory.ask(c.lipz_string, "lipz_rig_weight_name", memory.put(FIRST, c.lipz_rig, fields), index));
+    const name = (_, index) => memory.string(memory.ask(c.lipz_string, "lipz_rig_weight_name", this.#address, index));
     this.weightNames = Object.freeze(Array.from({ length: fields.weight_count }, name));
   }
 
   /** The weights, in the order of `weightNames`. */
-  weights(articulation, { emotions, face, out = new Float32Array(this.weightNames.length) } = {}) {
+  weights(articulation, { emotions, face, out } = {}) {
     const memory = this.#memory;
     const mouth = { thousandths: ARTICULATORS.map((name) => inThousandths(articulation[name])) };
     const structs = [
-      memory.put(FIRST, c.lipz_rig, this.#fields),
       memory.put(SECOND, c.lipz_articulation, mouth),
       emotions === undefined ? NULL : memory.put(THIRD, c.lipz_emotions, fieldsOfEmotions(emotions)),
       face === undefined ? NULL : memory.put(FOURTH, c.lipz_face, fieldsOfFace(face)),
     ];
+    return this.weightsFrom(memory, structs, out);
+  }
+
+  /** The weights for an articulation, emotions and a face at these addresses of the memory. */
+  weightsFrom(memory, [mouth, emotions, face], out = new Float32Array(this.weightNames.length)) {
+    if (memory !== this.#memory) throwForeign("rig");
     const count = this.weightNames.length;
-    memory.must(memory.status("lipz_rig_weights", ...structs, this.#weights, count));
-    const { buffer, byteOffset } = memory.bytes(this.#weights, count * BYTES_OF_WEIGHT);
-    new Int32Array(buffer, byteOffset, count).forEach((value, index) => (out[index] = value / THOUSAND));
+    memory.must(memory.status("lipz_rig_weights", this.#address, mouth, emotions, face, this.#weights, count));
+    for (let index = 0; index < count; index++) {
+      out[index] = memory.int(this.#weights + index * BYTES_OF_WEIGHT) / THOUSAND;
+    }
     return out;
   }
 }

@@ -2,12 +2,12 @@
 
 import { Cursor } from "./cursor.js";
 import { Curve, emotionsOf } from "./curve.js";
-import { LipzError } from "./error.js";
+import { LipzError, throwForeign } from "./error.js";
 import { articulationOf } from "./articulation.js";
 import { faceOf, lookAtOf, profileOf, whoOf } from "./face-profile.js";
 import { estimatedFrame, rateOf } from "./frame-time.js";
 import { Voice, handleOf } from "./handle.js";
-import { FIRST, SECOND } from "./memory.js";
+import { EMOTIONS, FACE, FIRST, MOUTH, SECOND } from "./memory.js";
 import { segmentOf } from "./segment.js";
 import * as c from "./structs.js";
 import { MICROS_PER_SECOND, VISEME_TYPES } from "./words.js";
@@ -208,25 +208,39 @@ export class Clip {
 
   /** The face of a character of the clip at a time. */
   faceAt(time, who, profile, lookAt) {
-    const memory = this.#memory;
-    const settings = [whoOf(memory, who), profileOf(memory, profile), lookAtOf(memory, lookAt)];
-    const face = this.#ask(c.lipz_face, "lipz_clip_face_at", memory.time(time), ...settings);
-    if (face === undefined) {
-      const remedy = "look it up in the dialogue of the clip";
-      throw new LipzError("the face profile is from a different dialogue", { remedy });
-    }
-    return faceOf(face);
+    const address = this.#faceAt(this.#memory.time(time), who, profile, lookAt);
+    return faceOf(this.#memory.read(address, c.lipz_face));
   }
 
   /** The articulation at a time. */
   articulationAt(time, profile) {
+    const address = this.#articulationAt(this.#memory.time(time), profile);
+    return articulationOf(this.#memory.read(address, c.lipz_articulation));
+  }
+
+  /** The weights of a rig at a time, with articulation, emotions and face of a character of the clip. */
+  weightsAt(time, rig, { who, profile, faceProfile, lookAt, out } = {}) {
     const memory = this.#memory;
-    const settings = [memory.time(time), profileOf(memory, profile)];
-    const mouth = this.#ask(c.lipz_articulation, "lipz_clip_articulation_at", ...settings);
-    if (mouth === undefined) {
-      const remedy = "look it up in the dialogue of the clip";
-      throw new LipzError("the articulation profile is from a different dialogue", { remedy });
-    }
-    return articulationOf(mouth);
+    const at = memory.time(time);
+    const structs = [
+      this.#articulationAt(at, profile),
+      memory.keep(EMOTIONS, "lipz_clip_emotions_at", this.#address, at, whoOf(memory, who)),
+      this.#faceAt(at, who, faceProfile, lookAt),
+    ];
+    return rig.weightsFrom(memory, structs, out);
+  }
+
+  /** The address of the articulation at the time with this address. */
+  #articulationAt(time, profile) {
+    const memory = this.#memory;
+    const kept = memory.keep(MOUTH, "lipz_clip_articulation_at", this.#address, time, profileOf(memory, profile));
+    return kept ?? throwForeign("articulation profile");
+  }
+
+  /** The address of the face at the time with this address. */
+  #faceAt(time, who, profile, lookAt) {
+    const memory = this.#memory;
+    const settings = [whoOf(memory, who), profileOf(memory, profile), lookAtOf(memory, lookAt)];
+    return memory.keep(FACE, "lipz_clip_face_at", this.#address, time, ...settings) ?? throwForeign("face profile");
   }
 }

@@ -39,3 +39,9 @@ export class LipzError extends Error {
     Object.assign(this, { name: "LipzError", file, status, offsetBytes, remedy });
   }
 }
+
+/** Throws the error for an argument that belongs to a different dialogue. */
+export function throwForeign(kind) {
+  const remedy = "look it up in the dialogue of the clip";
+  throw new LipzError(`the ${kind} is from a different dialogue`, { remedy });
+}

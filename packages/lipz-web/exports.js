@@ -10,3 +10,4 @@ export { LipzError } from "./error.js";
 export { FaceProfile } from "./face-profile.js";
 export { Locale, Voice } from "./handle.js";
 export { Segment } from "./segment.js";
+export { rig } from "./shapes.js";

@@ -260,6 +260,24 @@ export class Clip {
    * has no phones. By default, with the profile of the project.
    */
   articulationAt(time: Time, profile?: ArticulationProfile): Articulation;
+  /**
+   * The weights of a rig at `time`, in the order of `rig.weightNames`: those of {@link Rig.weights} for the articulation,
+   * the emotions and the face of a character of the clip, but faster. Pass the same settings in each rendered frame to
+   * avoid allocations.
+   *
+   * @throws {LipzError} with a rig or a profile of a different dialogue.
+   */
+  weightsAt<T extends { [index: number]: number } = Float32Array>(
+    time: Time,
+    rig: Rig,
+    settings?: {
+      readonly who?: Who;
+      readonly profile?: ArticulationProfile;
+      readonly faceProfile?: FaceProfile;
+      readonly lookAt?: LookAt;
+      readonly out?: T;
+    },
+  ): T;
   /** A cursor before the start of the audio. @throws {LipzError} without a frame rate: see {@link Clip.orFps}. */
   cursor(settings?: CursorSettings): Cursor;
   /**
@@ -544,6 +562,49 @@ export class Rig {
     articulation: Articulation,
     settings?: { readonly emotions?: Emotions; readonly face?: Face; readonly out?: T },
   ): T;
+}
+
+/**
+ * Recognises the shapes of a model by their names: morph targets, blend shapes, expressions or parameters, in the order
+ * of the model, or as an object with the index of each name, such as three.js's `morphTargetDictionary`.
+ *
+ * Pass the rig of the bank whose weights the shapes take. Without a rig, the kind of which the model has the most shapes
+ * is recognised: those of ARKit, Oculus (OpenXR), VRM 1.0 and 0, MikuMikuDance, Live2D, and the codes of a viseme type.
+ * Names may differ in case and separators, and may have the name of a mesh or a deformer before them
+ * (`blendShape1.jawOpen`), a prefix (`viseme_aa`) or a short side (`mouthSmile_L`).
+ */
+export function rig(names: Iterable<string> | Readonly<Record<string, number>>, bankRig?: Rig): Shapes;
+
+/** The shapes of a model that take the weights of a rig. */
+export interface Shapes {
+  /**
+   * The name of the rig whose weights the shapes take, for {@link Dialogue.rig}; for shapes of visemes, their type.
+   * Undefined if no name is known.
+   */
+  readonly kind: "arkit" | "ovr" | "vrm" | "mmd" | "live2d" | VisemeType | (string & {}) | undefined;
+  /** The names of the weights, in their order. */
+  readonly weightNames: readonly string[];
+  /** The index of the shape for the weight with each name. */
+  readonly map: Readonly<Record<string, number>>;
+  /** The weights without a shape, each with the similar name of a shape that was probably meant. */
+  readonly missing: readonly { readonly name: string; readonly suggestion: string | undefined }[];
+  /** A sentence about the missing shapes, for a log; undefined if none is missing. */
+  readonly report: string | undefined;
+  /**
+   * Writes each weight to the influence of its shape, by the index of the shape. Other influences stay as they are.
+   *
+   * @throws {RangeError} unless there is a weight for each name.
+   */
+  apply(weights: ArrayLike<number>, influences: { [index: number]: number }): void;
+  /**
+   * Calls `set` with the name of each shape in the model, its weight and its index, for engines without an array of
+   * influences. Pass the same function in each rendered frame to avoid allocations.
+   *
+   * @throws {RangeError} unless there is a weight for each name.
+   */
+  forEach(weights: ArrayLike<number>, set: (name: string, weight: number, index: number) => void): void;
+  /** For shapes of visemes: sets the influence of the shape for `viseme` to 1, and those of all others to 0. */
+  show(viseme: Viseme, influences: { [index: number]: number }): void;
 }
 
 /** The power for a voice that your program does not measure: 0.75. */

@@ -16,10 +16,14 @@ export const FIRST = 0;
 export const SECOND = 1;
 export const THIRD = 2;
 export const FOURTH = 3;
-const TIME = 4;
-const PROBLEM = 5;
-const ANSWER = 6;
-const SLOTS = 7;
+/** Slots for results that the next function reads, without objects in between. */
+export const MOUTH = 4;
+export const EMOTIONS = 5;
+export const FACE = 6;
+const TIME = 7;
+const PROBLEM = 8;
+const ANSWER = 9;
+const SLOTS = 10;
 
 /** The `rate_hz` of a time in seconds. */
 const SECONDS = 0xffffffff;
@@ -91,6 +95,11 @@ export class Memory {
   /** The byte at an address. */
   byte(at) {
     return this.#bytes[at];
+  }
+
+  /** The signed number of 32 bits at an address. */
+  int(at) {
+    return this.#view.getInt32(at, true);
   }
 
   /** The bytes at an address, until the memory grows. */
@@ -193,6 +202,15 @@ export class Memory {
       if (answer === undefined) return answers;
       answers.push(answer);
     }
+  }
+
+  /** Queries the dialogue like `ask`, but leaves the result in a slot. Returns its address; undefined if there is none. */
+  keep(number, name, ...args) {
+    const at = this.slot(number);
+    const status = this.#functions[name](this.dialogue, ...args, at);
+    if (status === NONE) return undefined;
+    this.must(status);
+    return at;
   }
 
   /** Calls a function with the dialogue, and returns its status. */
