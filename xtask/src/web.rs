@@ -25,7 +25,10 @@ const SETS: &str = "fixtures/banks/sets";
 const EXAMPLE: &str = "examples/node";
 
 /// The folders of the package, the first of which is the package itself.
-const FOLDERS: [&str; 4] = ["", "demo", "face", "test"];
+const FOLDERS: [&str; 6] = ["", "demo", "examples", "face", "test", "test/engines"];
+
+/// The folder of the examples, one in each subfolder.
+const ENGINE_EXAMPLES: &str = "packages/lipz-web/examples";
 
 /// The module in the sources of `lipz preview`, which `cargo install` cannot build.
 const PREVIEW_MODULE: &str = "crates/lipz/src/commands/preview/web/lipz.wasm";
@@ -119,6 +122,7 @@ fn assemble(package: &Path, built: &Path, layouts: &Path) -> std::io::Result<()>
     for folder in FOLDERS {
         copy_files(&root.join("packages/lipz-web").join(folder), &package.join(folder))?;
     }
+    copy_folders(&root.join(ENGINE_EXAMPLES), &package.join("examples"))?;
     fs::copy(built.join("lipz_capi.wasm"), package.join("lipz.wasm"))?;
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         fs::copy(root.join(licence), package.join(licence))?;
