@@ -573,7 +573,7 @@ export class Rig {
  * Names may differ in case and separators, and may have the name of a mesh or a deformer before them
  * (`blendShape1.jawOpen`), a prefix (`viseme_aa`) or a short side (`mouthSmile_L`).
  */
-export function rig(names: Iterable<string> | Readonly<Record<string, number>>, bankRig?: Rig): Shapes;
+export function rig(names: (Iterable<string> & object) | Readonly<Record<string, number>>, bankRig?: Rig): Shapes;
 
 /** The shapes of a model that take the weights of a rig. */
 export interface Shapes {
