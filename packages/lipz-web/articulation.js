@@ -83,6 +83,13 @@ export class Rig {
   }
 }
 
+/** Returns a rig. For any other value, such as a name or undefined, throws an error that explains how to get one. */
+export function rigOf(value) {
+  if (value instanceof Rig) return value;
+  const remedy = "name it in [rig] of lipz.toml, and look it up with dialogue.rig(name)";
+  throw new TypeError(`${String(value)} is not a rig: ${remedy}`);
+}
+
 function fieldsOfEmotions({ values }) {
   return { thousandths: EMOTIONS.map((name) => inThousandths(values[name])), strongest: 0, sum: 0 };
 }

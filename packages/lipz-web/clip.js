@@ -3,11 +3,11 @@
 import { Cursor } from "./cursor.js";
 import { Curve, emotionsOf } from "./curve.js";
 import { LipzError, throwForeign } from "./error.js";
-import { articulationOf } from "./articulation.js";
+import { articulationOf, rigOf } from "./articulation.js";
 import { faceOf, lookAtOf, profileOf, whoOf } from "./face-profile.js";
 import { estimatedFrame, rateOf } from "./frame-time.js";
 import { Voice, handleOf } from "./handle.js";
-import { EMOTIONS, FACE, FIRST, MOUTH, SECOND } from "./memory.js";
+import { FIRST, KEPT_EMOTIONS, KEPT_FACE, KEPT_MOUTH, SECOND } from "./memory.js";
 import { segmentOf } from "./segment.js";
 import * as c from "./structs.js";
 import { MICROS_PER_SECOND, VISEME_TYPES } from "./words.js";
@@ -224,16 +224,16 @@ export class Clip {
     const at = memory.time(time);
     const structs = [
       this.#articulationAt(at, profile),
-      memory.keep(EMOTIONS, "lipz_clip_emotions_at", this.#address, at, whoOf(memory, who)),
+      memory.keep(KEPT_EMOTIONS, "lipz_clip_emotions_at", this.#address, at, whoOf(memory, who)),
       this.#faceAt(at, who, faceProfile, lookAt),
     ];
-    return rig.weightsFrom(memory, structs, out);
+    return rigOf(rig).weightsFrom(memory, structs, out);
   }
 
   /** The address of the articulation at the time with this address. */
   #articulationAt(time, profile) {
     const memory = this.#memory;
-    const kept = memory.keep(MOUTH, "lipz_clip_articulation_at", this.#address, time, profileOf(memory, profile));
+    const kept = memory.keep(KEPT_MOUTH, "lipz_clip_articulation_at", this.#address, time, profileOf(memory, profile));
     return kept ?? throwForeign("articulation profile");
   }
 
@@ -241,6 +241,7 @@ export class Clip {
   #faceAt(time, who, profile, lookAt) {
     const memory = this.#memory;
     const settings = [whoOf(memory, who), profileOf(memory, profile), lookAtOf(memory, lookAt)];
-    return memory.keep(FACE, "lipz_clip_face_at", this.#address, time, ...settings) ?? throwForeign("face profile");
+    const kept = memory.keep(KEPT_FACE, "lipz_clip_face_at", this.#address, time, ...settings);
+    return kept ?? throwForeign("face profile");
   }
 }

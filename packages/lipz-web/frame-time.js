@@ -37,6 +37,6 @@ function secondsOf(time) {
   if (typeof time === "number") return time;
   const { us, position, rateHz } = time;
   if (Number.isSafeInteger(us)) return us / MICROS_PER_SECOND;
-  const isExact = us === undefined && Number.isSafeInteger(position) && Number.isInteger(rateHz) && isSampleRate(rateHz);
-  return isExact ? position / rateHz : NaN;
+  const areWhole = us === undefined && Number.isSafeInteger(position) && Number.isInteger(rateHz);
+  return areWhole && isSampleRate(rateHz) ? position / rateHz : NaN;
 }

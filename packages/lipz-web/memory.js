@@ -17,9 +17,9 @@ export const SECOND = 1;
 export const THIRD = 2;
 export const FOURTH = 3;
 /** Slots for results that the next function reads, without objects in between. */
-export const MOUTH = 4;
-export const EMOTIONS = 5;
-export const FACE = 6;
+export const KEPT_MOUTH = 4;
+export const KEPT_EMOTIONS = 5;
+export const KEPT_FACE = 6;
 const TIME = 7;
 const PROBLEM = 8;
 const ANSWER = 9;
@@ -84,7 +84,7 @@ export class Memory {
     const end = this.#end;
     try {
       const at = this.allocate(bytes.byteLength);
-      this.bytes(at, bytes.byteLength).set(bytes);
+      this.#bytes.set(bytes, at);
       return use(at);
     } catch (error) {
       this.#end = end;
@@ -104,7 +104,7 @@ export class Memory {
 
   /** The bytes at an address, until the memory grows. */
   bytes(at, length) {
-    return new Uint8Array(this.#memory.buffer, at, length);
+    return this.#bytes.subarray(at, at + length);
   }
 
   /** The address of a slot. */
@@ -124,14 +124,16 @@ export class Memory {
 
   /** Writes the bytes of a struct into a slot and returns its address. */
   putBytes(number, bytes) {
+    const at = this.slot(number);
     this.#held[number] = undefined;
-    this.bytes(this.slot(number), bytes.length).set(bytes);
-    return this.slot(number);
+    this.#bytes.set(bytes, at);
+    return at;
   }
 
   /** A copy of the bytes of the struct in a slot. */
   copy(number, length) {
-    return this.bytes(this.slot(number), length).slice();
+    const at = this.slot(number);
+    return this.#bytes.slice(at, at + length);
   }
 
   /** A copy of the bytes of the last result. */
@@ -156,7 +158,7 @@ export class Memory {
       const capacity = Math.max(bytes.length, 2 * this.#text.capacity);
       this.#text = { at: this.allocate(capacity), capacity };
     }
-    this.bytes(this.#text.at, bytes.length).set(bytes);
+    this.#bytes.set(bytes, this.#text.at);
     return [this.#text.at, bytes.length];
   }
 
@@ -204,7 +206,7 @@ export class Memory {
     }
   }
 
-  /** Queries the dialogue like `ask`, but leaves the result in a slot. Returns its address; undefined if there is none. */
+  /** Queries the dialogue, and keeps the result in a slot. Returns its address; undefined if there is none. */
   keep(number, name, ...args) {
     const at = this.slot(number);
     const status = this.#functions[name](this.dialogue, ...args, at);

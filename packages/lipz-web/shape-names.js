@@ -51,15 +51,18 @@ const PATH = /^.*(?:[.:|/](?!$)|(?=Fcl_))/;
 /** The kind of a shape before its name: `viseme_aa`, `v_aa`, `Fcl_MTH_A`, `Mouth_A`. */
 const PREFIX = /^(?:arkit|fcl_mth|lipsync|mouth|mth|phoneme|v|viseme)[_ -]/i;
 /** The short form of a side at the end of a name: `mouthSmile_L`, `eyeBlink.R`, `jawL`. */
-const SIDE = /[_. -]([lrLR])$|(?<=[a-z])([LR])$/;
+const SIDE = /[_. -]([lrLR])$|([a-z])([LR])$/;
 
-const withSide = (_, separated, joined) => (/l/i.test(separated ?? joined) ? "Left" : "Right");
+const withSide = (_, separated, before = "", joined) => before + (/l/i.test(separated ?? joined) ? "Left" : "Right");
 
 /** The letters and digits of a name in lower case, which alone are compared. */
 export function lettersOf(name) {
   // A hyphen is the code of rest.
   return name === "-" ? name : name.replace(/[^\p{L}\p{N}]/gu, "").toLowerCase();
 }
+
+/** The place of the bare name among the forms: without path and prefix. */
+export const BARE = 2;
 
 /** The forms in which a name is compared, in the order of their similarity to it. */
 export function formsOf(name) {

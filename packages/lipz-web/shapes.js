@@ -1,8 +1,8 @@
 // The shapes of a model, by their names: which of them take the weights of a rig.
 
-import { Rig } from "./articulation.js";
+import { rigOf } from "./articulation.js";
 import { nearest } from "./nearest.js";
-import { KINDS, formsOf, lettersOf } from "./shape-names.js";
+import { BARE, KINDS, formsOf, lettersOf } from "./shape-names.js";
 
 /** The most names that a report lists. */
 const LISTED = 5;
@@ -13,27 +13,29 @@ const LISTED = 5;
  */
 export function rig(names, bankRig) {
   const places = placesOf(names);
-  const forms = indexOf(places.keys());
-  if (bankRig instanceof Rig) {
-    const { name: kind, weightNames } = bankRig;
-    return new Shapes(places, { kind, weightNames, found: found(forms, weightNames, KINDS[kind]?.also) });
-  }
-  if (bankRig !== undefined) throw new TypeError(`${String(bankRig)} is not a rig: look it up, with dialogue.rig(name)`);
-  return new Shapes(places, recognised(forms));
+  const forms = formsIn(places.keys());
+  if (bankRig === undefined) return new Shapes(places, recognised(forms));
+  const { name: kind, weightNames } = rigOf(bankRig);
+  return new Shapes(places, { kind, weightNames, nameOf: namesFor(weightNames, forms, KINDS[kind]?.also) });
 }
 
 class Shapes {
+  /** The name of each shape that takes a weight. */
   #names;
-  /** The index of each weight that has a shape, and the index of that shape. */
+  /** The index of the weight of each of them, and its own index. */
   #from;
   #to;
 
-  constructor(places, { kind, weightNames, found }) {
+  /**
+   * @param places the index of each name
+   * @param nameOf the name of the model for each weight that has one
+   */
+  constructor(places, { kind, weightNames, nameOf }) {
     this.kind = kind;
     this.weightNames = Object.freeze([...weightNames]);
-    this.map = Object.freeze(Object.fromEntries(Array.from(found, ([weight, name]) => [weight, places.get(name)])));
-    this.#names = Array.from(found.values());
-    this.#from = Uint32Array.from(found.keys(), (weight) => weightNames.indexOf(weight));
+    this.map = Object.freeze(Object.fromEntries(Array.from(nameOf, ([weight, name]) => [weight, places.get(name)])));
+    this.#names = Array.from(nameOf.values());
+    this.#from = Uint32Array.from(nameOf.keys(), (weight) => weightNames.indexOf(weight));
     this.#to = Uint32Array.from(this.#names, (name) => places.get(name));
     const used = new Set(this.#names);
     const others = Array.from(places.keys()).filter((name) => !used.has(name));
@@ -79,41 +81,44 @@ function placesOf(names) {
   return places;
 }
 
-/** For each degree of similarity, the names of the model by their form. */
-function indexOf(names) {
+/** For each degree of similarity, the names of a model by their form in this degree. */
+function formsIn(names) {
   const degrees = [];
   for (const name of names) {
     formsOf(name).forEach((form, degree) => {
-      const index = (degrees[degree] ??= new Map());
-      if (form !== "" && !index.has(form)) index.set(form, name);
+      const byForm = (degrees[degree] ??= new Map());
+      if (form !== "" && !byForm.has(form)) byForm.set(form, name);
     });
   }
   return degrees;
 }
 
-/** The name of the model for each weight that has one. */
-function found(degrees, weightNames, also = {}) {
-  const pairs = weightNames.map((weight) => {
-    const known = [weight, ...(also[weight] ?? [])].map(lettersOf);
-    // The own form of a weight comes last: a rig may have the prefix that the model lacks.
-    known.push(formsOf(weight).at(2));
-    for (const index of degrees) {
-      const name = known.find((form) => index.has(form));
-      if (name !== undefined) return [weight, index.get(name)];
+/** The most similar name for each weight that has one. */
+function namesFor(weightNames, degrees, also = {}) {
+  const names = new Map();
+  for (const weight of weightNames) {
+    // A rig may have a prefix that the model lacks, so the bare weight comes last.
+    const known = [...[weight, ...(also[weight] ?? [])].map(lettersOf), formsOf(weight).at(BARE)];
+    for (const byForm of degrees) {
+      const form = known.find((form) => byForm.has(form));
+      if (form === undefined) continue;
+      names.set(weight, byForm.get(form));
+      break;
     }
-    return [weight, undefined];
-  });
-  return new Map(pairs.filter(([, name]) => name !== undefined));
+  }
+  return names;
 }
 
-/** The kind of which the model has the most shapes of the mouth. */
+/** The kind of which a model has the most shapes of the mouth. */
 function recognised(degrees) {
-  let best = { kind: undefined, weightNames: [], found: new Map(), count: 0 };
+  let best = { kind: undefined, weightNames: [], nameOf: new Map() };
+  let most = 0;
   for (const [kind, { mouth, rest, also }] of Object.entries(KINDS)) {
-    const count = found(degrees, mouth, also).size;
-    if (count <= best.count) continue;
+    const count = namesFor(mouth, degrees, also).size;
+    if (count <= most) continue;
+    most = count;
     const weightNames = [...mouth, ...rest];
-    best = { kind, weightNames, found: found(degrees, weightNames, also), count };
+    best = { kind, weightNames, nameOf: namesFor(weightNames, degrees, also) };
   }
   return best;
 }

@@ -94,7 +94,9 @@ test("times that are no numbers of a frame, and rates that are none", () => {
   assert.equal(clip.frameAt({ us: 50_000n }), 1);
   assert.equal(clip.frameAt({ position: 4800, rateHz: 48_000.5 }), 2, "the module takes whole rates");
   assert.throws(() => clip.frameAt({ us: 0.5 }), RangeError);
-  for (const rate of [[0, 1], [24, 0], [1, 2], [2000, 1]]) assert.equal(unspecified.orFps(...rate).frameAt(0.1), undefined);
+  for (const rate of [[0, 1], [24, 0], [1, 2], [2000, 1]]) {
+    assert.equal(unspecified.orFps(...rate).frameAt(0.1), undefined);
+  }
   for (const frame of [-1, clip.frameCount, 2 ** 32, NaN, undefined]) assert.equal(clip.viseme(frame), "-");
 });
 

@@ -1,6 +1,7 @@
 // A face in Babylon.js that speaks a line.
 
-import { ArcRotateCamera, Color4, Engine, HemisphericLight, LoadAssetContainerAsync, Scene, Vector3 } from "@babylonjs/core";
+import { ArcRotateCamera, Color4, Engine, HemisphericLight, Scene, Vector3 } from "@babylonjs/core";
+import { LoadAssetContainerAsync } from "@babylonjs/core/Loading/sceneLoader.js";
 import { openDialogue, rig } from "@lipz/reader";
 import "@babylonjs/loaders/glTF/index.js";
 

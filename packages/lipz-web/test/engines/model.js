@@ -70,7 +70,8 @@ class Contents {
 
   vectors(vectors, target = 34962) {
     const rounded = vectors.map((vector) => vector.map(Math.fround));
-    const [min, max] = [Math.min, Math.max].map((of) => [0, 1, 2].map((axis) => of(...rounded.map((vector) => vector[axis]))));
+    const bound = (of) => [0, 1, 2].map((axis) => of(...rounded.map((vector) => vector[axis])));
+    const [min, max] = [bound(Math.min), bound(Math.max)];
     const accessor = { componentType: 5126, count: vectors.length, type: "VEC3", min, max };
     return this.add(Float32Array.from(rounded.flat()), target, accessor);
   }

@@ -1,4 +1,5 @@
-// Tests the built package as its users install it, with bundlers and engines in Chromium: node test/engines/run.js FOLDER
+// Tests the built package as its users install it, with bundlers, and with engines in Chromium:
+// node test/engines/run.js FOLDER
 //
 // FOLDER keeps the bundlers and engines, which npm installs there if package.json has changed. Run it in a package that
 // `cargo xtask web` has built.
@@ -39,11 +40,11 @@ async function installPackage(folder) {
 
 /** Copies the tests, the examples and a bank, which find the installed package from there. */
 async function copyTests(folder) {
-  for (const name of ["test", "examples", "banks", "bundles"]) await rm(join(folder, name), { recursive: true, force: true });
-  await cp(join(PACKAGE, "test/engines"), join(folder, "test"), { recursive: true });
-  await cp(join(PACKAGE, "examples"), join(folder, "examples"), { recursive: true });
-  await cp(join(PACKAGE, "README.md"), join(folder, "README.md"));
-  await cp(join(PACKAGE, "test/banks"), join(folder, "banks"), { recursive: true });
+  await rm(join(folder, "bundles"), { recursive: true, force: true });
+  for (const [from, to] of [["test/engines", "test"], ["examples", "examples"], ["test/banks", "banks"]]) {
+    await rm(join(folder, to), { recursive: true, force: true });
+    await cp(join(PACKAGE, from), join(folder, to), { recursive: true });
+  }
 }
 
 async function main(argument) {

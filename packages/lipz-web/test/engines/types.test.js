@@ -6,7 +6,8 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 const COMPILER = fileURLToPath(new URL("../node_modules/typescript/bin/tsc", import.meta.url));
-const SETTINGS = "--noEmit --strict --noUncheckedIndexedAccess --target esnext --module nodenext --lib esnext,dom".split(" ");
+const SETTINGS =
+  "--noEmit --strict --noUncheckedIndexedAccess --target esnext --module nodenext --lib esnext,dom".split(" ");
 
 test("programs in TypeScript use the package", () => {
   const cwd = fileURLToPath(new URL(".", import.meta.url));
