@@ -54,7 +54,7 @@ export class Memory {
   constructor({ exports: { memory, ...functions } }) {
     this.#memory = memory;
     this.#functions = functions;
-    this.#look();
+    this.#renewViews();
     // Rust owns the memory that exists at the start, for its stack and its constants.
     this.#end = memory.buffer.byteLength;
     this.#slots = this.allocate(SLOTS * Memory.SLOT_BYTES);
@@ -67,14 +67,14 @@ export class Memory {
     const missing = at + length - this.#memory.buffer.byteLength;
     if (missing > 0) {
       this.#memory.grow(Math.ceil(missing / PAGE_BYTES));
-      this.#look();
+      this.#renewViews();
     }
     this.#end = at + length;
     return at;
   }
 
-  /** Looks at the current buffer, which growing replaces. The module itself never grows its memory. */
-  #look() {
+  /** Creates the views of the buffer, which growing replaces. The module itself never grows its memory. */
+  #renewViews() {
     this.#bytes = new Uint8Array(this.#memory.buffer);
     this.#view = new DataView(this.#memory.buffer);
   }

@@ -69,7 +69,7 @@ test("an estimate is the exact frame, or is left to the module", () => {
   assert.ok(decided > 500 && undecided > 100, `${decided} and ${undecided}`);
 });
 
-test("a clip answers every time with the exact frame", () => {
+test("a clip returns the exact frame for any time", () => {
   let inside = 0;
   for (const rate of RATES) {
     const clip = unspecified.orFps(...rate);
@@ -84,7 +84,7 @@ test("a clip answers every time with the exact frame", () => {
   assert.ok(inside > 300, inside);
 });
 
-test("times that are no numbers of a frame, and rates that are none", () => {
+test("times outside a clip, and invalid rates", () => {
   const clip = unspecified.orFps(24);
   for (const time of [-1, -1e-9, NaN, Infinity, -Infinity, { us: -1 }, { position: 5, rateHz: 0 }]) {
     assert.equal(clip.frameAt(time), undefined, JSON.stringify(time));
@@ -92,7 +92,7 @@ test("times that are no numbers of a frame, and rates that are none", () => {
   }
   assert.ok(Object.is(clip.frameAt({ us: 0 }), 0));
   assert.equal(clip.frameAt({ us: 50_000n }), 1);
-  assert.equal(clip.frameAt({ position: 4800, rateHz: 48_000.5 }), 2, "the module takes whole rates");
+  assert.equal(clip.frameAt({ position: 4800, rateHz: 48_000.5 }), 2, "the module rounds rates down");
   assert.throws(() => clip.frameAt({ us: 0.5 }), RangeError);
   for (const rate of [[0, 1], [24, 0], [1, 2], [2000, 1]]) {
     assert.equal(unspecified.orFps(...rate).frameAt(0.1), undefined);

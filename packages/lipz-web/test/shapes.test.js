@@ -38,7 +38,7 @@ test("the kinds have the weights of the rigs that lipz packs", () => {
   assert.deepEqual(packed, ["arkit", "ovr", "vrm", "mmd", "live2d"]);
 });
 
-test("every rig moves a model as Rust says", async () => {
+test("every rig moves a model by the weights of the golden dump", async () => {
   const rigs = await dumpedRigs("rigs.dump");
   assert.equal(rigs.length, 11);
   let moved = 0;

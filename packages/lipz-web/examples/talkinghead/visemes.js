@@ -4,7 +4,7 @@ import { rig } from "@lipz/reader";
 
 /** The visemes of TalkingHead: those of Oculus Lipsync. */
 const VISEMES = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U"];
-/** The time between two looks at the line. Shorter visemes are not visible. */
+/** The time between two queries of the line. Shorter visemes are not visible. */
 const STEP_MS = 20;
 
 /**

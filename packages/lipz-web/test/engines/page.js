@@ -1,4 +1,4 @@
-// Looks at the mouth that an example draws, from inside its page, in the middle of each phone of a line, and reports.
+// Examines the mouth that an example draws, from inside its page, in the middle of each phone of a line, and reports.
 
 const SIZE = { width: 320, height: 240 };
 const LINE = { bank: "rigs.lipzbank", key: "english" };
