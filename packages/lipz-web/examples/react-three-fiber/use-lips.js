@@ -1,5 +1,3 @@
-// A hook that moves the blend shapes of a head with a line.
-
 import { rig } from "@lipz/reader";
 import { useFrame } from "@react-three/fiber";
 import { useMemo } from "react";
