@@ -56,6 +56,8 @@ enum Task {
     Capi,
     /// Build the npm package for browsers and node in target/web, and test it in both
     Web,
+    /// Test the npm package with bundlers and engines, which npm fetches into target/web-engines
+    WebEngines,
     /// Draw the images in docs/pictures with the face of the npm package
     Pictures,
     /// Test the plugin for Neovim, and test and pack the extension for Visual Studio Code
@@ -126,6 +128,7 @@ fn main() -> ExitCode {
         Task::Ci(settings) => ci::run(&settings),
         Task::Capi => capi::run(),
         Task::Web => web::run(),
+        Task::WebEngines => web::engines(),
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
         Task::Accessibility => accessibility::run(),

@@ -53,6 +53,18 @@ pub(crate) fn run() -> Result<(), Failure> {
     test(&package, BROWSER_TEST)
 }
 
+/// Tests the package with the bundlers and engines that its examples are for.
+pub(crate) fn engines() -> Result<(), Failure> {
+    for program in ["npm", "chromium"] {
+        if !has_program(program) {
+            return skip(program);
+        }
+    }
+    let Some(package) = package()? else { return Ok(()) };
+    let tests = package.join("test/engines/run.js");
+    succeed(Command::new("node").arg(tests).arg(paths::target_folder().join("web-engines")), "the test of engines")
+}
+
 /// Returns the files with tests for node, ordered by name.
 fn tests(package: &Path) -> std::io::Result<Vec<String>> {
     let names = fs::read_dir(package.join("test"))?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));

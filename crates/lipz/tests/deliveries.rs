@@ -131,6 +131,30 @@ fn two_copies_of_a_file_are_merged_by_their_marks() {
 }
 
 #[test]
+fn a_rejection_counts_even_if_a_copy_of_the_file_has_none() {
+    for names in [["one.po", "two.po"], ["two.po", "one.po"]] {
+        let scene = project();
+        let folder = scene.path();
+        lipz(folder, ["approve", "--all"]);
+        export(folder, "po", "one.po");
+        fs::copy(folder.join("one.po"), folder.join("two.po")).unwrap();
+        replace(folder, "one.po", "msgctxt", "#, fuzzy\nmsgctxt");
+        assert_eq!(import(folder, &names).code, 0);
+        let checked = lipz(folder, ["check", "--output-format", "concise"]);
+        assert_eq!(checked.stdout.matches("LZ1911").count(), 2, "{checked:?}");
+        // The same holds in the other direction: one of two copies approves what was rejected.
+        fs::remove_file(folder.join("one.po")).unwrap();
+        fs::remove_file(folder.join("two.po")).unwrap();
+        export(folder, "po", "one.po");
+        fs::copy(folder.join("one.po"), folder.join("two.po")).unwrap();
+        replace(folder, "two.po", "fuzzy", "no-wrap");
+        assert_eq!(import(folder, &names).code, 0);
+        let checked = lipz(folder, ["check", "--output-format", "concise"]);
+        assert_eq!(checked.stdout.matches("LZ1911").count(), 0, "{checked:?}");
+    }
+}
+
+#[test]
 fn entries_of_other_parts_of_a_game_do_not_refuse_those_of_clips() {
     let scene = project();
     let folder = scene.path();

@@ -48,9 +48,10 @@ pub(super) fn merge(
         let Some(parts) = clip.parts(entry, found) else { continue };
         // An untranslated entry does not count as an alternative translation.
         let is_translation = !entry.text.text.is_empty() || entry.mark.is_some();
-        // Nor does a text that was not changed in a copy of the file.
+        // Nor does a text that was not changed in a copy of the file, or that the project has already.
         let is_exported = entry.mark == Some(mark_of(&parts));
-        for (at, text) in parts.into_iter().filter(|_| is_translation && !is_exported) {
+        let is_new = |(at, text): &(usize, String)| clip.own.get(*at) != Some(text);
+        for (at, text) in parts.into_iter().filter(|_| is_translation && !is_exported).filter(is_new) {
             match places.get(&at) {
                 Some((_, other)) if *other != text => found.push((entry.file, twice(entry))),
                 Some(_) => continue,

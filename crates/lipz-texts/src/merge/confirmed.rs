@@ -28,6 +28,7 @@ impl ConfirmedTranslations {
             sources: sources.to_vec(),
             texts,
             states: vec![None; count],
+            is_rejected: vec![false; count],
             is_looked_at: vec![false; count],
             is_by_segment: false,
         }
@@ -85,6 +86,8 @@ pub(super) fn of_entries(mut confirmed: ConfirmedTranslations, entries: &[&Entry
             }
             let looked_at = confirmed.is_looked_at.get_mut(at);
             looked_at.into_iter().for_each(|is_looked_at| *is_looked_at |= is_changed || entry.says_state);
+            let is_rejected = confirmed.is_rejected.get_mut(at);
+            is_rejected.into_iter().for_each(|is_rejected| *is_rejected |= entry.state == State::Initial);
             let state = confirmed.states.get_mut(at);
             state.into_iter().for_each(|state| *state = (*state).max(Some(entry.state)));
         }

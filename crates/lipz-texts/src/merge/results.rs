@@ -43,8 +43,10 @@ pub struct ConfirmedTranslations {
     pub sources: Vec<String>,
     /// Their translations after the import.
     pub texts: Vec<String>,
-    /// The state of each segment; `None` if the file does not state it.
+    /// The state of each segment, the highest one of several files; `None` if no file states it.
     pub states: Vec<Option<State>>,
+    /// Whether a file rejects the text of the segment, although a different file may accept it.
+    pub is_rejected: Vec<bool>,
     /// Whether the text of the segment was changed in the file, or the file states the state of each text. Other texts
     /// may only be new to the project's [record](crate::TextRecord), and possibly unchecked.
     pub is_looked_at: Vec<bool>,

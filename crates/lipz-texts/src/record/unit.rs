@@ -37,24 +37,33 @@ impl TextRecord {
     /// Stores the confirmations of an import. Returns the number of texts whose source text was different or unknown
     /// before.
     pub fn confirm(&mut self, file: &str, source_locale: &str, confirmed: &ConfirmedTranslations) -> usize {
-        let ConfirmedTranslations { locale, sources, texts, states, is_looked_at, is_by_segment } = confirmed;
+        let ConfirmedTranslations { locale, sources, texts, states, is_rejected, is_looked_at, is_by_segment } =
+            confirmed;
         let before = self.standings(file, source_locale, locale, sources, texts);
         // The export already marked a clip with such a segment.
         let needs_work =
             |before: &Standing| matches!(before, Standing::Stale { .. } | Standing::Current(State::Initial));
         let is_marked = !is_by_segment && before.iter().any(needs_work);
         let mut count = 0;
-        let approved: Vec<Option<State>> = (before.iter().zip(states).zip(is_looked_at))
-            .map(|((before, state), is_looked_at)| match (before, (*state)?) {
-                // A rejected text, which did not change.
-                (Standing::Current(_), State::Initial) => Some(State::Initial).filter(|_| !is_marked),
-                (Standing::Current(known), state) if *is_looked_at => Some(state.max(*known)),
-                (Standing::Current(_), _) => None,
-                (Standing::Stale { .. }, State::Initial) => None,
-                (Standing::Stale { .. }, _) if !is_looked_at => None,
-                (_, state) => {
-                    count += 1;
-                    Some(state)
+        // Of two copies of a file, the one that differs from the project was changed.
+        let of_changed_copy = |before: &Standing, state: State, is_rejected: bool| match before {
+            Standing::Stale { .. } | Standing::Current(State::Initial) => state,
+            _ if is_rejected => State::Initial,
+            _ => state,
+        };
+        let approved: Vec<Option<State>> = (before.iter().zip(states).zip(is_rejected).zip(is_looked_at))
+            .map(|(((before, state), is_rejected), is_looked_at)| {
+                match (before, of_changed_copy(before, (*state)?, *is_rejected)) {
+                    // A rejected text, which did not change.
+                    (Standing::Current(_), State::Initial) => Some(State::Initial).filter(|_| !is_marked),
+                    (Standing::Current(known), state) if *is_looked_at => Some(state.max(*known)),
+                    (Standing::Current(_), _) => None,
+                    (Standing::Stale { .. }, State::Initial) => None,
+                    (Standing::Stale { .. }, _) if !is_looked_at => None,
+                    (_, state) => {
+                        count += 1;
+                        Some(state)
+                    }
                 }
             })
             .collect();
