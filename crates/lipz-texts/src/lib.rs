@@ -8,6 +8,8 @@
 //! An exchange file contains the [`Mark`] of each translation at the time of export. Therefore an old file does not
 //! undo newer work: unchanged texts in it keep the project's version.
 //!
+//! A [`RecordingScript`] has the lines that a studio records, and reads the chosen takes back.
+//!
 //! # Features
 //!
 //! * `xlsx`: spreadsheets, which require crates for archives.
@@ -20,10 +22,11 @@ mod lint;
 mod merge;
 mod progress;
 mod record;
+mod script;
 
 pub use exchange::{
-    ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment, Shape, State, Translation,
-    Unit, Words, WriteOptions, difference, texts_of, words,
+    ChosenTake, ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment, Shape, State,
+    Translation, Unit, Words, WriteOptions, difference, texts_of, words,
 };
 pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};
@@ -33,6 +36,7 @@ pub use merge::{
 };
 pub use progress::{Amount, LocaleWork, OpenSegment, Progress, Work, cost_of, csv_table, html, html_page, page};
 pub use record::{Standing, TextRecord};
+pub use script::{CharacterCues, RecordingScript, ScriptLine};
 
 /// The example of the README, run as a test.
 #[cfg(doctest)]

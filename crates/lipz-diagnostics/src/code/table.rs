@@ -221,6 +221,7 @@ codes! {
     OutdatedRecording "LZ1915" "outdated-recording" Warning "a recording is older than its text"
     MarkupDiffers "LZ1916" "markup-differs" Warning "a translation and its source have different markup"
     OddCharacters "LZ1917" "odd-characters" Warning "a text has damaged or invisible characters, or letters of a different script"
+    MissingTake "LZ1918" "missing-take" Error "a chosen take is missing, or several files may be meant"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"
@@ -229,6 +230,7 @@ codes! {
     VoiceWithoutLocale "LZ2004" "voice-without-locale" Warning "no clip has a text in the locale of a voice"
     OtherOriginal "LZ2005" "other-original" Error "an addition has a different original voice"
     DubOutOfDate "LZ2006" "dub-out-of-date" Warning "an original has changed since its dub was made"
+    DubLength "LZ2007" "dub-length" Warning "a dub is too short or too long for its line"
 
     "Patches"
     LayerWithoutChange "LZ2101" "layer-without-change" Error "a patch would change nothing"

@@ -34,12 +34,12 @@ pub(super) fn check(
     )
 }
 
-/// Returns seconds, such as `1.500 s`.
-fn seconds(us: u64) -> String {
-    format!("{:.3} s", us as f64 / 1e6)
-}
-
 fn rounded(number: f64) -> String {
     let text = format!("{number:.3}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Returns seconds, such as `1.500 s`.
+pub(super) fn seconds(us: u64) -> String {
+    format!("{:.3} s", us as f64 / 1e6)
 }

@@ -1,6 +1,7 @@
 //! Lints that compare clips with recordings.
 
 mod dub;
+mod dub_length;
 mod length;
 mod missing;
 mod recording_counts;
@@ -97,6 +98,13 @@ fn one(
         }
     }
     let heard = recordings.find(&input.key).map(|path| (path, ear.listen(path)));
+    if original.is_none() {
+        let length_us = match &heard {
+            Some((_, Ok((facts, _)))) => Some(facts.length_us),
+            _ => clip.length_us().filter(|length_us| *length_us > 0),
+        };
+        reports.extend(length_us.into_iter().flat_map(|us| dub_length::check(settings, recordings, (&input.key, us))));
+    }
     match heard {
         None => {}
         Some((_, Err(report))) => reports.push(report),

@@ -144,7 +144,7 @@ impl Recordings {
     }
 
     /// Returns the expected path of this clip's recording, below the folder.
-    pub(crate) fn place(&self, key: &str) -> String {
+    pub fn place(&self, key: &str) -> String {
         self.places.of(key).shown()
     }
 

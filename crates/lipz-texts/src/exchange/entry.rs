@@ -49,6 +49,18 @@ pub struct Entry {
     pub file: usize,
 }
 
+/// The take of a line that a director chose, from a recording script.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[non_exhaustive]
+pub struct ChosenTake {
+    /// The key of the clip, and its position in the file.
+    pub key: Arc<Words>,
+    /// The spoken locale; `None` if the script has only source texts.
+    pub locale: Option<Arc<str>>,
+    /// The number of the take, or the name of its file.
+    pub name: Words,
+}
+
 /// The result of reading a file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
@@ -58,6 +70,8 @@ pub struct IncomingFile {
     /// The entries, ordered by position; empty if a diagnostic is an error. A row of a table has no entry for cells
     /// with neither text nor mark, but a row without any text or mark has an entry for the first such cell.
     pub entries: Vec<Entry>,
+    /// The chosen takes of a recording script.
+    pub takes: Vec<ChosenTake>,
     /// The diagnostics of the file.
     pub diagnostics: Vec<Diagnostic>,
 }

@@ -17,7 +17,7 @@ pub(crate) mod write_options;
 
 pub use clip_texts::{ClipTexts, texts_of};
 pub use collect::Collect;
-pub use entry::{Entry, IncomingFile, ReadOptions, Words};
+pub use entry::{ChosenTake, Entry, IncomingFile, ReadOptions, Words};
 pub use mark::Mark;
 pub use model::{Division, Exchange, Segment, State, Translation, Unit};
 pub use words::words;

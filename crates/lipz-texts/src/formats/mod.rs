@@ -5,7 +5,7 @@ mod json;
 mod po;
 mod xliff;
 #[cfg(feature = "xlsx")]
-mod xlsx;
+pub(crate) mod xlsx;
 
 use crate::exchange::Exchange;
 use crate::exchange::entry::{Entry, IncomingFile, ReadOptions};

@@ -19,5 +19,5 @@ pub(super) const FLOORS: &[Floor] = &[
         ],
     },
     Floor { name: "lipz-sync", wings: &["threads", "recordings", "record", "job", "lints", "train", "shard"] },
-    Floor { name: "lipz-texts", wings: &["exchange", "formats", "merge", "record", "lint", "progress"] },
+    Floor { name: "lipz-texts", wings: &["exchange", "formats", "merge", "record", "lint", "progress", "script"] },
 ];

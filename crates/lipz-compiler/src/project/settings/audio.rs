@@ -1,5 +1,6 @@
 //! The settings of a project for its recordings.
 
+use super::SyncStatuses;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -21,6 +22,8 @@ pub struct Audio {
     /// Clips whose keys match a pattern are spoken in its locale, and are dubs if that is not [`Audio::locale`]
     /// ([`Voices`](crate::Voices)). All others are spoken in that locale.
     pub voices: BTreeMap<String, String>,
+    /// The sync statuses of lines, which limit the lengths of their dubs.
+    pub sync_statuses: SyncStatuses,
     /// The allowed difference between the lengths of a clip and its recording in milliseconds; `None` for one frame.
     pub tolerance_ms: Option<u32>,
     /// The sync record, which stores the source of each clip's visemes; `None` for one next to the Lipz files.

@@ -6,6 +6,8 @@ mod audio;
 #[cfg(feature = "settings")]
 mod babble;
 #[cfg(feature = "settings")]
+mod dubs;
+#[cfg(feature = "settings")]
 mod emotions;
 #[cfg(feature = "settings")]
 mod face;
@@ -25,12 +27,14 @@ mod rig;
 #[cfg(feature = "settings")]
 mod sprites;
 mod sync;
+mod sync_status;
 #[cfg(feature = "settings")]
 mod syntax;
 #[cfg(feature = "settings")]
 mod table;
 #[cfg(feature = "settings")]
 mod template;
+#[cfg(feature = "settings")]
 mod text;
 #[cfg(feature = "settings")]
 mod value;
@@ -38,6 +42,7 @@ mod value;
 pub use audio::{Audio, KEY, SOUND_EXTENSIONS, refused_pattern, sound_rank, without_extension};
 pub use find::FILE_NAME;
 pub use sync::Sync;
+pub use sync_status::{SyncStatus, SyncStatuses};
 #[cfg(feature = "settings")]
 pub use table::{Content, Map, Setting, TABLES, Table, find_flat};
 #[cfg(feature = "settings")]

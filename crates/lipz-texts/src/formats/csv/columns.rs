@@ -28,6 +28,8 @@ pub(super) enum CsvColumn {
     State,
     /// Whether the translation needs work.
     Fuzzy,
+    /// The chosen takes of a recording script.
+    Take,
     /// Information for people or other tools.
     Other,
 }
@@ -47,27 +49,38 @@ pub(super) enum NoColumn {
 }
 
 /// Columns for people or other tools.
-const OTHERS: [&str; 16] = [
+const OTHERS: [&str; 24] = [
     "",
+    "allowed seconds",
     "characters",
     "comment",
     "comments",
     "context",
     "description",
+    "direction",
     "events",
     "file",
     "limit",
+    "line",
     "linenumber",
     "node",
     "note",
     "notes",
+    "original seconds",
     "recording",
+    "scene",
+    "session",
     "speaker",
+    "sync status",
     "time",
+    "to record",
 ];
 
 /// The prefix of the locale in the names of columns with marks.
 pub(crate) const LOCK: &str = "lock";
+
+/// The name of the column with the chosen takes of a recording script.
+pub(crate) const TAKE: &str = "take";
 
 /// The prefix of the locale in the names of columns with comments of translators.
 pub(crate) const COMMENT: &str = "comment";
@@ -142,6 +155,8 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
             return Ok(CsvColumn::State);
         } else if is(name, LOCK) {
             return Ok(CsvColumn::SourceMark);
+        } else if is(name, TAKE) {
+            return Ok(CsvColumn::Take);
         }
         // A longer prefix comes first.
         let kinds = [

@@ -17,6 +17,7 @@ pub(super) struct CsvHeader {
     pub(super) language: Option<usize>,
     pub(super) state: Option<usize>,
     pub(super) fuzzy: Option<usize>,
+    pub(super) take: Option<usize>,
     pub(super) dialect: CsvDialect,
     /// The columns of wanted translations, sorted by the first cell of each.
     texts: Vec<TranslationColumn>,
@@ -71,7 +72,7 @@ impl CsvHeader {
             diagnostics.push(missing("the keys of clips", "name it `key`"));
             return None;
         };
-        if !found.iter().any(|column| matches!(column, CsvColumn::Text | CsvColumn::Locale(_))) {
+        if !found.iter().any(|column| matches!(column, CsvColumn::Text | CsvColumn::Locale(_) | CsvColumn::Take)) {
             let help = match has_target {
                 true => "name the locale of the column `target` with `--locale`, as in de-de",
                 false => "name each column after its locale, as in de-de",
@@ -123,6 +124,7 @@ impl CsvHeader {
             language: find(&CsvColumn::Language),
             state: find(&CsvColumn::State),
             fuzzy: find(&CsvColumn::Fuzzy),
+            take: find(&CsvColumn::Take),
             dialect,
             texts,
             marks,
@@ -147,6 +149,11 @@ impl CsvHeader {
             ) => options.wants(locale),
             Some(_) => true,
         }
+    }
+
+    /// Returns the locale of the first column of translations.
+    pub(super) fn first_locale(&self) -> Option<Arc<str>> {
+        self.texts.first()?.locale.clone()
     }
 
     /// Returns the columns of translations that may have content in a row with so many cells. Iterating over all

@@ -10,7 +10,8 @@ mod scan;
 mod write;
 
 pub use cell::defused;
+pub(crate) use columns::{COMMENT, LOCK, TAKE};
 pub(crate) use read::read;
 pub(crate) use write::write;
 #[cfg(feature = "xlsx")]
-pub(crate) use {columns::LOCK, read::CsvTable, row::CsvRow, write::rows};
+pub(crate) use {read::CsvTable, row::CsvRow, write::rows};

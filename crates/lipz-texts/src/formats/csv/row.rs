@@ -2,7 +2,7 @@
 
 use super::columns::CsvDialect;
 use super::header::{CsvHeader, TranslationColumn};
-use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
+use crate::exchange::entry::{self, ChosenTake, Entry, IncomingFile, ReadOptions, Words};
 use crate::exchange::{Mark, State};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::ops::Range;
@@ -66,6 +66,9 @@ impl CsvRow {
         let own = if is_of_yarn { key.text.strip_prefix(YARN_LINE).unwrap_or(&key.text) } else { &key.text };
         let (id, segment) = entry::id(own);
         let key = Arc::new(Words { text: id.to_owned(), span: key.span });
+        if let Some(name) = header.take.map(|at| self.words(at)).filter(|take| !take.text.trim().is_empty()) {
+            incoming.takes.push(ChosenTake { key: Arc::clone(&key), locale: header.first_locale(), name });
+        }
         let entry = |column: &TranslationColumn| {
             // These do not include columns of other locales, but rows may have any locale.
             let locale = column.locale.clone().or_else(|| row_locale.clone().filter(|locale| options.wants(locale)))?;

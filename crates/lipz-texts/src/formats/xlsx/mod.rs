@@ -11,4 +11,4 @@ mod write;
 const MAX_UNPACKED_BYTES: u64 = 1 << 29;
 
 pub(crate) use read::read;
-pub(crate) use write::write;
+pub(crate) use write::{dated_workbook, write};

@@ -52,11 +52,16 @@ fn refusal(message: String) -> Diagnostic {
     diagnostic
 }
 
-fn workbook(rows: &[Vec<String>], source: &str, diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<u8>, XlsxError> {
+/// Returns an empty workbook with a fixed date, so that the same texts always produce the same file.
+pub(crate) fn dated_workbook() -> Result<Workbook, XlsxError> {
     let mut workbook = Workbook::new();
-    // A fixed date, so that the same texts always produce the same file.
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
     workbook.set_properties(&DocProperties::new().set_creation_datetime(&created));
+    Ok(workbook)
+}
+
+fn workbook(rows: &[Vec<String>], source: &str, diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<u8>, XlsxError> {
+    let mut workbook = dated_workbook()?;
     let sheet = workbook.add_worksheet().set_name("texts")?;
     sheet.set_freeze_panes(1, 1)?;
     columns(sheet, rows.first().map_or(&[], Vec::as_slice), source)?;

@@ -1,11 +1,11 @@
 //! The characters of a clip: those in its events, the speakers in its texts, and those whose names are in its key.
 
 use super::version::Version;
-use crate::shared::characters::in_events;
+use crate::shared::characters::{Spellings, in_events, in_key};
 use lipz_bank::Dialogue;
 use lipz_compiler::Documents;
 use lipz_file::{Value, locale::text_name, text};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The characters of clips, by clip key.
 pub(super) type Characters = BTreeMap<String, BTreeSet<String>>;
@@ -38,43 +38,6 @@ pub(super) fn of_clips(version: &Version, bank: &Dialogue<'_>) -> Characters {
     found
 }
 
-/// The first spelling found of each name: `Mara` in a text is `mara` in the events.
-#[derive(Default)]
-struct Spellings(BTreeMap<String, String>);
-
-impl Spellings {
-    fn of(&mut self, name: &str) -> String {
-        self.0.entry(name.to_lowercase()).or_insert_with(|| name.to_owned()).clone()
-    }
-
-    /// Returns all names by their number of words, and by these words.
-    fn by_words(&self) -> ByWords<'_> {
-        let mut names = ByWords::new();
-        for name in self.0.values() {
-            let words = words(name);
-            if !words.is_empty() {
-                names.entry(words.len()).or_default().entry(words).or_default().push(name);
-            }
-        }
-        names
-    }
-}
-
-/// Names by their number of words, and by these words. Several names can have the same words: `Old_Man` and `old-man`.
-type ByWords<'s> = BTreeMap<usize, HashMap<Vec<String>, Vec<&'s String>>>;
-
-/// Returns the names whose words occur next to each other in a key: `Old_Man` is in `act1/old-man-hello`. Comparing
-/// each name with each key would take minutes for large numbers of both.
-fn in_key(key: &str, names: &ByWords<'_>) -> BTreeSet<String> {
-    let key = words(key);
-    let mut found = BTreeSet::new();
-    for (word_count, names) in names {
-        let of_words = key.windows(*word_count).filter_map(|words| names.get(words));
-        found.extend(of_words.flatten().map(|name| (*name).clone()));
-    }
-    found
-}
-
 /// Returns a clip key and a name for each `{speaker: …}` in the texts. A bank without files has none.
 fn speakers(bytes: &[u8], bank: &Dialogue<'_>) -> Vec<(String, String)> {
     // Most projects do not name speakers this way. Then the bank need not be decompiled.
@@ -93,9 +56,4 @@ fn speakers(bytes: &[u8], bank: &Dialogue<'_>) -> Vec<(String, String)> {
         names.map(|name| (key.to_owned(), name)).collect::<Vec<_>>()
     };
     documents.iter().filter_map(Result::ok).flat_map(of_document).collect()
-}
-
-/// Returns the words of a key or name in lower case: `act1`, `mara`, `good` and `evening` of `act1/Mara-good_evening`.
-fn words(key: &str) -> Vec<String> {
-    key.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect()
 }

@@ -81,6 +81,14 @@ pub const TABLES: &[Table] = &[
             `act1/mayor`.",
         content: Content::Map(VOICES),
     },
+    Table {
+        name: "dubs",
+        about: "Sync status of lines: how far the length of a dub's recording may differ from that of its original. \
+            The names are patterns of the keys of originals. `lip-sync` allows 5 percent, `time-constrained` 10 \
+            percent, and `voice-over` any length; a number sets the percentage. If several patterns match, the last \
+            one applies.",
+        content: Content::Map(DUBS),
+    },
     Table { name: "sync", about: "Rules for making visemes from recordings.", content: Content::Settings(sync::SYNC) },
     Table {
         name: "babble",
@@ -162,6 +170,14 @@ const VOICES: Map = Map {
     default: "one language, in `pattern` of [audio]",
     examples: &["en-us = \"en-us/{key}\"", "de-de = \"german/{key}.ogg\""],
     read: |name, value, to| to.voice(name, value),
+};
+
+const DUBS: Map = Map {
+    name: "KEYS",
+    flat_name: "",
+    default: "`voice-over`",
+    examples: &["\"cutscenes/**\" = \"lip-sync\"", "\"barks/**\" = \"time-constrained\"", "\"intro\" = 3"],
+    read: |name, value, to| to.sync_status(name, value),
 };
 
 const LINTS: Map = Map {

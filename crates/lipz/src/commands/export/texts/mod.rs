@@ -3,25 +3,23 @@
 mod deliver;
 
 use crate::commands::Run;
+use crate::commands::export::units::UnitFiles;
 use crate::console;
 use crate::reporter::{Abort, CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::output_file::refuse_source;
 use crate::shared::sources::Sources;
 use crate::shared::stdin_file::StdinFile;
+use crate::shared::stdio;
 use crate::shared::text_formats::TextFormatArgument;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::{parse_locale, refuse_locales};
-use crate::shared::{formats, stdio};
 use clap::{Args, ValueEnum};
 use deliver::deliver;
-use lipz_compiler::settings::Settings;
-use lipz_compiler::{Compiler, Input, Voices};
-use lipz_diagnostics::{Report, Severity};
-use lipz_file::Document;
-use lipz_sync::Recordings;
-use lipz_texts::{Collect, Division, Exchange, Progress, Shape, Unit, WriteOptions, WriteResult, write};
+use lipz_compiler::{Input, Voices};
+use lipz_diagnostics::Report;
+use lipz_texts::{Division, Exchange, Progress, Shape, Unit, WriteOptions, WriteResult, write};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -215,12 +213,6 @@ impl From<EntryScope> for Division {
     }
 }
 
-/// The result for one clip.
-struct ExportedUnit {
-    unit: Option<Unit>,
-    report: Option<Report>,
-}
-
 impl Run for ExportTexts {
     fn prints_result(&self) -> bool {
         self.is_printed()
@@ -258,7 +250,8 @@ fn run(arguments: &ExportTexts, reporter: &mut Reporter) -> CommandResult {
         }
         Err(report) => return Err(reporter.fail(report)),
     };
-    let units = units(arguments, &project.settings, &inputs, (&source_locale, &locales), &record, &mut reports);
+    let files = UnitFiles { settings: &project.settings, record: &record, is_quiet: arguments.sources.is_quiet() };
+    let units = files.units(&inputs, (&source_locale, &locales), &mut reports);
     let left_out = LeftOut::count(&inputs, &units, &project.settings.voices());
     let mut exchange = Exchange { source_locale, locales, units };
     arguments.keep_states(&mut exchange);
@@ -296,60 +289,4 @@ fn unique(locales: &[String], source_locale: &str) -> Vec<String> {
         }
     }
     all
-}
-
-/// Returns the units of all clips, sorted by key.
-fn units(
-    arguments: &ExportTexts,
-    settings: &Settings,
-    inputs: &[Input],
-    (source_locale, locales): (&str, &[String]),
-    record: &RecordFile,
-    reports: &mut Vec<Report>,
-) -> Vec<Unit> {
-    let options = &settings.options;
-    // Files in one locale have its limits.
-    let limits = match locales {
-        [only] => options.get_text_limits_of(only),
-        _ => options.get_text_limits(),
-    };
-    let on_screen =
-        limits.get_line_columns().zip(limits.get_lines()).map(|(columns, lines)| columns as usize * lines as usize);
-    let collect = Collect::new(source_locale, locales.iter().cloned())
-        .default_locale(options.get_default_locale().map(str::to_owned))
-        .default_rate(options.get_default_fps().map(formats::rate))
-        .limits(on_screen, limits.get_characters_per_second());
-    let (recordings, unread) = Recordings::discover_with_reports(settings);
-    reports.extend(unread);
-    let bar = console::progress_bar(inputs.len(), arguments.sources.is_quiet());
-    let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
-    let results = compiler.each_file(inputs, |input, bytes| {
-        let parsed = lipz_file::parse(bytes);
-        let mut diagnostics = parsed.diagnostics;
-        // `lipz check` reports the warnings about clips.
-        diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);
-        let document: Document<'_> = parsed.document.unwrap_or_default();
-        let mut unit = collect.unit(&input.key, &document, &mut diagnostics);
-        if let Some(unit) = &mut unit {
-            record.record.describe(&record.name(input), source_locale, locales, unit);
-            unit.file = Some(input.name());
-            unit.recording = recordings.find(&input.key).map(|path| path.to_string_lossy().replace('\\', "/"));
-        }
-        options.get_levels().apply(&mut diagnostics);
-        let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
-        ExportedUnit { unit, report }
-    });
-    bar.finish_and_clear();
-    let mut units = Vec::new();
-    for result in results {
-        match result {
-            Ok(made) => {
-                units.extend(made.unit);
-                reports.extend(made.report);
-            }
-            Err(report) => reports.push(report),
-        }
-    }
-    units.sort_by(|a, b| a.key.cmp(&b.key));
-    units
 }

@@ -1,10 +1,10 @@
 //! `lipz import texts`: imports translations into clips.
 
-mod incoming_texts;
 mod new_problems;
 mod translations;
 
 use crate::commands::Run;
+use crate::commands::import::incoming_texts::IncomingTexts;
 use crate::console;
 use crate::interrupt::Files;
 use crate::reporter::{CommandResult, Reporter};
@@ -17,7 +17,6 @@ use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::{parse_locale, refuse_locales};
 use clap::{Args, ValueEnum};
-use incoming_texts::IncomingTexts;
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
 use lipz_texts::{

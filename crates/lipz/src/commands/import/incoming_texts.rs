@@ -4,7 +4,7 @@ use crate::console;
 use crate::reporter::{Abort, Reporter};
 use crate::shared::{input_file, patterns, stdio};
 use lipz_diagnostics::{Diagnostic, Report, Source};
-use lipz_texts::{Entry, ReadOptions, read};
+use lipz_texts::{ChosenTake, Entry, ReadOptions, read};
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -15,6 +15,8 @@ pub(super) struct IncomingTexts {
     /// Names and texts of the files.
     pub(super) sources: Vec<Source>,
     pub(super) entries: Vec<Entry>,
+    /// The chosen takes of recording scripts, each with the number of its file.
+    pub(super) takes: Vec<(usize, ChosenTake)>,
     /// The diagnostics, each with the number of its file.
     pub(super) found: Vec<(usize, Diagnostic)>,
 }
@@ -58,6 +60,7 @@ impl IncomingTexts {
                 entry.file = number;
                 entry
             }));
+            all.takes.extend(incoming.takes.into_iter().map(|take| (number, take)));
             all.found.extend(incoming.diagnostics.into_iter().map(|diagnostic| (number, diagnostic)));
             all.sources.push(Source::new(name, incoming.text));
         }

@@ -1,0 +1,39 @@
+//! `[dubs]`: the sync status of lines.
+
+use super::reading::SettingsReader;
+use super::value::{NamedValue, span};
+use super::{SyncStatus, SyncStatuses};
+use lipz_diagnostics::{Code, Diagnostic, escape, suggest::nearest};
+use toml::de::DeValue;
+
+/// The statuses with names.
+const NAMED: [SyncStatus; 3] =
+    [SyncStatus::LipSync, SyncStatus::TimeConstrained(SyncStatus::TIME_CONSTRAINED_PERCENT), SyncStatus::VoiceOver];
+
+impl SettingsReader<'_> {
+    /// Reads the sync status of the lines whose keys match `pattern`: its name, or a number of percent.
+    pub(super) fn sync_status(&mut self, pattern: &str, value: &NamedValue<'_>) {
+        let status = match value.node.get_ref() {
+            DeValue::Integer(_) => value.count(&mut self.diagnostics).map(SyncStatus::TimeConstrained),
+            _ => self.named_status(value),
+        };
+        let Some(status) = status else { return };
+        let statuses: &mut SyncStatuses = &mut self.settings.audio.sync_statuses;
+        if let Err(error) = statuses.insert(pattern, status) {
+            let message = format!("{} is not a pattern of keys: {}", escape::quoted(pattern), error.msg);
+            let help = "write keys such as `cutscenes/**`; `*` matches all but a slash";
+            self.diagnostics.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));
+        }
+    }
+
+    fn named_status(&mut self, value: &NamedValue<'_>) -> Option<SyncStatus> {
+        let text = value.text(&mut self.diagnostics)?;
+        let found = NAMED.into_iter().find(|status| status.name() == text);
+        if found.is_none() {
+            let near = nearest(text, NAMED.map(SyncStatus::name));
+            let otherwise = "write \"lip-sync\", \"time-constrained\", \"voice-over\", or a number of percent";
+            value.refuse_unknown::<()>("is not a sync status", near, otherwise, &mut self.diagnostics);
+        }
+        found
+    }
+}

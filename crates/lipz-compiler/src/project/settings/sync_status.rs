@@ -1,0 +1,82 @@
+//! The sync status of lines: how far the length of a dub may differ from that of its original.
+
+use glob::{MatchOptions, Pattern, PatternError};
+use std::ops::RangeInclusive;
+
+/// The rules of pattern matching: `*` and `?` match no slash, and `**` matches any folders.
+const MATCHING: MatchOptions =
+    MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: false };
+
+/// How closely a dub must follow the time of its original, in the terms of recording studios.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum SyncStatus {
+    /// The speaker's mouth is visible: within [5 percent](SyncStatus::LIP_SYNC_PERCENT).
+    LipSync,
+    /// An animation or a camera waits for the line: within this many percent.
+    TimeConstrained(u32),
+    /// The line may have any length.
+    #[default]
+    VoiceOver,
+}
+
+impl SyncStatus {
+    /// The allowed difference for [`SyncStatus::LipSync`], in percent of the original's time.
+    pub const LIP_SYNC_PERCENT: u32 = 5;
+
+    /// The allowed difference for a time-constrained line without its own, in percent of the original's time.
+    pub const TIME_CONSTRAINED_PERCENT: u32 = 10;
+
+    /// Returns the name of the status, as in `lipz.toml`.
+    pub fn name(self) -> &'static str {
+        match self {
+            SyncStatus::LipSync => "lip-sync",
+            SyncStatus::TimeConstrained(_) => "time-constrained",
+            SyncStatus::VoiceOver => "voice-over",
+        }
+    }
+
+    /// Returns the allowed difference, in percent of the original's time; `None` for any length.
+    pub fn percent(self) -> Option<u32> {
+        match self {
+            SyncStatus::LipSync => Some(SyncStatus::LIP_SYNC_PERCENT),
+            SyncStatus::TimeConstrained(percent) => Some(percent),
+            SyncStatus::VoiceOver => None,
+        }
+    }
+
+    /// Returns the allowed lengths of a dub whose original has this length, both in microseconds; `None` for any length.
+    ///
+    /// ```
+    /// use lipz_compiler::settings::SyncStatus;
+    /// assert_eq!(SyncStatus::LipSync.range_us(2_000_000), Some(1_900_000..=2_100_000));
+    /// assert_eq!(SyncStatus::VoiceOver.range_us(2_000_000), None);
+    /// ```
+    pub fn range_us(self, original_us: u64) -> Option<RangeInclusive<u64>> {
+        let margin = original_us.saturating_mul(u64::from(self.percent()?)) / 100;
+        Some(original_us.saturating_sub(margin)..=original_us.saturating_add(margin))
+    }
+}
+
+/// The sync statuses of a project's lines, by patterns of the keys of their originals.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct SyncStatuses {
+    patterns: Vec<(Pattern, SyncStatus)>,
+}
+
+impl SyncStatuses {
+    /// Sets the status of the lines whose keys match a pattern such as `cutscenes/**`. Later patterns override earlier
+    /// ones.
+    ///
+    /// # Errors
+    /// If the pattern is invalid.
+    pub fn insert(&mut self, pattern: &str, status: SyncStatus) -> Result<(), PatternError> {
+        self.patterns.push((Pattern::new(pattern)?, status));
+        Ok(())
+    }
+
+    /// Returns the status of the line whose original has this key.
+    pub fn of(&self, key: &str) -> SyncStatus {
+        let matching = |(pattern, _): &&(Pattern, SyncStatus)| pattern.matches_with(key, MATCHING);
+        self.patterns.iter().rev().find(matching).map_or(SyncStatus::VoiceOver, |(_, status)| *status)
+    }
+}

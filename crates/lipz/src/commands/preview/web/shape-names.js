@@ -1,0 +1,1 @@
+../../../../../../packages/lipz-web/shape-names.js

@@ -1,0 +1,229 @@
+//! Recording scripts: their lines, what comes back from the studio, and the lengths of dubs.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use std::fs;
+use support::sound::voice;
+use support::{Outcome, Scene, lipz};
+
+const SETTINGS: &str = "sources = [\"voices\"]
+root = \"voices\"
+default-locale = \"en-us\"
+
+[registry]
+characters = [\"mara\", \"otto\"]
+
+[audio]
+folder = \"rec\"
+
+[voices]
+en-us = \"en/{key}\"
+de-de = \"de/{key}\"
+
+[dubs]
+\"act1/**\" = \"time-constrained\"
+\"act1/mara-hello\" = \"lip-sync\"
+";
+
+/// Speech in a recording, in milliseconds.
+const SECOND: &[(bool, u32)] = &[(false, 200), (true, 600), (false, 200)];
+const LONG: &[(bool, u32)] = &[(false, 200), (true, 1200), (false, 200)];
+
+fn scene() -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", SETTINGS);
+    let clip = |english: &str, german: &str| {
+        format!("{{ \"text_en-us\": \"{english}\", \"text_de-de\": \"{german}\", \"events\": \"feels joy\" }}")
+    };
+    scene.write("voices/act1/mara-hello.lipz", clip("Hello, {smiling} Otto!", "Hallo, {smiling} Otto!"));
+    scene.write("voices/act1/otto-yes.lipz", clip("{speaker: Otto} Yes.", "{speaker: Otto} Ja."));
+    scene.write("voices/act2/mara-bye.lipz", clip("Bye now.", "=Tschüss."));
+    scene.write("rec/en/act1/mara-hello.wav", voice(SECOND, 1));
+    scene
+}
+
+fn export(scene: &Scene, arguments: &[&str]) -> Outcome {
+    lipz(scene.path(), ["export", "recording-script"].iter().chain(arguments))
+}
+
+/// Returns the cells of each row of a script as CSV, without the header.
+fn rows(scene: &Scene, arguments: &[&str]) -> Vec<Vec<String>> {
+    let printed = export(scene, &[&["csv", "-o", "-"], arguments].concat());
+    assert_eq!((printed.code, printed.stderr.as_str()), (0, ""));
+    let rows = printed.stdout.lines().skip(1);
+    // No cell has a line break, and only texts have quotes.
+    rows.map(|row| {
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(row.as_bytes());
+        let record = reader.records().next().unwrap().unwrap();
+        record.iter().map(str::to_owned).collect()
+    })
+    .collect()
+}
+
+#[test]
+fn lines_come_with_all_that_an_actor_and_a_studio_need() {
+    let scene = scene();
+    let lines = rows(&scene, &["--locale", "de-de"]);
+    let shown: Vec<[&str; 11]> =
+        lines.iter().map(|row| [1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|at| row[at].as_str())).collect();
+    let not = "not recorded";
+    let (hello, guten) = ("Hello, {smiling} Otto!", "Hallo, {smiling} Otto!");
+    assert_eq!(
+        shown,
+        [
+            [
+                "act1/mara-hello",
+                "mara",
+                "act1",
+                "feels joy; smiling",
+                "lip-sync",
+                "1.00",
+                "0.95 to 1.05",
+                not,
+                hello,
+                guten,
+                "de/act1/mara-hello"
+            ],
+            [
+                "act2/mara-bye",
+                "mara",
+                "act2",
+                "feels joy",
+                "voice-over",
+                "",
+                "",
+                not,
+                "Bye now.",
+                "'=Tschüss.",
+                "de/act2/mara-bye"
+            ],
+            [
+                "act1/otto-yes",
+                "otto",
+                "act1",
+                "feels joy",
+                "time-constrained",
+                "",
+                "",
+                not,
+                "{speaker: Otto} Yes.",
+                "{speaker: Otto} Ja.",
+                "de/act1/otto-yes"
+            ],
+        ]
+    );
+    // The originals have neither a second text nor a range.
+    let original = rows(&scene, &["--state", "missing"]);
+    assert_eq!(original.len(), 2);
+    assert!(original.iter().all(|row| row[7].is_empty() && row[11].starts_with("en/")), "{original:?}");
+    let sessions = rows(&scene, &["--locale", "de-de", "--session-lines", "1"]);
+    assert_eq!(sessions.iter().map(|row| row[2].as_str()).collect::<Vec<_>>(), ["1", "2", "1"]);
+}
+
+#[test]
+fn pick_ups_are_lines_without_a_current_recording() {
+    let scene = scene();
+    assert_eq!(lipz(scene.path(), ["sync", "--quiet", "--allow", "warnings"]).code, 0);
+    scene.write("rec/de/act1/mara-hello.wav", voice(LONG, 2));
+    let states = |states: &str| rows(&scene, &["--locale", "de-de", "--state", states]);
+    assert_eq!(states("length")[0][9], "too long (1.60 s)");
+    scene.write("rec/de/act1/mara-hello.wav", voice(SECOND, 2));
+    assert_eq!(states("recorded").len(), 1);
+    assert_eq!(lipz(scene.path(), ["sync", "--quiet", "--allow", "warnings"]).code, 0);
+    let none = export(&scene, &["csv", "-o", "-", "--locale", "de-de", "--state", "stale"]);
+    assert!(none.code == 2 && none.stderr.contains("no line is to be recorded"), "{none:?}");
+    let text = fs::read_to_string(scene.path().join("voices/act1/mara-hello.lipz")).unwrap();
+    scene.write("voices/act1/mara-hello.lipz", text.replace("Hallo", "Servus"));
+    assert_eq!(states("stale")[0][9], "the text has changed");
+    assert_eq!(states("missing,stale,length").len(), 3);
+}
+
+#[test]
+fn takes_and_texts_come_back_from_the_studio() {
+    for (format, name) in [("csv", "script.csv"), ("xlsx", "script.xlsx")] {
+        let scene = scene();
+        let written = export(&scene, &[format, "--locale", "de-de", "-o", name]);
+        let summary = format!("3 lines with 4 words for 2 characters written into {name}\n");
+        assert_eq!((written.code, written.stdout.as_str()), (0, summary.as_str()), "{written:?}");
+        // Nothing was changed yet.
+        let unchanged = lipz(scene.path(), ["import", "texts", name]);
+        assert_eq!((unchanged.code, unchanged.stderr.as_str()), (0, ""), "{format}");
+        let again = lipz(scene.path(), ["import", "recordings", name, "--takes", "voices"]);
+        assert!(again.code == 2 && again.stderr.contains("no take is chosen"), "{again:?}");
+    }
+    let scene = scene();
+    assert_eq!(export(&scene, &["csv", "--locale", "de-de", "-o", "script.csv"]).code, 0);
+    let script = fs::read_to_string(scene.path().join("script.csv")).unwrap();
+    let chosen = script.replace("de/act1/mara-hello,", "de/act1/mara-hello,2").replace("Hallo, {", "Grüß Gott, {");
+    let chosen = chosen.replace("de/act1/otto-yes,", "de/act1/otto-yes,odd/otto.flac");
+    scene.write("script.csv", chosen.replace("de/act1/otto-yes,odd/otto.flac", "de/act1/otto-yes,otto-yes-odd.wav"));
+    for (take, seed) in [("mara-hello_1.wav", 1), ("mara-hello_2.wav", 2), ("otto-yes-odd.wav", 3)] {
+        scene.write(&format!("takes/monday/{take}"), voice(SECOND, seed));
+    }
+    let import = |more: &[&str]| {
+        lipz(scene.path(), ["import", "recordings", "script.csv", "--takes", "takes"].iter().chain(more))
+    };
+    let copied = import(&[]);
+    assert_eq!(
+        (copied.code, copied.stdout.as_str()),
+        (0, "takes copied: 2 new, 0 replaced, 0 unchanged\n"),
+        "{copied:?}"
+    );
+    let recording = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(recording("rec/de/act1/mara-hello.wav") == recording("takes/monday/mara-hello_2.wav"));
+    assert_eq!(import(&[]).stdout, "takes copied: 0 new, 0 replaced, 2 unchanged\n");
+    let texts = lipz(scene.path(), ["import", "texts", "script.csv"]);
+    assert_eq!((texts.code, texts.stderr.as_str()), (0, ""));
+    let hello = fs::read_to_string(scene.path().join("voices/act1/mara-hello.lipz")).unwrap();
+    assert!(hello.contains("Grüß Gott, {smiling} Otto!"), "{hello}");
+    // A retake replaces a recording only on request, and a missing take copies nothing.
+    scene.write("takes/monday/mara-hello_2.wav", voice(LONG, 4));
+    let refused = import(&[]);
+    assert!(refused.code == 1 && refused.stderr.contains("already exists"), "{refused:?}");
+    assert_eq!(import(&["--overwrite"]).stdout, "takes copied: 0 new, 1 replaced, 1 unchanged\n");
+}
+
+#[test]
+fn takes_that_cannot_be_found_are_reported() {
+    let mut scene = scene();
+    assert_eq!(export(&scene, &["csv", "--locale", "de-de", "-o", "script.csv"]).code, 0);
+    let script = fs::read_to_string(scene.path().join("script.csv")).unwrap();
+    let choose = |take: &str| script.replace("de/act1/mara-hello,", &format!("de/act1/mara-hello,{take}"));
+    let run = ["import", "recordings", "script.csv", "--takes", "takes"];
+    scene.write("takes/mara-hello_1.wav", voice(SECOND, 1));
+    scene.write("takes/late/mara-hello-take1.wav", voice(SECOND, 2));
+    scene.write("script.csv", choose("3"));
+    scene.expect("LZ1918-missing-take", &run);
+    scene.write("script.csv", choose("1"));
+    scene.expect("LZ1918-missing-take-ambiguous", &run);
+    scene.write("script.csv", choose("late/mara-hello-take1"));
+    assert_eq!(lipz(scene.path(), run).code, 0);
+    scene.write(
+        "script.csv",
+        format!("{}{}", choose("late/mara-hello-take1"), choose("mara-hello_1.wav").lines().nth(1).unwrap()),
+    );
+    scene.expect("LZ1918-missing-take-twice", &run);
+    let path = scene.path().join("rec/de/act1/mara-hello.flac");
+    fs::rename(scene.path().join("rec/de/act1/mara-hello.wav"), path).unwrap();
+    scene.write("script.csv", choose("mara-hello_1.wav"));
+    scene.expect("LZ1918-missing-take-format", &run);
+    scene.finish(4);
+}
+
+#[test]
+fn dubs_of_another_length_are_reported() {
+    let mut scene = scene();
+    scene.write("rec/de/act1/mara-hello.wav", voice(LONG, 2));
+    let check = ["check", "--quiet", "--allow", "LZ1701,LZ1702,LZ1707,LZ1715"];
+    scene.expect("LZ2007-dub-length", &check);
+    scene.write("rec/de/act1/mara-hello.wav", voice(SECOND, 2));
+    assert_eq!(lipz(scene.path(), check).stderr, "");
+    scene.write("rec/de/act1/mara-hello.wav", voice(LONG, 2));
+    scene.write("lipz.toml", SETTINGS.replace("\"lip-sync\"", "70"));
+    assert_eq!(lipz(scene.path(), check).stderr, "");
+    scene.write("lipz.toml", SETTINGS.replace("\"lip-sync\"", "\"lipsync\""));
+    let refused = lipz(scene.path(), check);
+    assert!(refused.code != 0 && refused.stderr.contains("did you mean \"lip-sync\"?"), "{refused:?}");
+    scene.finish(1);
+}
