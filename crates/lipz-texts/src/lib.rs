@@ -34,7 +34,9 @@ pub use lint::{TextLints, has_translations};
 pub use merge::{
     ConfirmedTranslations, Counts, Merge, MergedFile, TextTranslations, TranslatorComments, resolve_keys, unknown_keys,
 };
-pub use progress::{Amount, LocaleWork, OpenSegment, Progress, Work, cost_of, csv_table, html, html_page, page};
+pub use progress::{
+    Amount, LocaleWork, OpenSegment, Progress, SourceMatch, Work, cost_of, csv_table, html, html_page, page,
+};
 pub use record::{Standing, TextRecord};
 pub use script::{CharacterCues, RecordingScript, ScriptLine};
 

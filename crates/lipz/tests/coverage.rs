@@ -25,17 +25,17 @@ fn coverage_says_what_is_to_be_done() {
     assert_eq!(listed("missing,stale", "de-de", &[]).stdout, "=new\nmayor\n");
     assert_eq!(listed("missing", "sw-ke", &[]).stdout, "=new\nmayor\n", "no translation exists");
     let list = listed("missing,stale", "de-de", &["--as", "csv"]).stdout;
-    let expected = "key,segment,locale,state,source,translated from,translation,words\r\n\
-                    '=new,,de-de,missing,Halt!,,,1\r\n\
-                    mayor,1,de-de,stale,\"Good morning, {name}.\",\"Good evening, {name}.\",\"Guten Abend, {name}.\",2\r\n\
-                    mayor,2,de-de,missing,Who goes there?,,,3\r\n";
+    let expected = "key,segment,locale,state,source,translated from,translation,words,match\r\n\
+                    '=new,,de-de,missing,Halt!,,,1,new\r\n\
+                    mayor,1,de-de,stale,\"Good morning, {name}.\",\"Good evening, {name}.\",\"Guten Abend, {name}.\",2,new\r\n\
+                    mayor,2,de-de,missing,Who goes there?,,,3,new\r\n";
     assert_eq!(list, expected);
     let json = ["--output-format", "json", "--cost-per-word", "0.5"];
     let json = listed("missing,stale", "de-de", &json).stdout;
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     let stale = serde_json::json!({
         "key": "mayor", "segment": 1, "locale": "de-de", "state": "stale", "source": "Good morning, {name}.",
-        "translated_from": "Good evening, {name}.", "translation": "Guten Abend, {name}.", "words": 2, "cost": 1.0,
+        "translated_from": "Good evening, {name}.", "translation": "Guten Abend, {name}.", "words": 2, "match": "new", "cost": 1.0,
     });
     assert_eq!((json.as_array().unwrap().len(), &json[1]), (3, &stale));
     for look in [&[][..], &["--as", "csv"]] {
@@ -52,9 +52,13 @@ fn coverage_says_what_is_to_be_done() {
     let csv = coverage(&["--as", "csv"]).stdout;
     let columns = |line: &str| line.split(',').count();
     assert!(csv.lines().all(|line| columns(line) == columns(csv.lines().next().unwrap())), "{csv}");
-    assert!(csv.contains("\r\nde-de,2,50.0,1,0,1,0,3,6,2,4,1,2,0,0,0,0,0,0,0,0,6\r\n"), "{csv}");
+    assert!(csv.contains("\r\nde-de,2,50.0,1,0,1,0,3,6,2,4,1,2,0,0,0,0,0,0,0,0,6,0,0,0,0,0,6\r\n"), "{csv}");
     let json = coverage(&["--output-format", "json", "--cost-per-word", "0.5"]).stdout;
-    assert!(json.contains("\"words_to_do\": 6,\n      \"cost\": 3.0"), "{json}");
+    assert!(
+        json.contains("\"words_to_do\": 6,\n      \"matches\": {\n        \"new\": 6,")
+            && json.contains("\"cost\": 3.0"),
+        "{json}"
+    );
     let page = coverage(&["--as", "html"]).stdout;
     assert!(page.contains("<del>evening</del><ins>morning</ins>") && page.ends_with("</html>\n"), "{page}");
     let wanted = coverage(&["--min-coverage", "sw-ke=100"]);

@@ -5,7 +5,7 @@
 
 use similar::algorithms::{Capture, Compact, Replace, myers};
 use similar::udiff::UnifiedHunkHeader;
-use similar::{Change, DiffOp, DiffableStr, group_diff_ops};
+use similar::{Change, DiffOp, DiffTag, DiffableStr, group_diff_ops};
 use std::fmt::Write;
 
 /// Unchanged lines before and after a change, as in `diff -u`.
@@ -35,6 +35,12 @@ pub fn unified(name: &str, old: &str, new: &str) -> String {
         }
     }
     text
+}
+
+/// Returns the number of words that two texts have in common, in the same order.
+pub(crate) fn common_words(one: &[&str], other: &[&str]) -> usize {
+    let same = operations(one, other).into_iter().filter(|operation| operation.tag() == DiffTag::Equal);
+    same.map(|operation| operation.new_range().len()).sum()
 }
 
 /// Returns the operations that lead from the old parts to the new ones.

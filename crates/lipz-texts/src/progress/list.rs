@@ -10,10 +10,11 @@ impl LocaleWork {
     /// row for each segment and its source text. Cells are never formulas. With a cost per word, a column has the cost
     /// of the segment.
     pub fn csv(&self, is_meant: impl Fn(Progress) -> bool, cost_per_word: Option<f64>) -> Vec<u8> {
-        let head = ["key", "segment", "locale", "state", "source", "translated from", "translation", "words"];
+        let head = ["key", "segment", "locale", "state", "source", "translated from", "translation", "words", "match"];
         let cost_name = cost_per_word.map(|_| "cost".to_owned());
         let mut rows = vec![head.map(str::to_owned).into_iter().chain(cost_name).collect::<Vec<_>>()];
-        for open in self.open.iter().filter(|open| is_meant(open.progress())) {
+        let open = self.open.iter().zip(self.matches());
+        for (open, found) in open.filter(|(open, _)| is_meant(open.progress())) {
             let count = words(&open.source);
             let cells = [
                 open.key.clone(),
@@ -24,6 +25,7 @@ impl LocaleWork {
                 open.made_from.clone().unwrap_or_default(),
                 open.text.clone(),
                 count.to_string(),
+                found.name(),
             ];
             rows.push(cells.into_iter().chain(cost_per_word.map(|cost| cost_of(count, cost))).collect());
         }

@@ -2,15 +2,18 @@
 
 mod html;
 mod list;
+mod matches;
 mod page;
 
 pub use html::{html, html_page};
 pub use list::{cost_of, csv_table};
+pub use matches::SourceMatch;
 pub use page::page;
 
 use crate::exchange::model::{State, Unit};
 use crate::exchange::{ClipTexts, words};
 use crate::record::{Standing, TextRecord};
+use std::sync::Arc;
 
 /// The progress of a segment's translation.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -61,6 +64,8 @@ pub struct LocaleWork {
     pub unknown: Amount,
     /// The missing and stale segments, in the order of the clips.
     pub open: Vec<OpenSegment>,
+    /// The source texts of the other segments.
+    translated: Vec<Arc<str>>,
 }
 
 /// The work of a project: translations from one locale into others.
@@ -147,6 +152,7 @@ impl Work {
     pub fn add(&mut self, key: &str, file: &str, texts: &ClipTexts, record: Option<&TextRecord>) {
         let Some(sources) = texts.get(&self.source_locale) else { return };
         let counts: Vec<usize> = sources.iter().map(|source| words(source)).collect();
+        let shared: Vec<Arc<str>> = sources.iter().map(|source| source.as_str().into()).collect();
         for work in &mut self.locales {
             let own = texts.get(&work.locale).map_or(&[][..], Vec::as_slice);
             let standings =
@@ -171,6 +177,8 @@ impl Work {
                     let number = (sources.len() > 1).then_some(at + 1);
                     let (key, source, text) = (key.to_owned(), source.clone(), text.to_owned());
                     work.open.push(OpenSegment { key, number, source, made_from, text });
+                } else {
+                    work.translated.extend(shared.get(at).cloned());
                 }
             }
         }
@@ -188,6 +196,7 @@ impl Work {
             ours.amounts.iter_mut().zip(theirs.amounts).for_each(|(our, their)| our.add(their));
             ours.unknown.add(theirs.unknown);
             ours.open.extend(theirs.open);
+            ours.translated.extend(theirs.translated);
         }
     }
 }

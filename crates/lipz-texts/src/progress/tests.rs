@@ -1,6 +1,7 @@
 //! Tests of counting missing, stale and translated segments.
 
 use super::*;
+use crate::exchange::texts_of;
 
 fn texts(texts: &[(&str, &[&str])]) -> ClipTexts {
     let text = |(locale, texts): &(&str, &[&str])| {
@@ -47,8 +48,8 @@ fn every_progress_is_counted() {
 #[test]
 fn lists_are_no_formulas() {
     let list = String::from_utf8(work().locales[0].csv(|progress| progress == Progress::Stale, Some(0.1))).unwrap();
-    let expected = "key,segment,locale,state,source,translated from,translation,words,cost\r\n\
-                    '=a<b>,2,de-de,stale,New,Old,Alt,1,0.10\r\nshort,1,de-de,stale,A,,A,1,0.10\r\n";
+    let expected = "key,segment,locale,state,source,translated from,translation,words,match,cost\r\n\
+                    '=a<b>,2,de-de,stale,New,Old,Alt,1,new,0.10\r\nshort,1,de-de,stale,A,,A,1,new,0.10\r\n";
     assert_eq!(list, expected);
 }
 
@@ -60,4 +61,33 @@ fn a_page_is_xml_and_says_what_changed() {
     // All elements are closed, except for those that HTML closes itself.
     let body = page.split_once("</style>\n").unwrap().1;
     roxmltree::Document::parse(&format!("<html>{body}")).unwrap();
+}
+
+#[test]
+fn matches_are_repetitions_and_similar_texts() {
+    let clip = |english: &str, german: &str| {
+        let file = format!(r#"{{ "text_en-us": "{english}", "text_de-de": "{german}" }}"#);
+        texts_of(&lipz_file::parse(file.as_bytes()).document.unwrap(), None)
+    };
+    let mut work = Work::new("en-us", ["de-de"]);
+    let done = "The old lighthouse keeper never lights the lamp on a Sunday.";
+    let changed = [
+        ("The old lighthouse keeper never lights the lamp on a Monday.", "90 %"),
+        ("An old lighthouse keeper never lights the lamp on Mondays, he says.", "new"),
+        (done, "100 %"),
+        ("The old lighthouse keeper never lights the lamp on a Sunday!", "99 %"),
+        ("Nothing like it.", "new"),
+        ("Nothing like it.", "repeated"),
+        ("", ""),
+    ];
+    work.add("a", "a", &clip(done, "Der alte Leuchtturmwärter macht sonntags nie Licht."), None);
+    for (number, (source, _)) in changed.iter().enumerate() {
+        work.add(&format!("b{number}"), "b", &clip(source, ""), None);
+    }
+    let found: Vec<String> = work.locales[0].matches().into_iter().map(SourceMatch::name).collect();
+    let expected: Vec<&str> = changed.iter().map(|(_, name)| *name).filter(|name| !name.is_empty()).collect();
+    assert_eq!(found, expected);
+    let bands = work.locales[0].bands();
+    assert_eq!(bands.map(|amount| amount.segments), [2, 0, 1, 1, 1, 1]);
+    assert_eq!(bands.iter().map(|amount| amount.words).sum::<usize>(), work.locales[0].to_do().words);
 }

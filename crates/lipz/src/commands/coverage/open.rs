@@ -1,6 +1,6 @@
 //! Segments to translate, as a document for programs.
 
-use lipz_texts::{LocaleWork, OpenSegment, Progress, words};
+use lipz_texts::{LocaleWork, OpenSegment, Progress, SourceMatch, words};
 use serde::Serialize;
 
 /// A missing or stale segment.
@@ -19,6 +19,9 @@ pub(super) struct OpenRow<'w> {
     #[serde(skip_serializing_if = "str::is_empty")]
     translation: &'w str,
     words: usize,
+    /// The best match of the source text: `new`, `87 %`, `100 %` or `repeated`.
+    #[serde(rename = "match")]
+    found: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     cost: Option<f64>,
 }
@@ -29,7 +32,7 @@ pub(super) fn rows<'w>(
     is_meant: impl Fn(Progress) -> bool,
     cost_per_word: Option<f64>,
 ) -> Vec<OpenRow<'w>> {
-    let row = |open: &'w OpenSegment| {
+    let row = |(open, found): (&'w OpenSegment, SourceMatch)| {
         let words = words(&open.source);
         OpenRow {
             key: &open.key,
@@ -40,8 +43,10 @@ pub(super) fn rows<'w>(
             translated_from: open.made_from.as_deref(),
             translation: &open.text,
             words,
+            found: found.name(),
             cost: cost_per_word.map(|cost| (words as f64 * cost * 100.0).round() / 100.0),
         }
     };
-    work.open.iter().filter(|open| is_meant(open.progress())).map(row).collect()
+    let open = work.open.iter().zip(work.matches());
+    open.filter(|(open, _)| is_meant(open.progress())).map(row).collect()
 }

@@ -4,7 +4,7 @@ use crate::console::{self, grouped};
 use crate::shared::locales::locale_name;
 use lipz_compiler::Coverage;
 use lipz_diagnostics::escape;
-use lipz_texts::{Amount, LocaleWork, Progress, Work, cost_of};
+use lipz_texts::{Amount, LocaleWork, Progress, SourceMatch, Work, cost_of};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -74,6 +74,7 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
         let _ = writeln!(text, " {:>12}{}", grouped(to_do), cost.unwrap_or_default());
     }
     text.push_str("\nwords: the translated share; the next columns count segments\n");
+    text.push_str(&matches(work));
     let (translated, unknown) = work.unknown();
     if unknown > 0 {
         let _ = writeln!(
@@ -87,6 +88,22 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
     text
 }
 
+/// Returns the words to translate by how much of them is translated elsewhere; an empty string if nothing is.
+fn matches(work: &Work) -> String {
+    let mut text = format!("\nwords to do by similarity:\n\n  {:<12}", "locale");
+    SourceMatch::BANDS.iter().for_each(|band| _ = write!(text, " {band:>10}"));
+    text.push('\n');
+    let mut has_matches = false;
+    for locale in &work.locales {
+        let bands = locale.bands();
+        has_matches |= bands.iter().skip(1).any(|amount| amount.segments > 0);
+        let _ = write!(text, "  {:<12}", escape::text(&locale.locale));
+        bands.iter().for_each(|amount| _ = write!(text, " {:>10}", grouped(amount.words)));
+        text.push('\n');
+    }
+    if has_matches { text } else { String::new() }
+}
+
 /// Returns a row for each locale, with all numbers. Tags and numbers need no quotes.
 pub(super) fn csv(found: &[Coverage], work: Option<&Work>, cost_per_word: Option<f64>) -> String {
     let mut text = "locale,clips,covered percent,texts,same,fallback,nothing".to_owned();
@@ -95,7 +112,9 @@ pub(super) fn csv(found: &[Coverage], work: Option<&Work>, cost_per_word: Option
         for progress in Progress::ALL {
             let _ = write!(text, ",{0} segments,{0} words", progress.name());
         }
-        text.push_str(",unknown segments,unknown words,words to do");
+        text.push_str(",unknown segments,unknown words");
+        SourceMatch::BANDS.iter().for_each(|band| _ = write!(text, ",{band} words"));
+        text.push_str(",words to do");
         text.push_str(if cost_per_word.is_some() { ",cost" } else { "" });
     }
     text.push_str("\r\n");
@@ -114,7 +133,9 @@ pub(super) fn csv(found: &[Coverage], work: Option<&Work>, cost_per_word: Option
         match (work, work.and_then(|work| of_locale(work, &coverage.tag))) {
             (None, _) => {}
             (Some(_), Some(work)) => work_cells(work, cost_per_word, &mut text),
-            (Some(_), None) => text.push_str(&",".repeat(15 + usize::from(cost_per_word.is_some()))),
+            (Some(_), None) => {
+                text.push_str(&",".repeat(15 + SourceMatch::BANDS.len() + usize::from(cost_per_word.is_some())));
+            }
         }
         text.push_str("\r\n");
     }
@@ -128,7 +149,9 @@ fn work_cells(work: &LocaleWork, cost_per_word: Option<f64>, text: &mut String) 
         let _ = write!(text, ",{},{}", amount.segments, amount.words);
     }
     let to_do = work.to_do().words;
-    let _ = write!(text, ",{},{},{to_do}", work.unknown.segments, work.unknown.words);
+    let _ = write!(text, ",{},{}", work.unknown.segments, work.unknown.words);
+    work.bands().iter().for_each(|amount| _ = write!(text, ",{}", amount.words));
+    let _ = write!(text, ",{to_do}");
     if let Some(cost) = cost_per_word {
         let _ = write!(text, ",{}", cost_of(to_do, cost));
     }
@@ -159,8 +182,21 @@ struct WorkRow {
     /// The part of the translated amount whose source texts are unrecorded.
     unknown: AmountRow,
     words_to_do: usize,
+    /// The words to do by band of similarity.
+    matches: MatchesRow,
     #[serde(skip_serializing_if = "Option::is_none")]
     cost: Option<f64>,
+}
+
+/// The words in each of the [`SourceMatch::BANDS`].
+#[derive(Serialize)]
+struct MatchesRow {
+    new: usize,
+    similar_75: usize,
+    similar_85: usize,
+    similar_95: usize,
+    same: usize,
+    repeated: usize,
 }
 
 #[derive(Serialize)]
@@ -186,6 +222,7 @@ fn work_row(from: &str, locale: &LocaleWork, cost_per_word: Option<f64>) -> Work
     let row = |amount: Amount| AmountRow { segments: amount.segments, words: amount.words };
     let amount = |progress| row(locale.amount(progress));
     let to_do = locale.to_do().words;
+    let [new, similar_75, similar_85, similar_95, same, repeated] = locale.bands().map(|amount| amount.words);
     WorkRow {
         from: from.to_owned(),
         missing: amount(Progress::Missing),
@@ -195,6 +232,7 @@ fn work_row(from: &str, locale: &LocaleWork, cost_per_word: Option<f64>) -> Work
         done: amount(Progress::Final),
         unknown: row(locale.unknown),
         words_to_do: to_do,
+        matches: MatchesRow { new, similar_75, similar_85, similar_95, same, repeated },
         cost: cost_per_word.map(|cost| (to_do as f64 * cost * 100.0).round() / 100.0),
     }
 }
