@@ -3,7 +3,7 @@
 
 mod engine_readers;
 
-use engine_readers::{godot, unity, unreal, yarn};
+use engine_readers::{godot, unity, unreal, unreal_po, yarn};
 use lipz_texts::{Collect, Exchange, Format, ReadOptions, Shape, State, WriteOptions, read, write};
 
 /// Files in the form that users of the engines have.
@@ -23,6 +23,11 @@ fn the_readers_read_the_files_of_their_engines() {
     );
     let table = "Key,SourceString,Comment\nDISK,\"A \\\"\"disk\\\"\"\\nin C:\\\\x\",\n";
     assert_eq!(unreal(table)["DISK"], "A \"disk\"\nin C:\\x");
+    let file = "msgid \"\"\nmsgstr \"\"\n\"Language: de\\n\"\n\n#. Key:\tGreet,1\n#. SourceLocation:\t/Game/Dialogue\n\
+        #: /Game/Dialogue\nmsgctxt \"Town,Greet\\\\,1\"\nmsgid \"Hi.\\r\\nYou\"\nmsgstr \"Hallo.\\r\\nDu\"\n";
+    let game = [("Town", "Greet,1", "Hi.\r\nYou")];
+    assert_eq!(unreal_po(file, &game)["Town,Greet,1"], "Hallo.\r\nDu");
+    assert_eq!(unreal_po(file, &[("Town", "Greet,1", "Hi.")]).len(), 0, "the text of the game is different");
 }
 
 const TEXT: &str = "- Quoth \"he\", 'C:\\x'.";

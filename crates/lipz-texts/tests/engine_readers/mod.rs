@@ -81,3 +81,58 @@ pub(crate) fn unreal(file: &str) -> Texts {
 fn replaced(cell: &str, escapes: &[(&str, &str)]) -> String {
     escapes.iter().fold(cell.to_owned(), |text, (escape, character)| text.replace(escape, character))
 }
+
+/// Returns the translations that Unreal imports from a PO file, by namespace and key, joined by a comma. Follows Unreal 5
+/// (`PortableObjectPipeline::ImportPortableObject`): entries are found by namespace and key, entries without a
+/// translation or with an unknown key are skipped, and flags such as `fuzzy` have no effect. The engine shows a
+/// translation only if its source text is that of the game.
+pub(crate) fn unreal_po(file: &str, game: &[(&str, &str, &str)]) -> Texts {
+    let mut texts = Texts::new();
+    let mut fields: BTreeMap<&str, String> = BTreeMap::new();
+    let mut field = "";
+    for line in file.lines().chain([""]) {
+        let keyword = ["msgctxt", "msgid", "msgstr"].into_iter().find(|name| line.starts_with(&format!("{name} \"")));
+        field = keyword.unwrap_or(field);
+        if let (Some(start), Some(end)) = (line.find('"'), line.rfind('"'))
+            && !line.starts_with('#')
+        {
+            fields.entry(field).or_default().push_str(&line[start + 1..end]);
+        }
+        if !line.trim().is_empty() {
+            continue;
+        }
+        let own = |name: &str| unreal_po_text(fields.get(name).map_or("", String::as_str));
+        let (context, source, text) = (own("msgctxt"), own("msgid"), own("msgstr"));
+        fields.clear();
+        let (namespace, key) = unreal_identity(&context);
+        let is_known = |known: &&(&str, &str, &str)| (known.0, known.1) == (namespace.as_str(), key.as_str());
+        if let Some(known) = game.iter().find(is_known)
+            && !source.is_empty()
+            && !text.is_empty()
+            && known.2 == source
+        {
+            texts.insert(format!("{namespace},{key}"), text);
+        }
+    }
+    texts
+}
+
+/// Replaces the escapes of a PO file as Unreal does: one after the other.
+fn unreal_po_text(text: &str) -> String {
+    let escapes = [("\\t", "\t"), ("\\n", "\n"), ("\\r", "\r"), ("\\\"", "\""), ("\\\\", "\\")];
+    escapes.iter().fold(text.to_owned(), |text, (escape, character)| text.replace(escape, character))
+}
+
+/// Divides a context at its first comma without a backslash: the namespace and the key.
+fn unreal_identity(context: &str) -> (String, String) {
+    let mut is_escaped = false;
+    for (at, character) in context.char_indices() {
+        match character {
+            _ if is_escaped => is_escaped = false,
+            ',' => return (context[..at].replace("\\,", ","), context[at + 1..].replace("\\,", ",")),
+            '\\' => is_escaped = true,
+            _ => {}
+        }
+    }
+    (context.to_owned(), String::new())
+}
