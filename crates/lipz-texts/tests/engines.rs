@@ -63,6 +63,22 @@ fn engines_show_the_texts_of_the_project() {
 }
 
 #[test]
+fn unreal_imports_translations_from_po() {
+    let clip = serde_json::json!({ "visemes": "MA", "text_en-us": TEXT, "text_de-de": GERMAN }).to_string();
+    let document = lipz_file::parse(clip.as_bytes()).document.unwrap();
+    let mut unit = Collect::new("en-us", ["de-de"]).unit("act1/otto, twice", &document, &mut Vec::new()).unwrap();
+    unit.file = Some("voices/act1/otto, twice.lipz".into());
+    let exchange = Exchange { source_locale: "en-us".into(), locales: vec!["de-de".into()], units: vec![unit] };
+    let options = WriteOptions::new().namespace(Some("Town, old".into()));
+    let written = write(Format::Po, &exchange, &options);
+    let file = String::from_utf8(written.files[0].bytes.clone()).unwrap();
+    assert_eq!(unreal_po(&file, &[("Town, old", "act1/otto, twice", TEXT)])["Town, old,act1/otto, twice"], GERMAN);
+    let mut entries = read(Format::Po, file.as_bytes(), &ReadOptions::new("en-us")).entries;
+    lipz_texts::resolve_keys(&mut entries, &["act1/otto, twice"].into());
+    assert_eq!((entries[0].key.text.as_str(), entries[0].text.text.as_str()), ("act1/otto, twice", GERMAN));
+}
+
+#[test]
 fn tables_of_engines_come_back_unchanged() {
     for shape in Shape::ALL {
         let text = "C:\\new\n'- x";

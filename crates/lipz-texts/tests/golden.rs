@@ -37,6 +37,7 @@ fn files_are_as_they_were() {
     let is_blessing = std::env::var_os("LIPZ_BLESS").is_some();
     let ways = [
         ("clips", Format::Po, WriteOptions::new()),
+        ("unreal", Format::Po, WriteOptions::new().namespace(Some("Dialogue".into()))),
         ("segments", Format::Po, WriteOptions::new().division(Division::Segment)),
         ("xliff-2.1", Format::Xliff, WriteOptions::new()),
         ("xliff-1.2", Format::Xliff12, WriteOptions::new()),

@@ -19,11 +19,11 @@ fn ways() -> Vec<(Format, WriteOptions)> {
     for division in [Division::Clip, Division::Segment] {
         let options = WriteOptions::new().division(division);
         for &format in Format::ALL {
-            ways.push((format, options));
+            ways.push((format, options.clone()));
         }
         for shape in Shape::ALL {
-            ways.push((Format::Csv, options.shape(shape)));
-            ways.push((Format::Csv, options.shape(shape).raw_cells(true)));
+            ways.push((Format::Csv, options.clone().shape(shape)));
+            ways.push((Format::Csv, options.clone().shape(shape).raw_cells(true)));
         }
     }
     ways

@@ -12,7 +12,8 @@ pub(crate) mod markup;
 pub(crate) mod model;
 pub(crate) mod placeholder;
 pub(crate) mod tag;
-pub(crate) mod words;
+pub(crate) mod unreal;
+mod words;
 pub(crate) mod write_options;
 
 pub use clip_texts::{ClipTexts, texts_of};

@@ -3,7 +3,7 @@
 use crate::exchange::Division;
 
 /// The options for writing a file.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 #[non_exhaustive]
 pub struct WriteOptions {
     /// Whether it has a text per clip or per segment. Formats with segments contain both.
@@ -12,6 +12,8 @@ pub struct WriteOptions {
     pub shape: Shape,
     /// Whether cells of a CSV are written as they are, even if a spreadsheet treats them as formulas.
     pub raw_cells: bool,
+    /// The namespace of the texts in Unreal. With it, a PO file has the contexts and comments that Unreal needs.
+    pub namespace: Option<String>,
 }
 
 impl WriteOptions {
@@ -37,6 +39,12 @@ impl WriteOptions {
     #[must_use]
     pub fn raw_cells(self, raw_cells: bool) -> WriteOptions {
         WriteOptions { raw_cells, ..self }
+    }
+
+    /// Sets the namespace of the texts in Unreal.
+    #[must_use]
+    pub fn namespace(self, namespace: Option<String>) -> WriteOptions {
+        WriteOptions { namespace, ..self }
     }
 }
 

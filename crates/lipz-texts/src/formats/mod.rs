@@ -112,7 +112,7 @@ impl Format {
 pub fn write(format: Format, exchange: &Exchange, options: &WriteOptions) -> WriteResult {
     let mut written = WriteResult::default();
     let one = |locale: Option<usize>, diagnostics: &mut Vec<Diagnostic>| match (format, locale) {
-        (Format::Po, Some(at)) => po::write(exchange, at, options.division, diagnostics),
+        (Format::Po, Some(at)) => po::write(exchange, at, options, diagnostics),
         (Format::Xliff, Some(at)) => xliff::write_2_1(exchange, at),
         (Format::Xliff12, Some(at)) => xliff::write_1_2(exchange, at, options.division),
         (Format::Csv, locale) => csv::write(exchange, locale, options, diagnostics),

@@ -1,5 +1,6 @@
 //! Entries of clips that are missing from the project.
 
+use crate::exchange::unreal::unreal_key;
 use crate::exchange::{Entry, Words};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape, suggest};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
@@ -16,7 +17,7 @@ pub fn resolve_keys(entries: &mut [Entry], keys: &BTreeSet<&str>) {
     }
     for entry in entries.iter_mut().filter(|entry| is_foreign(entry, keys)) {
         let own = entry.key.text.trim();
-        let without_namespace = own.split_once(',').map(|(_, key)| key).filter(|key| keys.contains(key));
+        let without_namespace = unreal_key(own).and_then(|key| keys.get(key.as_str()).copied());
         let meant = without_namespace.or_else(|| folded.get(&own.to_lowercase()).copied().flatten());
         if let Some(meant) = meant {
             entry.key = Words { text: meant.to_owned(), span: entry.key.span }.into();

@@ -12,6 +12,6 @@ mod write;
 pub use cell::defused;
 pub(crate) use columns::{COMMENT, LOCK, TAKE};
 pub(crate) use read::read;
-pub(crate) use write::write;
+pub(crate) use write::{report_misread, write};
 #[cfg(feature = "xlsx")]
 pub(crate) use {read::CsvTable, row::CsvRow, write::rows};

@@ -101,6 +101,7 @@ impl<'o> CsvTable<'o> {
     }
 
     /// Whether the columns are known.
+    #[cfg(feature = "xlsx")]
     pub(crate) fn has_header(&self) -> bool {
         self.header.is_some()
     }

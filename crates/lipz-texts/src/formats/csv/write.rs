@@ -46,9 +46,13 @@ fn report(exchange: &Exchange, shape: Shape, diagnostics: &mut Vec<Diagnostic>) 
             diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
         }
     }
-    if !matches!(shape, Shape::Godot | Shape::Unreal) {
-        return;
+    if matches!(shape, Shape::Godot | Shape::Unreal) {
+        report_misread(exchange, diagnostics);
     }
+}
+
+/// Reports texts that engines which replace escapes cannot read.
+pub(crate) fn report_misread(exchange: &Exchange, diagnostics: &mut Vec<Diagnostic>) {
     for unit in &exchange.units {
         let sources = unit.segments.iter().map(|segment| segment.source.as_str());
         let texts = unit.translations.iter().flat_map(|translation| &translation.texts).map(String::as_str);

@@ -2,10 +2,12 @@
 
 use super::string::literal;
 use super::{COMMENTS_EXPORTED, EXPORTED};
-use crate::exchange::Mark;
-use crate::exchange::model::{Division, Exchange, Item, State, Translation};
+use crate::exchange::model::{Exchange, Item, State, Translation};
 use crate::exchange::placeholder;
 use crate::exchange::tag::underscored;
+use crate::exchange::unreal::unreal_identity;
+use crate::exchange::{Mark, WriteOptions};
+use crate::formats::csv::report_misread;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::fmt::Write;
 
@@ -14,14 +16,22 @@ use std::fmt::Write;
 const PLAIN_PLACEHOLDERS: &str = "python-brace-format";
 
 /// Returns the file of the locale at `at` of the exchange.
-pub(crate) fn write(exchange: &Exchange, at: usize, division: Division, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
+pub(crate) fn write(
+    exchange: &Exchange,
+    at: usize,
+    options: &WriteOptions,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<u8> {
     let locale = exchange.locales.get(at).map_or("", String::as_str);
     let mut out = header(&exchange.source_locale, locale);
     let none = Translation::default();
     let mut has_nul = false;
-    for item in exchange.items(division) {
+    if options.namespace.is_some() {
+        report_misread(exchange, diagnostics);
+    }
+    for item in exchange.items(options.division) {
         let translation = item.unit.translations.get(at).unwrap_or(&none);
-        let text = entry(&item, translation, locale.is_empty());
+        let text = entry(&item, translation, locale.is_empty(), options.namespace.as_deref());
         if text.contains("\\000") && !has_nul {
             has_nul = true;
             let key = escape::quoted(&item.unit.key);
@@ -55,12 +65,16 @@ fn header(source_locale: &str, locale: &str) -> String {
     out
 }
 
-fn entry(item: &Item<'_>, translation: &Translation, is_template: bool) -> String {
+fn entry(item: &Item<'_>, translation: &Translation, is_template: bool, namespace: Option<&str>) -> String {
     let text = item.text(translation);
     let mut out = String::new();
     let own = item.translator_comments(translation);
     for comment in own {
         let _ = writeln!(out, "# {}", escape::text(comment));
+    }
+    if namespace.is_some() {
+        let location = item.paths().next().map(path).unwrap_or_default();
+        let _ = writeln!(out, "#. Key:\t{}\n#. SourceLocation:\t{location}", escape::text(&item.id()));
     }
     for comment in item.comments() {
         let _ = writeln!(out, "#. {comment}");
@@ -89,7 +103,8 @@ fn entry(item: &Item<'_>, translation: &Translation, is_template: bool) -> Strin
             let _ = writeln!(out, "#| {}{line}", if number == 0 { "msgid " } else { "" });
         }
     }
-    let (id, source) = (literal(&item.id()), literal(&item.source()));
+    let id = namespace.map_or_else(|| item.id(), |namespace| unreal_identity(namespace, &item.id()));
+    let (id, source) = (literal(&id), literal(&item.source()));
     let _ = writeln!(out, "msgctxt {id}\nmsgid {source}\nmsgstr {}", literal(&text));
     out
 }

@@ -19,7 +19,7 @@ const TEXT_WIDTH: u16 = 48;
 
 /// Returns the file with all locales.
 pub(crate) fn write(exchange: &Exchange, options: &WriteOptions, diagnostics: &mut Vec<Diagnostic>) -> Vec<u8> {
-    let options = options.shape(Shape::Sheet);
+    let options = options.clone().shape(Shape::Sheet);
     let rows: Vec<Vec<String>> = rows(exchange, None, &options);
     // A cell also has a position and a format.
     let needed = rows.iter().flatten().map(|cell| cell.len() as u64 + CELL_BYTES).sum::<u64>();

@@ -30,6 +30,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   lipz export texts po voices --locale de-de -o de-de.po
   lipz export texts po voices --locale de-de --state missing,stale -o to-do.po
+  lipz export texts po voices --locale de-de --namespace Dialogue -o Content/Localization/Game/de/Game.po
   lipz export texts xlsx voices --locale de-de --locale fr-fr -o texts.xlsx
   lipz export texts unity voices -o dialogue.csv")]
 pub(crate) struct ExportTexts {
@@ -67,6 +68,10 @@ pub(crate) struct ExportTexts {
     #[arg(long)]
     raw_cells: bool,
 
+    /// Namespace of the string table in Unreal, for a PO file that Unreal imports
+    #[arg(long, value_name = "NAME")]
+    namespace: Option<String>,
+
     /// Replace existing files
     #[arg(long)]
     overwrite: bool,
@@ -88,6 +93,9 @@ impl ExportTexts {
             }
             ExportTexts { raw_cells: true, .. } if !is_sheet => {
                 ("--raw-cells", "it applies only to CSV tables for spreadsheets")
+            }
+            ExportTexts { namespace: Some(_), text_format, .. } if *text_format != TextFormatArgument::Po => {
+                ("--namespace", "it applies only to `po`")
             }
             _ => return Ok(()),
         };
@@ -113,7 +121,8 @@ impl ExportTexts {
         let options = WriteOptions::new()
             .division(self.by.map_or(Division::Clip, Into::into))
             .shape(self.text_format.shape().unwrap_or(Shape::Sheet))
-            .raw_cells(self.raw_cells);
+            .raw_cells(self.raw_cells)
+            .namespace(self.namespace.clone());
         if self.state.is_empty() || !format.is_of_one_locale(&options) {
             return write(format, exchange, &options);
         }
