@@ -80,23 +80,34 @@ namespace Lipz
         internal readonly int Yaw;
         internal readonly bool IsPoint;
 
-        private LookAt(float pitch, float yaw, bool isPoint)
+        private LookAt(int pitch, int yaw, bool isPoint)
         {
-            Pitch = (int)Math.Round(pitch * 1000.0);
-            Yaw = (int)Math.Round(yaw * 1000.0);
+            Pitch = pitch;
+            Yaw = yaw;
             IsPoint = isPoint;
+        }
+
+        private static int Thousandths(float degrees)
+        {
+            return (int)Math.Round(degrees * 1000.0);
         }
 
         /// <summary>Returns a person with eyes in this direction, in degrees from the head at rest.</summary>
         public static LookAt Person(float pitch, float yaw)
         {
-            return new LookAt(pitch, yaw, false);
+            return new LookAt(Thousandths(pitch), Thousandths(yaw), false);
         }
 
         /// <summary>Returns a target in this direction, at which the eyes stay.</summary>
         public static LookAt Point(float pitch, float yaw)
         {
-            return new LookAt(pitch, yaw, true);
+            return new LookAt(Thousandths(pitch), Thousandths(yaw), true);
+        }
+
+        /// <summary>Returns a target in thousandths of a degree.</summary>
+        internal static LookAt OfThousandths(int pitch, int yaw, bool isPoint)
+        {
+            return new LookAt(pitch, yaw, isPoint);
         }
     }
 
