@@ -17,6 +17,7 @@ namespace Lipz.Tests
             Test("golden dumps", () => GoldenDumps.Compare(fixtures, formatPage));
             Test("damaged banks", () => DamagedBanks.Play(fixtures));
             Test("words of errors", () => ErrorWords.Compare(formatPage));
+            Test("shapes of models", () => ShapesOfModels.Recognise(fixtures));
             Test("memory and speed", () => Speed.Measure(fixtures));
             return failures == 0 ? 0 : 1;
         }

@@ -42,12 +42,14 @@ namespace Lipz.Tests
         private static string Of(int count, Action<int> query, bool mayAllocate = false)
         {
             for (int i = 0; i < Math.Min(count, Warm); i++) query(i);
-            long before = GC.GetAllocatedBytesForCurrentThread();
+            Stopwatch watch = new Stopwatch();
             int collections = GC.CollectionCount(0);
-            Stopwatch watch = Stopwatch.StartNew();
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            watch.Start();
             for (int i = 0; i < count; i++) query(i);
-            double nanoseconds = watch.Elapsed.TotalMilliseconds * 1e6 / count;
+            watch.Stop();
             long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+            double nanoseconds = watch.Elapsed.TotalMilliseconds * 1e6 / count;
             bool isClean = allocated == 0 && GC.CollectionCount(0) == collections;
             if (!mayAllocate && !isClean) throw new Exception(allocated + " bytes allocated by " + count + " queries");
             return nanoseconds.ToString("F0") + " ns, " + allocated / count + " bytes";

@@ -59,7 +59,7 @@ namespace Lipz
         /// <summary>Whether the file is a text bank.</summary>
         internal bool HasTextsOnly
         {
-            get { return sectionCount > 0 && TagAt(0) == "NAME"; }
+            get { return sectionCount > 0 && HasTag(0, "NAME"); }
         }
 
         /// <summary>Compares the checksum with the bytes, in a time proportional to their number.</summary>
@@ -81,7 +81,7 @@ namespace Lipz
             {
                 int entry = HeaderBytes + index * EntryBytes;
                 if (!IsInside(entry)) throw new BankException(BankErrorKind.SectionOutOfBounds, entry);
-                if (next < tags.Length && TagAt(index) == tags[next])
+                if (next < tags.Length && HasTag(index, tags[next]))
                 {
                     uint length = LittleEndian.U32(bytes, entry + 8);
                     bool isFilled = length % (uint)entryBytes[next] == 0;
@@ -103,17 +103,17 @@ namespace Lipz
             for (int index = 0; index < sectionCount; index++)
             {
                 int entry = HeaderBytes + index * EntryBytes;
-                if (TagAt(index) != tag || !IsInside(entry)) continue;
+                if (!HasTag(index, tag) || !IsInside(entry)) continue;
                 int start = (int)LittleEndian.U32(bytes, entry + 4);
                 return new Table(bytes, start, (int)LittleEndian.U32(bytes, entry + 8), entryBytes);
             }
             return new Table(bytes, 0, 0, entryBytes);
         }
 
-        private string TagAt(int index)
+        private bool HasTag(int index, string tag)
         {
             int at = HeaderBytes + index * EntryBytes;
-            return new string(new[] { (char)bytes[at], (char)bytes[at + 1], (char)bytes[at + 2], (char)bytes[at + 3] });
+            return bytes[at] == tag[0] && bytes[at + 1] == tag[1] && bytes[at + 2] == tag[2] && bytes[at + 3] == tag[3];
         }
 
         private bool IsInside(int entry)
