@@ -125,7 +125,8 @@ namespace Lipz.Tests
 
         private static byte[] BytesOf(string hex)
         {
-            return Enumerable.Range(0, hex.Length / 2).Select(i => Convert.ToByte(hex.Substring(2 * i, 2), 16)).ToArray();
+            var pairs = Enumerable.Range(0, hex.Length / 2).Select(i => hex.Substring(2 * i, 2));
+            return pairs.Select(pair => Convert.ToByte(pair, 16)).ToArray();
         }
     }
 }

@@ -37,7 +37,10 @@ namespace Lipz.Tests
         private void Write()
         {
             Line("format 1, " + bank.ClipCount + " clips");
-            foreach (BankLocale locale in bank.Locales) Line("locale " + locale.Tag + (locale.IsDefault ? " default" : ""));
+            foreach (BankLocale locale in bank.Locales)
+            {
+                Line("locale " + locale.Tag + (locale.IsDefault ? " default" : ""));
+            }
             foreach (BankVoice voice in bank.Voices) Line("voice " + voice.Tag + (voice.IsOriginal ? " original" : ""));
             foreach (FaceProfile profile in bank.FaceProfiles)
             {
@@ -101,7 +104,8 @@ namespace Lipz.Tests
         private void WriteArticulation(Clip clip, ArticulationProfile profile)
         {
             Phones phones = clip.Phones;
-            var spans = Enumerable.Range(0, phones.Count).Select(i => NameOf(phones[i].Number) + "@" + phones[i].StartMs);
+            var spans = Enumerable.Range(0, phones.Count)
+                .Select(i => NameOf(phones[i].Number) + "@" + phones[i].StartMs);
             string level = phones.LevelDb == null ? "None" : "Some(" + phones.LevelDb + ")";
             Line("  phones " + string.Join(" ", spans) + ", certain " + Bool(phones.AreCertain) + ", " + level + " dB");
             string mouths = "";
@@ -114,7 +118,8 @@ namespace Lipz.Tests
             foreach (Rig rig in bank.Rigs)
             {
                 float[] weights = clip.WeightsAt(ClipTime.Micros(500000), rig, profile: profile);
-                var named = rig.WeightNames.Select((name, i) => " " + name + " " + Decimal((int)Math.Round(weights[i] * 1000)));
+                var named = rig.WeightNames
+                    .Select((name, i) => " " + name + " " + Decimal((int)Math.Round(weights[i] * 1000)));
                 Line("  rig " + Quoted(rig.Name) + string.Concat(named));
             }
         }
@@ -134,7 +139,8 @@ namespace Lipz.Tests
             {
                 SegmentText? found = segment.Text(locale);
                 if (found == null) continue;
-                Line("    " + locale.Tag + " " + Quoted(found.Value.Text) + (found.Value.IsFallback ? " (fallback)" : ""));
+                string origin = found.Value.IsFallback ? " (fallback)" : "";
+                Line("    " + locale.Tag + " " + Quoted(found.Value.Text) + origin);
             }
         }
 
@@ -157,9 +163,13 @@ namespace Lipz.Tests
 
         internal static string KeysOf(Curve curve, bool raw)
         {
-            var keys = Enumerable.Range(0, curve.KeyCount).Select(i =>
-                " " + curve.KeyFrame(i) + ":" + (raw ? curve.KeyThousandths(i).ToString() : Decimal(curve.KeyThousandths(i))));
-            return string.Concat(keys);
+            string keys = "";
+            for (int i = 0; i < curve.KeyCount; i++)
+            {
+                int value = curve.KeyThousandths(i);
+                keys += " " + curve.KeyFrame(i) + ":" + (raw ? value.ToString() : Decimal(value));
+            }
+            return keys;
         }
 
         private static string FaceWords(Face face)

@@ -38,7 +38,10 @@ namespace Lipz.Tests
             bank.Clip(clip.Key);
             clip.HoldFrames(16667);
             foreach (BankVoice voice in bank.Voices) clip.InVoice(voice, out VoiceSource _);
-            var values = new object[] { clip.Fps, clip.DurationUs, clip.Voice, clip.Original, clip.Recording, clip.HasEvents };
+            var values = new object[]
+            {
+                clip.Fps, clip.DurationUs, clip.Voice, clip.Original, clip.Recording, clip.HasEvents,
+            };
             foreach (Segment segment in clip.Segments.Take(MostSegments)) Of(bank, segment);
             foreach (Curve curve in clip.Curves)
             {

@@ -41,8 +41,8 @@ namespace Lipz.Tests
             {
                 if (emotions.Thousandths[i] != 0) told += Emotions.Names[i] + " " + emotions.Thousandths[i] + ", ";
             }
-            string strongest = emotions.Strongest == null ? "neutral" : emotions.Strongest.ToString().ToLowerInvariant();
-            return told + "strongest " + strongest + ", sum " + Math.Round(emotions.Sum * 1000);
+            string strongest = emotions.Strongest == null ? "neutral" : emotions.Strongest.ToString();
+            return told + "strongest " + strongest.ToLowerInvariant() + ", sum " + Math.Round(emotions.Sum * 1000);
         }
 
         private string ArticulationAnswer(string profile, ClipTime time)
@@ -58,7 +58,8 @@ namespace Lipz.Tests
             if (rig == null) return "no rig";
             if (!HasArticulation(profile)) return "no profile";
             float[] weights = clip.WeightsAt(time, rig, profile: ArticulationOf(profile));
-            return string.Join(", ", rig.WeightNames.Select((weight, i) => weight + " " + Math.Round(weights[i] * 1000)));
+            var named = rig.WeightNames.Select((weight, i) => weight + " " + Math.Round(weights[i] * 1000));
+            return string.Join(", ", named);
         }
 
         private bool HasArticulation(string profile)

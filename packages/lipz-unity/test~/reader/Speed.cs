@@ -19,7 +19,10 @@ namespace Lipz.Tests
             long sum = 0;
             string measured = "\n    open " + Of(2000, i => sum += Bank.Open(drama).ClipCount, mayAllocate: true);
             measured += "\n    clip by key " + Of(200000, i => sum += bank.Clip("act2/otto-eyes").SegmentCount, true);
-            measured += "\n    viseme at a time " + Of(10000000, i => sum += clip.VisemeAt(ClipTime.Micros(i % 4000000)));
+            measured += "\n    viseme at a time " + Of(10000000, i =>
+            {
+                sum += clip.VisemeAt(ClipTime.Micros(i % 4000000));
+            });
             measured += "\n    tick of a cursor, with events and a subtitle " + Of(1000000, i =>
             {
                 ClipTime time = ClipTime.Samples(i % 160000, 48000);

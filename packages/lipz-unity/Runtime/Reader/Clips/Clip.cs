@@ -14,7 +14,9 @@ namespace Lipz
         private const byte HasVisemesFlag = 1;
         private const ulong NoRecording = ulong.MaxValue;
 
-        internal readonly Bank Bank;
+        /// <summary>The bank.</summary>
+        public readonly Bank Bank;
+
         internal readonly uint Slot;
         internal readonly uint FramesOffset;
         internal readonly long SegmentsFirst;

@@ -61,6 +61,12 @@ namespace Lipz
         /// <summary>The emotion, the target or the action; null if the verb has none.</summary>
         public readonly string Object;
 
+        /// <summary>The verb in Character Event Syntax: <c>stops staring</c>.</summary>
+        public string VerbName
+        {
+            get { return Verbs[(int)Verb]; }
+        }
+
         /// <summary>The strength of a gesture in thousandths; null if it has none.</summary>
         public readonly int? StrengthThousandths;
 
@@ -76,7 +82,7 @@ namespace Lipz
         /// <summary>Returns the event in Character Event Syntax.</summary>
         public override string ToString()
         {
-            string text = Character == null ? Verbs[(int)Verb] : Character + " " + Verbs[(int)Verb];
+            string text = Character == null ? VerbName : Character + " " + VerbName;
             if (Object != null) text += " " + Object;
             return StrengthThousandths == null ? text : text + " " + Thousandths.ToString(StrengthThousandths.Value);
         }

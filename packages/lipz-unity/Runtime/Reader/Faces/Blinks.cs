@@ -44,8 +44,8 @@ namespace Lipz
         }
 
         /// <summary>
-        /// The lids close in a quarter of a blink, stay closed for a quarter, and open in the rest. The second blink of a
-        /// double one begins half a length after the first.
+        /// The lids close in a quarter of a blink, stay closed for a quarter, and open in the rest. The second blink of
+        /// a double one begins half a length after the first.
         /// </summary>
         private static long ClosedAfter(long passedMs, long lengthMs, bool isDouble)
         {

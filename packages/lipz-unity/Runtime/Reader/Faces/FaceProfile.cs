@@ -80,7 +80,9 @@ namespace Lipz
             return new FaceMoment(null).IdleAt(time, seed, this, look);
         }
 
-        /// <summary>Divides an angle: the eyes turn as far as the profile allows, and the head turns the rest.</summary>
+        /// <summary>
+        /// Divides an angle: the eyes turn as far as the profile allows, and the head turns the rest.
+        /// </summary>
         internal int Shared(long angle, out int head)
         {
             int eyes = Chance.Limited(angle, HeadFollows);

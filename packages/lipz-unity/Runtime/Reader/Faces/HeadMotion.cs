@@ -23,7 +23,9 @@ namespace Lipz
             angles[2] = turn.Angle(seed, ChanceStream.Roll, most / 2, speaking);
         }
 
-        /// <summary>Turns from the pose of one key to that of the next, in half of a pose or until the next key.</summary>
+        /// <summary>
+        /// Turns from the pose of one key to that of the next, in half of a pose or until the next key.
+        /// </summary>
         private static HeadTurn AtKeys(Clip clip, FaceProfile profile, Curve poses, long ms)
         {
             int index = poses.IndexAt(SpeakingMouth.FrameAt(clip, ms * 1000));

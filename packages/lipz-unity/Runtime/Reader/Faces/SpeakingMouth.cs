@@ -49,8 +49,8 @@ namespace Lipz
         }
 
         /// <summary>
-        /// Returns the time of a change in a slot: the start of the last segment that starts in it, or else of the first
-        /// pause that begins or ends there; -1 if the mouth continues to move, or to rest.
+        /// Returns the time of a change in a slot: the start of the last segment that starts in it, or else of the
+        /// first pause that begins or ends there; -1 if the mouth continues to move, or to rest.
         /// </summary>
         internal static long ChangeMs(Clip clip, long slotMs, long lengthMs)
         {

@@ -24,7 +24,9 @@ namespace Lipz
             return Mix(Mix(hash ^ tail, Step), Finish);
         }
 
-        /// <summary>Returns the slot to which the pilots lead from an id; -1 without pilots. It may not exist.</summary>
+        /// <summary>
+        /// Returns the slot to which the pilots lead from an id; -1 without pilots. It may not exist.
+        /// </summary>
         internal static long SlotOf(ulong id, ulong seed, Table pilots, int clipCount)
         {
             ulong spread = Mix(id ^ seed, Step);

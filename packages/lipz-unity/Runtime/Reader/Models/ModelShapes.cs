@@ -5,8 +5,8 @@ using System.Linq;
 namespace Lipz
 {
     /// <summary>
-    /// The shapes of a model that take the weights of a rig, found by their names: blend shapes of ARKit, Oculus, VRM and
-    /// MMD, parameters of Live2D, or a shape for each viseme.
+    /// The shapes of a model that take the weights of a rig, found by their names: blend shapes of ARKit, Oculus, VRM
+    /// and MMD, parameters of Live2D, or a shape for each viseme.
     /// </summary>
     public sealed class ModelShapes
     {
@@ -137,7 +137,8 @@ namespace Lipz
             {
                 if (Missing.Count == 0) return null;
                 string[] words = Missing.Select(name => WithNearest(name, ShapeNames.Nearest(name, others))).ToArray();
-                return Missing.Count + " of " + WeightNames.Count + " shapes of " + Kind + " are missing: " + List(words);
+                string count = Missing.Count + " of " + WeightNames.Count;
+                return count + " shapes of " + Kind + " are missing: " + List(words);
             }
             string[] near = ShapeKind.All.SelectMany(kind => kind.WeightNames)
                 .Select(name => new { name, nearest = ShapeNames.Nearest(name, others) })

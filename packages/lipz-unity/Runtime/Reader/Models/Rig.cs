@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Lipz
 {
     /// <summary>
-    /// The shapes of a model: names, and for each a sum of terms of articulation, emotions and face. Projects name their
-    /// rigs in <c>[rig]</c> of <c>lipz.toml</c>.
+    /// The shapes of a model: names, and for each a sum of terms of articulation, emotions and face. Projects name
+    /// their rigs in <c>[rig]</c> of <c>lipz.toml</c>.
     /// </summary>
     public sealed class Rig : INamed
     {
@@ -73,8 +73,8 @@ namespace Lipz
         }
 
         /// <summary>
-        /// Returns the weights, in the order of <see cref="WeightNames"/>. Without emotions or a face, these are neutral.
-        /// To allocate nothing, pass an array to fill, with one element for each name.
+        /// Returns the weights, in the order of <see cref="WeightNames"/>. Without emotions or a face, these are
+        /// neutral. To allocate nothing, pass an array to fill, with one element for each name.
         /// </summary>
         public float[] Weights(
             Articulation articulation, Emotions emotions = null, Face face = default(Face), float[] into = null)

@@ -65,8 +65,8 @@ namespace Lipz
 
         /// <summary>
         /// Returns the articulation at a time, from the phones of the clip, or from its visemes. Curves that are named
-        /// like an articulator replace its values. Outside the clip, the mouth is at rest. To allocate nothing, pass the
-        /// object to fill.
+        /// like an articulator replace its values. Outside the clip, the mouth is at rest. To allocate nothing, pass
+        /// the object to fill.
         /// </summary>
         public Articulation ArticulationAt(
             ClipTime time, ArticulationProfile profile = null, Articulation into = null)

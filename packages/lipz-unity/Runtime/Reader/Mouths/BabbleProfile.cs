@@ -80,8 +80,8 @@ namespace Lipz
         }
 
         /// <summary>
-        /// Returns how far lips and jaw have moved after the start of speech, at a power of the voice from 0 to 1. For a
-        /// voice that is not measured, pass 0.75.
+        /// Returns how far lips and jaw have moved after the start of speech, at a power of the voice from 0 to 1. For
+        /// a voice that is not measured, pass 0.75.
         /// </summary>
         public BabbleWeights At(ClipTime elapsed, float power)
         {

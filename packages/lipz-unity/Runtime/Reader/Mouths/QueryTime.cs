@@ -18,7 +18,8 @@ namespace Lipz
             ms = -MostMs;
             if (!time.HasBegun) return;
             FramePosition position = time.PositionIn(new FrameRate(1000, 1, 0));
-            ms = (int)Math.Max(int.MinValue, Math.Min(int.MaxValue, Math.Min(position.Frame, int.MaxValue) + (long)leadMs));
+            long ahead = Math.Min(position.Frame, int.MaxValue) + (long)leadMs;
+            ms = (int)Math.Min(int.MaxValue, ahead);
             us = position.SixteenBits * 1000 >> 16;
         }
 

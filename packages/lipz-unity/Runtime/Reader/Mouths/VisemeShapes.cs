@@ -29,7 +29,8 @@ namespace Lipz
 
         private static readonly PhoneTargets[] Levels =
         {
-            Level(0), Level(11), Level(22), Level(33), Level(44), Level(55), Level(66), Level(77), Level(88), Level(100),
+            Level(0), Level(11), Level(22), Level(33), Level(44),
+            Level(55), Level(66), Level(77), Level(88), Level(100),
         };
 
         /// <summary>Adds the shapes that matter at a time.</summary>
@@ -58,7 +59,8 @@ namespace Lipz
 
         private static PhoneTargets TargetsOf(char code, VisemeType type)
         {
-            int place = type == VisemeType.Rms ? code - '0' : (type == VisemeType.Blair ? Blair : ToonBoom).IndexOf(code);
+            string codes = type == VisemeType.Blair ? Blair : ToonBoom;
+            int place = type == VisemeType.Rms ? code - '0' : codes.IndexOf(code);
             PhoneTargets[] shapes = type == VisemeType.Rms ? Levels : Shapes;
             return place >= 0 && place < shapes.Length ? shapes[place] : Shapes[0];
         }

@@ -58,7 +58,9 @@ namespace Lipz
         /// </summary>
         public uint LeadUs { get; set; }
 
-        /// <summary>The least number of frames for which consonants show: <c>clip.HoldFrames()</c>. 0 for none.</summary>
+        /// <summary>
+        /// The least number of frames for which consonants show: <c>clip.HoldFrames()</c>. 0 for none.
+        /// </summary>
         public byte HoldFrames { get; set; }
 
         /// <summary>

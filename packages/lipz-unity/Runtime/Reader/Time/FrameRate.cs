@@ -8,7 +8,9 @@ namespace Lipz
         private const ulong MicrosPerSecond = 1000000;
         private const uint MostPerSecond = 1000;
 
-        /// <summary>The number of frames in <see cref="Denominator"/> seconds. 0 stands for an unspecified rate.</summary>
+        /// <summary>
+        /// The number of frames in <see cref="Denominator"/> seconds. 0 stands for an unspecified rate.
+        /// </summary>
         public readonly uint Numerator;
 
         /// <summary>The number of seconds in which that many frames pass.</summary>

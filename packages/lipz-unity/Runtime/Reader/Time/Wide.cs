@@ -49,14 +49,16 @@ namespace Lipz
         {
             if (bits == 0) return this;
             if (bits >= 128) return default(Wide);
-            return bits >= 64 ? new Wide(Low << (bits - 64), 0) : new Wide(High << bits | Low >> (64 - bits), Low << bits);
+            if (bits >= 64) return new Wide(Low << (bits - 64), 0);
+            return new Wide(High << bits | Low >> (64 - bits), Low << bits);
         }
 
         internal Wide ShiftedRight(int bits)
         {
             if (bits == 0) return this;
             if (bits >= 128) return default(Wide);
-            return bits >= 64 ? new Wide(0, High >> (bits - 64)) : new Wide(High >> bits, Low >> bits | High << (64 - bits));
+            if (bits >= 64) return new Wide(0, High >> (bits - 64));
+            return new Wide(High >> bits, Low >> bits | High << (64 - bits));
         }
 
         /// <summary>The number of bits without leading zeros.</summary>
