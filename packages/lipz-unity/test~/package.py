@@ -1,8 +1,7 @@
 """Checks the files of the package: package.json, .meta files and assembly definitions.
 
-package.py ROOT                   checks
-package.py ROOT --write           writes the .meta files that are missing, and guids.txt
-package.py --first-program PAGE   prints the first C# program of a page
+package.py ROOT           checks
+package.py ROOT --write   writes the .meta files that are missing, and guids.txt
 
 Each file that Unity imports needs a .meta file with a guid. Assets of games refer to scripts by their guid, so it never
 changes, even if the file is moved. guids.txt lists all guids that were ever committed.
@@ -133,14 +132,7 @@ def check_lines(package):
     return count
 
 
-def first_program(page):
-    return re.search(r"^```csharp\n(.*?)^```", Path(page).read_text(), re.M | re.S).group(1)
-
-
 def main(arguments):
-    if arguments[0] == "--first-program":
-        print(first_program(arguments[1]), end="")
-        return
     root = Path(arguments[0])
     package = root / PACKAGE
     if "--write" in arguments:

@@ -5,7 +5,9 @@ using System.Reflection;
 
 namespace Lipz.UnityTests
 {
-    /// <summary>Tests the components against stubs of the engine: <c>unity.exe ROOT</c>.</summary>
+    /// <summary>
+    /// Tests the components against stubs of the engine: <c>unity.exe ROOT EXPECTED</c>, with the output of the guide.
+    /// </summary>
     internal static class Program
     {
         private static int failures;
@@ -23,6 +25,7 @@ namespace Lipz.UnityTests
             Test("timeline", () => TimelineTracks.Check(fixtures));
             Test("blend shapes and sprites", () => Mouths.Check(fixtures));
             Test("sample", () => SampleScene.Play(sample));
+            Test("program of the guide", () => GuideProgram.Run(fixtures, File.ReadAllText(arguments[1])));
             Test("memory of a tick", () => Ticks.Measure(fixtures));
             return failures == 0 ? 0 : 1;
         }

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Reflection;
 using UnityEngine;
 
 namespace Lipz.UnityTests
@@ -15,8 +14,8 @@ namespace Lipz.UnityTests
             GameObject.Everything.Clear();
             var sample = new GameObject("Scene").AddComponent<Conversation>();
             sample.Set(LipzBank.From(File.ReadAllBytes(bank)), "de-de");
-            Call(sample, "Start");
-            Call(sample, "OnGUI");
+            Stage.Message(sample, "Start")();
+            Stage.Message(sample, "OnGUI")();
             LipzPlayer[] players = Characters().Select(one => one.GetComponent<LipzPlayer>()).ToArray();
             var subtitles = new List<string>();
             var frowns = new HashSet<float>();
@@ -25,7 +24,7 @@ namespace Lipz.UnityTests
                 foreach (LipzPlayer player in players)
                 {
                     player.AudioSource.Output(800, 48000);
-                    Call(player, "LateUpdate");
+                    Stage.Message(player, "LateUpdate")();
                     frowns.Add(player.gameObject.GetComponent<SkinnedMeshRenderer>().GetBlendShapeWeight(5));
                 }
                 if (subtitles.LastOrDefault() != sample.Subtitle) subtitles.Add(sample.Subtitle);
@@ -44,11 +43,6 @@ namespace Lipz.UnityTests
         private static IEnumerable<GameObject> Characters()
         {
             return GameObject.Everything.Where(one => one.name != "Scene");
-        }
-
-        private static void Call(object target, string name)
-        {
-            target.GetType().GetMethod(name, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(target, null);
         }
     }
 }

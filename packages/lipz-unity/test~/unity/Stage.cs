@@ -49,11 +49,16 @@ namespace Lipz.UnityTests
             return mesh;
         }
 
-        /// <summary>A method that the engine calls by its name.</summary>
         internal Action Message(string name)
         {
-            MethodInfo method = typeof(LipzPlayer).GetMethod(name, BindingFlags.Instance | BindingFlags.NonPublic);
-            return (Action)Delegate.CreateDelegate(typeof(Action), Player, method);
+            return Message(Player, name);
+        }
+
+        /// <summary>A method that the engine calls by its name.</summary>
+        internal static Action Message(MonoBehaviour component, string name)
+        {
+            MethodInfo method = component.GetType().GetMethod(name, BindingFlags.Instance | BindingFlags.NonPublic);
+            return (Action)Delegate.CreateDelegate(typeof(Action), component, method);
         }
 
         /// <summary>Starts a clip with a silent recording of its length, in samples per second.</summary>

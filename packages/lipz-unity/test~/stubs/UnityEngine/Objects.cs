@@ -203,7 +203,13 @@ namespace UnityEngine
 
     public static class Debug
     {
+        public static readonly List<string> Messages = new List<string>();
         public static readonly List<string> Warnings = new List<string>();
+
+        public static void Log(object message)
+        {
+            Messages.Add(message.ToString());
+        }
 
         public static void LogWarning(object message, Object context)
         {
