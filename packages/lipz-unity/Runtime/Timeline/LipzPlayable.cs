@@ -6,8 +6,12 @@ namespace Lipz
     /// <summary>Passes the time of Timeline to a <see cref="LipzPlayer"/>.</summary>
     public sealed class LipzPlayable : PlayableBehaviour
     {
+        /// <summary>A clip that is first shown later than this has not been played from its start.</summary>
+        private const double LatestStartSeconds = 0.25;
+
         private LipzPlayer player;
         private double lastTime;
+        private bool isOver;
 
         /// <summary>The clip; null if the bank lacks it.</summary>
         public Clip Clip { get; set; }
@@ -17,13 +21,21 @@ namespace Lipz
         {
             player = playerData as LipzPlayer;
             if (player == null || Clip == null) return;
-            double time = playable.GetTime();
-            bool isNew = player.Cursor == null || player.Cursor.Clip != Clip;
-            if (isNew && !player.Begin(Clip)) return;
-            bool isScrubbed = info.evaluationType == FrameData.EvaluationType.Evaluate || time < lastTime;
-            lastTime = time;
-            if (isScrubbed) player.ShowAfterSeek(ClipTime.Seconds(time));
-            else player.AdvanceTo(ClipTime.Seconds(time));
+            double seconds = playable.GetTime();
+            bool isJump = info.evaluationType == FrameData.EvaluationType.Evaluate || seconds < lastTime;
+            lastTime = seconds;
+            if (isJump) isOver = false;
+            if (isOver) return;
+            ClipTime time = ClipTime.Seconds(seconds);
+            if (player.Cursor == null || player.Cursor.Clip != Clip)
+            {
+                if (!player.Begin(Clip)) return;
+                isJump |= seconds > LatestStartSeconds;
+            }
+            if (isJump) player.ShowAfterSeek(time);
+            if (info.evaluationType == FrameData.EvaluationType.Evaluate) return;
+            player.AdvanceTo(time);
+            isOver = player.Cursor == null;
         }
 
         /// <summary>Rests the mouths when the clip ends, and when Timeline pauses.</summary>

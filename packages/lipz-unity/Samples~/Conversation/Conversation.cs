@@ -53,6 +53,7 @@ public sealed class Conversation : MonoBehaviour
         character.transform.position = new Vector3(x, 0f, 0f);
         var face = character.AddComponent<SkinnedMeshRenderer>();
         face.sharedMesh = FaceMesh.Make();
+        face.sharedMaterial = new Material(Shader.Find("Sprites/Default"));
         character.AddComponent<LipzBlendShapes>().Face = face;
         var player = character.AddComponent<LipzPlayer>();
         player.BankAsset = bank;

@@ -22,7 +22,33 @@ namespace Lipz.UnityTests
             Stage.Equal(scrubbed, stage.Shown());
             playable.OnBehaviourPause(default(Playable), default(FrameData));
             Stage.Equal(true, stage.IsAtRest);
-            return "plays, scrubs and rests";
+            Events(fixtures);
+            return "plays, scrubs, rests, and reports events once";
+        }
+
+        private static void Events(string fixtures)
+        {
+            var stage = new Stage(Stage.PathOf(fixtures, "drama"), "Mouth_A");
+            var playable = new LipzPlayable { Clip = stage.Bank.Bank.Clip("act1/mara-good-evening") };
+            // Played from its start, and longer than the clip.
+            for (int i = 1; i < 500; i++) Show(playable, stage, i / 60.0, FrameData.EvaluationType.Playback);
+            Happened(stage, "feels neutral", "sees otto", "points fog", "finished");
+            // Scrubbed to the middle, and played from there.
+            Show(playable, stage, 2, FrameData.EvaluationType.Evaluate);
+            Happened(stage);
+            for (int i = 120; i < 500; i++) Show(playable, stage, i / 60.0, FrameData.EvaluationType.Playback);
+            Happened(stage, "points fog", "finished");
+            // A new playable that starts in the middle.
+            playable = new LipzPlayable { Clip = playable.Clip };
+            for (int i = 120; i < 500; i++) Show(playable, stage, i / 60.0, FrameData.EvaluationType.Playback);
+            Happened(stage, "points fog", "finished");
+        }
+
+        private static void Happened(Stage stage, params string[] expected)
+        {
+            stage.Happened.RemoveAll(each => each.StartsWith("\""));
+            Stage.Equal(string.Join("|", expected), string.Join("|", stage.Happened.ToArray()));
+            stage.Happened.Clear();
         }
 
         private static void Show(LipzPlayable playable, Stage stage, double time, FrameData.EvaluationType type)

@@ -170,8 +170,24 @@ namespace UnityEngine
         }
     }
 
+    public sealed class Shader : Object
+    {
+        public static Shader Find(string name)
+        {
+            return new Shader { name = name };
+        }
+    }
+
+    public sealed class Material : Object
+    {
+        public Material(Shader shader)
+        {
+        }
+    }
+
     public class Renderer : Component
     {
+        public Material sharedMaterial { get; set; }
     }
 
     public sealed class SkinnedMeshRenderer : Renderer
