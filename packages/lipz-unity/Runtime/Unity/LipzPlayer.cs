@@ -1,6 +1,4 @@
-using System;
 using UnityEngine;
-using UnityEngine.Events;
 
 namespace Lipz
 {
@@ -10,123 +8,19 @@ namespace Lipz
     /// </summary>
     [AddComponentMenu("Lipz/Lipz Player")]
     [DisallowMultipleComponent]
-    public sealed class LipzPlayer : MonoBehaviour
+    public sealed partial class LipzPlayer : MonoBehaviour
     {
-        [SerializeField]
-        private LipzBank bank;
-
-        [SerializeField, Tooltip("The source that plays the recording. Empty: call AdvanceTo with your own clock.")]
-        private AudioSource audioSource;
-
-        [SerializeField, Tooltip("The mouths to move. Empty: those of this object and its children.")]
-        private LipzMouth[] mouths = new LipzMouth[0];
-
-        [SerializeField, Tooltip("The language of subtitles: de-de. Empty: the default locale of the bank.")]
-        private string locale = "";
-
-        [SerializeField, Tooltip("The language of dubs. Empty: the clip itself.")]
-        private string voice = "";
-
-        [SerializeField, Tooltip("The speaker, to whom events without a character belong.")]
-        private string speaker = "";
-
-        [SerializeField, Tooltip("The frames of the clip by which visemes are ahead of the audio.")]
-        private uint leadFrames;
-
-        [SerializeField, Tooltip("Shows consonants long enough to be read.")]
-        private bool holdConsonants = true;
-
-        [SerializeField]
-        private SubtitleEvent onSubtitle = new SubtitleEvent();
-
-        [SerializeField]
-        private LipzClipEvent onEvent = new LipzClipEvent();
-
-        [SerializeField, Tooltip("Called after the last event of the clip.")]
-        private UnityEvent onFinished = new UnityEvent();
-
         private ClipCursor cursor;
-        private AudioClip recording;
-        private bool followsAudio;
-        private int position;
+        private RecordingClock clock;
         private BankLocale textLocale;
         private int shownSegment = -1;
         private bool isAtRest;
 
-        /// <summary>Like <see cref="OnEvent"/>, but with the whole event.</summary>
-        public event Action<ClipEvent> Happened;
-
-        /// <summary>The bank with the clips.</summary>
-        public LipzBank BankAsset
-        {
-            get { return bank; }
-            set { bank = value; }
-        }
-
-        /// <summary>The source that plays recordings.</summary>
-        public AudioSource AudioSource
-        {
-            get { return audioSource; }
-            set { audioSource = value; }
-        }
-
-        /// <summary>The language of subtitles. A change applies at once.</summary>
-        public string Locale
-        {
-            get { return locale; }
-            set
-            {
-                locale = value;
-                if (cursor == null) return;
-                FindLocale();
-                shownSegment = -1;
-                ShowSubtitle();
-            }
-        }
-
-        /// <summary>The language of dubs, for the next clip.</summary>
-        public string Voice
-        {
-            get { return voice; }
-            set { voice = value; }
-        }
-
-        /// <summary>The speaker of the next clip.</summary>
-        public string Speaker
-        {
-            get { return speaker; }
-            set { speaker = value; }
-        }
-
-        /// <summary>Called with each new subtitle, and with an empty string at the end.</summary>
-        public SubtitleEvent OnSubtitle
-        {
-            get { return onSubtitle; }
-        }
-
-        /// <summary>Called with each event, exactly once, however long a rendered frame takes.</summary>
-        public LipzClipEvent OnEvent
-        {
-            get { return onEvent; }
-        }
-
-        /// <summary>Called after the last event of the clip.</summary>
-        public UnityEvent OnFinished
-        {
-            get { return onFinished; }
-        }
-
         /// <summary>The position in the clip; null if no clip is playing.</summary>
-        public ClipCursor Cursor
-        {
-            get { return cursor; }
-        }
+        public ClipCursor Cursor => cursor;
 
         /// <summary>Whether a clip is playing or paused.</summary>
-        public bool IsPlaying
-        {
-            get { return cursor != null; }
-        }
+        public bool IsPlaying => cursor != null;
 
         /// <summary>
         /// Starts a clip, and its recording if there is an audio source. Returns false if the bank lacks the clip, or
@@ -140,12 +34,9 @@ namespace Lipz
             BankVoice dub = string.IsNullOrEmpty(voice) ? null : clip.Bank.Voice(voice);
             if (dub != null) clip = clip.InVoice(dub, out VoiceSource _);
             if (!Begin(clip)) return Failed("the clip \"" + key + "\" has no frame rate");
-            recording = audioClip;
-            followsAudio = audioSource != null && audioClip != null;
-            if (!followsAudio) return true;
-            audioSource.clip = audioClip;
-            audioSource.timeSamples = 0;
-            audioSource.Play();
+            if (audioSource == null || audioClip == null) return true;
+            clock = new RecordingClock(audioSource, audioClip);
+            clock.Play();
             return true;
         }
 
@@ -160,7 +51,6 @@ namespace Lipz
             cursor = started;
             cursor.LeadUs = (uint)clip.StartOfFrameUs(leadFrames).GetValueOrDefault();
             cursor.HoldFrames = holdConsonants ? clip.HoldFrames() : (byte)0;
-            position = 0;
             shownSegment = -1;
             isAtRest = false;
             FindLocale();
@@ -173,29 +63,23 @@ namespace Lipz
         public void Stop()
         {
             if (cursor == null) return;
-            if (HasItsRecording()) audioSource.Stop();
-            Finish();
+            if (clock != null) clock.Stop();
+            CutOff();
         }
 
         /// <summary>Jumps to a position of the recording, in samples. Events in between do not happen.</summary>
         public void Seek(int timeSamples)
         {
-            if (cursor == null || !HasItsRecording()) return;
-            audioSource.timeSamples = timeSamples;
-            position = timeSamples;
-            cursor.Seek(ClipTime.Samples(timeSamples, (uint)recording.frequency));
+            if (cursor == null || clock == null) return;
+            clock.Seek(timeSamples);
+            cursor.Seek(clock.Time);
         }
 
         /// <summary>Shows the clip at a time, for clocks other than an audio source.</summary>
         public void AdvanceTo(ClipTime time)
         {
             if (cursor == null) return;
-            ClipCursor current = cursor;
-            Handle(cursor.AdvanceTo(time));
-            // An event may have stopped the clip, or started the next one.
-            if (cursor != current) return;
-            ShowAt(time);
-            if (cursor.IsOver) Finish();
+            if (HandledAt(time, cursor.AdvanceTo(time)) && cursor.IsOver) Finish();
         }
 
         /// <summary>Shows the clip at a time without events, as when an editor scrubs.</summary>
@@ -220,13 +104,23 @@ namespace Lipz
         // After animators, which would overwrite the blend shapes.
         private void LateUpdate()
         {
-            if (cursor == null || !followsAudio) return;
-            // Without its recording, or with a different one, the line is cut off.
-            if (!HasItsRecording()) Finish();
-            else if (IsListenerPaused()) Rest();
-            else if (audioSource.isPlaying) Follow();
-            else if (HasEnded()) Finish();
-            else Rest();
+            if (cursor == null || clock == null) return;
+            switch (clock.Read(out bool hasLooped))
+            {
+                case RecordingState.Playing:
+                    ClipTime time = clock.Time;
+                    HandledAt(time, hasLooped ? cursor.LoopTo(time) : cursor.AdvanceTo(time));
+                    break;
+                case RecordingState.Paused:
+                    Rest();
+                    break;
+                case RecordingState.Ended:
+                    Finish();
+                    break;
+                default:
+                    CutOff();
+                    break;
+            }
         }
 
         private void OnDisable()
@@ -234,33 +128,16 @@ namespace Lipz
             Rest();
         }
 
-        /// <summary>Follows the audio, which may have looped.</summary>
-        private void Follow()
+        /// <summary>
+        /// Handles due events, and shows the clip. Returns false if an event has stopped it, or started the next one.
+        /// </summary>
+        private bool HandledAt(ClipTime time, DueSegments due)
         {
-            int before = position;
-            position = audioSource.timeSamples;
-            ClipTime time = ClipTime.Samples(position, (uint)recording.frequency);
-            bool hasLooped = audioSource.loop && position < before - recording.samples / 2;
             ClipCursor current = cursor;
-            Handle(hasLooped ? cursor.LoopTo(time) : cursor.AdvanceTo(time));
-            if (cursor == current) ShowAt(time);
-        }
-
-        private bool HasItsRecording()
-        {
-            return followsAudio && audioSource != null && recording != null && audioSource.clip == recording;
-        }
-
-        /// <summary>Whether a source that does not play is at its end. A paused one stays at its position.</summary>
-        private bool HasEnded()
-        {
-            int now = audioSource.timeSamples;
-            return now >= recording.samples || now == 0 && position > 0;
-        }
-
-        private bool IsListenerPaused()
-        {
-            return AudioListener.pause && !audioSource.ignoreListenerPause;
+            Handle(due);
+            if (cursor != current) return false;
+            ShowAt(time);
+            return cursor == current;
         }
 
         private void Handle(DueSegments due)
@@ -274,7 +151,9 @@ namespace Lipz
 
         private void ShowAt(ClipTime time)
         {
+            ClipCursor current = cursor;
             ShowSubtitle();
+            if (cursor != current) return;
             if (cursor.IsOver)
             {
                 Rest();
@@ -299,19 +178,24 @@ namespace Lipz
             onSubtitle.Invoke(text == null ? "" : text.Value.Text);
         }
 
-        private void Finish()
+        /// <summary>Ends the clip. Returns false if one of its last events has started the next one.</summary>
+        private bool CutOff()
         {
             ClipCursor ended = cursor;
             Handle(ended.Finish());
-            // An event may have started the next clip.
-            if (cursor != ended) return;
+            if (cursor != ended) return false;
             cursor = null;
-            recording = null;
-            followsAudio = false;
+            clock = null;
             Rest();
-            if (shownSegment >= 0) onSubtitle.Invoke("");
+            bool hasSubtitle = shownSegment >= 0;
             shownSegment = -1;
-            onFinished.Invoke();
+            if (hasSubtitle) onSubtitle.Invoke("");
+            return cursor == null;
+        }
+
+        private void Finish()
+        {
+            if (CutOff()) onFinished.Invoke();
         }
 
         private void FindLocale()
