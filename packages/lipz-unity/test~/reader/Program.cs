@@ -16,6 +16,7 @@ namespace Lipz.Tests
             Test("playback cases", () => PlaybackCases.Play(fixtures));
             Test("golden dumps", () => GoldenDumps.Compare(fixtures, formatPage));
             Test("damaged banks", () => DamagedBanks.Play(fixtures));
+            Test("exact times", ExactTimes.Compare);
             Test("words of errors", () => ErrorWords.Compare(formatPage));
             Test("shapes of models", () => ShapesOfModels.Recognise(fixtures));
             Test("memory and speed", () => Speed.Measure(fixtures));
