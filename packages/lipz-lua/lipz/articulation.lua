@@ -118,8 +118,8 @@ end
 local scratch = {}
 
 --- Returns the articulation at a time: `jaw`, `opening`, `closure`, `teeth`, `rounding`, `spreading`, `tongue_tip`,
--- `tongue_out` and `tongue_back`, each from 0 to 1. Without a profile, uses the project's. Pass the same table as `out`
--- in each rendered frame, so that none is created.
+-- `tongue_out` and `tongue_back`, each from 0 to 1. Without a profile, uses the project's. Pass the same table as
+-- `out` in each rendered frame, so that none is created.
 function Clip:articulation_at(at, profile, out)
   out = out or {}
   articulation.thousandths(self, at, profile, scratch)

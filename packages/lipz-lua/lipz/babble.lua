@@ -24,7 +24,8 @@ local DEFAULT = setmetatable({
 local STRINGS = { "name", "ooh", "aah", "ooh_power_transfer", "aah_power_transfer" }
 
 local function read(section, at)
-  local babble = setmetatable({ rate_numerator = u32(section, at + 8), rate_denominator = u32(section, at + 12) }, Babble)
+  local numerator, denominator = u32(section, at + 8), u32(section, at + 12)
+  local babble = setmetatable({ rate_numerator = numerator, rate_denominator = denominator }, Babble)
   local first = at + RECORD_BYTES
   for index, field in ipairs(STRINGS) do
     local length = u16(section, at + 14 + index * 2)

@@ -19,8 +19,8 @@ local FINGERPRINT_OFFSET, SEED_OFFSET = 24, 32
 local Bank = {}
 Bank.__index = Bank
 
---- Opens a bank from its bytes, a string. Checks the header and the directory. Returns the bank, or nil, a message, and
--- a table with `kind`, `status` and `offset_bytes`.
+--- Opens a bank from its bytes, a string. Checks the header and the directory. Returns the bank, or nil, a message,
+-- and a table with `kind`, `status` and `offset_bytes`.
 function Bank.open(data)
   local opened, message, problem = file.open(data)
   if not opened then return nil, message, problem end
@@ -40,7 +40,9 @@ function Bank:open_texts(data)
   local opened, message, problem = file.open(data)
   if not opened then return nil, message, problem end
   local fingerprint = bytes.text(opened.whole, FINGERPRINT_OFFSET, 8)
-  if fingerprint ~= bytes.text(self.whole, FINGERPRINT_OFFSET, 8) then return refuse("OtherClips", FINGERPRINT_OFFSET) end
+  if fingerprint ~= bytes.text(self.whole, FINGERPRINT_OFFSET, 8) then
+    return refuse("OtherClips", FINGERPRINT_OFFSET)
+  end
   opened, message, problem = file.find(opened)
   if not opened then return nil, message, problem end
   for _, locale in ipairs(texts.locales(opened.sections, self.segment_count)) do

@@ -1,5 +1,5 @@
---- The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values are in
--- thousandths, times in microseconds from the query.
+--- The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values
+-- are in thousandths, times in microseconds from the query.
 
 local floor, min, max = math.floor, math.min, math.max
 

@@ -1,5 +1,5 @@
---- Little-endian numbers in the sections of a bank. Offsets are in bytes from the start of a section. A read outside the
--- section returns nil, so a damaged bank cannot cause an error.
+--- Little-endian numbers in the sections of a bank. Offsets are in bytes from the start of a section. A read outside
+-- the section returns nil, so a damaged bank cannot cause an error.
 
 local byte = string.byte
 

@@ -34,16 +34,19 @@ function chance.scaled(value, part, whole)
   return product < 0 and math.ceil(product) or floor(product)
 end
 
+--- Returns the time of a step, in the first half of its period.
+local function start_ms(seed, stream, period_ms, number)
+  return number * period_ms + chance.part(floor(period_ms / 2), chance.draw(seed, stream, 0, number))
+end
+
 --- Returns the numbers of the states before and after the last step, and how much of the step is done, of `WHOLE`.
 function chance.step(seed, ms, stream, period_ms, duration_ms)
-  local half = floor(period_ms / 2)
-  local function start(number) return number * period_ms + chance.part(half, chance.draw(seed, stream, 0, number)) end
   local number = period_ms > 0 and floor(ms / period_ms) or 0
-  local started = start(number)
+  local started = start_ms(seed, stream, period_ms, number)
   if ms < started then
     number = number - 1
     if number < 0 then return 0, 0, chance.WHOLE end
-    started = start(number)
+    started = start_ms(seed, stream, period_ms, number)
   end
   local passed = ms - started
   return number, number + 1, passed < duration_ms and floor(passed * chance.WHOLE / duration_ms) or chance.WHOLE

@@ -27,7 +27,8 @@ local OPENNESS = {
 local OPENNESS_OF_DIGIT = 0.11
 
 --- A clip, with `key`, `id` (16 hexadecimal digits), `frame_count`, `segment_count`, `viseme_type` (`blair`,
--- `toonboom`, `rms` or nil), `has_visemes`, `has_events`, and `fps_numerator` and `fps_denominator` (nil without a rate).
+-- `toonboom`, `rms` or nil), `has_visemes`, `has_events`, and `fps_numerator` and `fps_denominator` (nil without a
+-- rate).
 local Clip = {}
 Clip.__index = Clip
 

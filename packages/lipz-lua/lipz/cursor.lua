@@ -21,7 +21,8 @@ Cursor.__index = Cursor
 -- `hold`, the least number of frames of a consonant, or "readable", or `{ rendered_frame_us = n }`.
 function Clip:cursor(settings)
   if not self.fps_numerator then return nil, "the clip has no frame rate: set one with clip:or_fps" end
-  local cursor = setmetatable({ clip = self, viseme_type = self.viseme_type, next_segment = 0, is_over = false }, Cursor)
+  local cursor = setmetatable({ clip = self, viseme_type = self.viseme_type }, Cursor)
+  cursor.next_segment, cursor.is_over = 0, false
   settings = settings or NOTHING
   cursor:set_speaker(settings.speaker)
   cursor:set_lead_us(settings.lead_us or 0)
@@ -93,8 +94,8 @@ local function due(cursor, first, last, around_to)
   return events, segments
 end
 
---- Follows the audio to a time. Returns the typed events that are due, in order, and the segments that have begun, each
--- once, however long the rendered frame took. If nothing is due, both are the same empty table.
+--- Follows the audio to a time. Returns the typed events that are due, in order, and the segments that have begun,
+-- each once, however long the rendered frame took. If nothing is due, both are the same empty table.
 function Cursor:advance_to(at)
   local before, first = self.place, self.next_segment
   show(self, at)

@@ -35,9 +35,9 @@ end
 
 local scratch = {}
 
---- Returns the emotions of a character at a time: a value, usually from 0 to 10, for each of the twelve names; `sum`; and
--- `strongest`, a name or nil. `who` is nil for the speaker, `{ speaker = name }`, or the name of a different character.
--- Pass the same table as `out` in each rendered frame, so that none is created.
+--- Returns the emotions of a character at a time: a value, usually from 0 to 10, for each of the twelve names; `sum`;
+-- and `strongest`, a name or nil. `who` is nil for the speaker, `{ speaker = name }`, or the name of a different
+-- character. Pass the same table as `out` in each rendered frame, so that none is created.
 function Clip:emotions_at(at, who, out)
   out = out or {}
   local sum, thousandths = 0, emotions.thousandths(self, at, who, scratch)

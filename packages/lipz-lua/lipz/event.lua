@@ -9,8 +9,8 @@ local NO_NAME = 4294967295
 --- The verbs, each with whether it has an object: "name", "strength" (may be missing), or nil.
 local VERBS = {
   { "feels", "name" }, { "sees", "name" }, { "stares", "name" }, { "stops staring" }, { "points", "name" },
-  { "stops pointing" }, { "does", "name" }, { "nods", "strength" }, { "shakes", "strength" }, { "breathes", "strength" },
-  { "blinks" }, { "looks away" },
+  { "stops pointing" }, { "does", "name" }, { "nods", "strength" }, { "shakes", "strength" },
+  { "breathes", "strength" }, { "blinks" }, { "looks away" },
 }
 
 local event = {}

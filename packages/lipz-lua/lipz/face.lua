@@ -157,8 +157,8 @@ end
 
 --- Returns the face of a character of the clip at a time: `blink`, `brows` and `shrug` from 0 to 1; `head_pitch`,
 -- `head_yaw`, `head_roll`, `eye_pitch` and `eye_yaw` in degrees; `breath` from 0 to 10. `who` is as in `emotions_at`.
--- `look` is the target of the gaze, `{ pitch = degrees, yaw = degrees }`, with `is_person = false` for a thing; nil for a
--- person straight ahead. Pass the same table as `out` in each rendered frame, so that none is created.
+-- `look` is the target of the gaze, `{ pitch = degrees, yaw = degrees }`, with `is_person = false` for a thing; nil
+-- for a person straight ahead. Pass the same table as `out` in each rendered frame, so that none is created.
 function Clip:face_at(at, who, profile, look, out)
   return in_units(face.thousandths(self, at, who, profile, look, out or {}))
 end

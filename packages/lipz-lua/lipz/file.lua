@@ -37,7 +37,8 @@ local function check_header(data, whole)
   return count
 end
 
---- Finds the sections, and checks that the `needed` ones are there in their order. The first section with a tag counts.
+--- Finds the sections, and checks that the `needed` ones are there in their order. The first section with a tag
+-- counts.
 local function find_sections(opened, count, needed)
   local next_needed, flags_offset = 1, 14
   for index = 0, count - 1 do
@@ -64,8 +65,8 @@ local function find_sections(opened, count, needed)
   return opened
 end
 
---- Opens a file from its bytes, a string. Returns a table with `whole` and `sections` (by tag, each with `data`, `start`
--- and `length`), or nil and an error. `has_texts_only` states whether the file is a text bank.
+--- Opens a file from its bytes, a string. Returns a table with `whole` and `sections` (by tag, each with `data`,
+-- `start` and `length`), or nil and an error. `has_texts_only` states whether the file is a text bank.
 function file.open(data)
   local whole = { data = data, start = 0, length = #data }
   local count, message, problem = check_header(data, whole)

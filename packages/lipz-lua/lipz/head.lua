@@ -43,8 +43,8 @@ end
 
 local function start_ms(clip, frame) return floor(clip:start_of_frame_us(frame) / 1000) end
 
---- Returns the time of the first change in a slot: a segment starts, or the mouth starts or stops to move; nil if there
--- is none.
+--- Returns the time of the first change in a slot: a segment starts, or the mouth starts or stops to move; nil if
+-- there is none.
 local function change_ms(clip, slot_ms, length_ms)
   local start_us = slot_ms * 1000
   local end_us = start_us + min(length_ms, LOOKED_AT_MS) * 1000
@@ -74,8 +74,8 @@ local function turned(clip, profile, seed, ms, slot)
   return eased(max(ms - start, 0), half)
 end
 
---- Returns three poses, each a number and a share in thousandths, and how far the head has turned to the second and to the
--- third.
+--- Returns three poses, each a number and a share in thousandths, and how far the head has turned to the second and
+-- to the third.
 local function poses_at_keys(clip, profile, ms, poses)
   local index = poses:index_at(frame_at(clip, ms * 1000))
   local frame, share = poses:key_thousandths(index)
@@ -94,24 +94,30 @@ local function poses_in_slots(clip, profile, seed, ms)
   return max(slot - 1, 0), 1000, slot, 1000, slot + 1, 1000, first, second
 end
 
+--- Returns one angle from three poses, each a number and a share, in thousandths of a degree.
+local function angle(seed, stream, most, n1, s1, n2, s2, n3, s3, part1, part2)
+  local a = either_side(floor(most * s1 / 1000), draw(seed, stream, 0, n1))
+  local b = either_side(floor(most * s2 / 1000), draw(seed, stream, 0, n2))
+  local c = either_side(floor(most * s3 / 1000), draw(seed, stream, 0, n3))
+  return a + scaled(b - a, part1, WHOLE) + scaled(c - b, part2, WHOLE)
+end
+
+local function angles(profile, seed, much, ...)
+  local most = profile.head_motion
+  local pitch = angle(seed, STREAMS.pitch, floor(most * 2 / 3), ...)
+  local yaw = angle(seed, STREAMS.yaw, most, ...)
+  local roll = angle(seed, STREAMS.roll, floor(most / 2), ...)
+  return scaled(pitch, much, 1000), scaled(yaw, much, 1000), scaled(roll, much, 1000)
+end
+
 --- Returns pitch, yaw and roll in thousandths of a degree. `poses` is the curve with the times of turns, or nil.
 function head.motion(clip, profile, seed, ms, poses)
   local much = speaking(clip, ms)
   if much == 0 then return 0, 0, 0 end
-  local n1, s1, n2, s2, n3, s3, part1, part2
   if poses and poses.key_count > 0 then
-    n1, s1, n2, s2, n3, s3, part1, part2 = poses_at_keys(clip, profile, ms, poses)
-  else
-    n1, s1, n2, s2, n3, s3, part1, part2 = poses_in_slots(clip, profile, seed, ms)
+    return angles(profile, seed, much, poses_at_keys(clip, profile, ms, poses))
   end
-  local function angle(stream, most)
-    local a = either_side(floor(most * s1 / 1000), draw(seed, stream, 0, n1))
-    local b = either_side(floor(most * s2 / 1000), draw(seed, stream, 0, n2))
-    local c = either_side(floor(most * s3 / 1000), draw(seed, stream, 0, n3))
-    return scaled(a + scaled(b - a, part1, WHOLE) + scaled(c - b, part2, WHOLE), much, 1000)
-  end
-  local most = profile.head_motion
-  return angle(STREAMS.pitch, floor(most * 2 / 3)), angle(STREAMS.yaw, most), angle(STREAMS.roll, floor(most / 2))
+  return angles(profile, seed, much, poses_in_slots(clip, profile, seed, ms))
 end
 
 return head

@@ -4,7 +4,8 @@ local bytes = require("lipz.bytes")
 
 local profiles = {}
 
---- Reads all profiles of a section. `read(section, at)` returns a profile, which has a `name`, and the offset after it.
+--- Reads all profiles of a section. `read(section, at)` returns a profile, which has a `name`, and the offset after
+-- it.
 function profiles.list(section, read)
   local list, at = {}, 0
   while at and at < section.length do

@@ -49,7 +49,9 @@ local function read(section, at)
     local is_inside = name_end >= name_start and name_end <= names_length
     rig.weight_names[index] = is_inside and bytes.text(section, names_at + name_start, name_end - name_start) or ""
     name_start = name_end
-    rig.limits[index] = { terms_end = u16(section, first), least = i16(section, first + 4), most = i16(section, first + 6) }
+    rig.limits[index] = {
+      terms_end = u16(section, first), least = i16(section, first + 4), most = i16(section, first + 6),
+    }
   end
   return rig, names_at + names_length
 end
@@ -110,8 +112,8 @@ end
 local NO_SETTINGS = {}
 
 --- Returns the weights of a rig at a time, in the order of `weight_names`, with articulation, emotions and face of a
--- character of the clip. Settings: `who`, `profile`, `face_profile` and `look`, as in the queries for each of them; `out`,
--- the table for the result. Pass the same settings in each rendered frame, so that no table is created.
+-- character of the clip. Settings: `who`, `profile`, `face_profile` and `look`, as in the queries for each of them;
+-- `out`, the table for the result. Pass the same settings in each rendered frame, so that no table is created.
 function Clip:weights_at(at, rig, settings)
   settings = settings or NO_SETTINGS
   articulation.thousandths(self, at, settings.profile, mouth)

@@ -24,8 +24,8 @@ local ARKIT_REST = both_sides({ "tongueOut" }, "cheekSquint", "noseSneer", "brow
 ARKIT_REST[#ARKIT_REST + 1] = "browInnerUp"
 both_sides(ARKIT_REST, "browOuterUp", "eyeWide", "eyeSquint", "eyeBlink")
 
---- The kinds, the first of which counts if a model has the shapes of several. `mouth` lists the weights of the mouth, by
--- which a kind is recognised, and `rest` all others. `also` has further names of a weight.
+--- The kinds, the first of which counts if a model has the shapes of several. `mouth` lists the weights of the mouth,
+-- by which a kind is recognised, and `rest` all others. `also` has further names of a weight.
 shape_names.KINDS = {
   { kind = "arkit", mouth = ARKIT_MOUTH, rest = ARKIT_REST, also = {} },
   {

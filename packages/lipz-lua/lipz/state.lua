@@ -7,7 +7,8 @@ local MOST_STEPS = 1048576
 
 local state = {}
 
---- Calls `see` for each typed event of the segments from `first` up to but not including `last`; `steps.left` limits it.
+--- Calls `see` for each typed event of the segments from `first` up to but not including `last`; `steps.left` limits
+-- it.
 local function each(clip, first, last, steps, see)
   for segment = first, last - 1 do
     steps.left = steps.left - 1
@@ -42,8 +43,8 @@ function state.after(clip, ranges, speaker, character)
   return found
 end
 
---- Returns the numbers of all characters in the clip's events, in the order of their names; false for a speaker without
--- a name, who comes first.
+--- Returns the numbers of all characters in the clip's events, in the order of their names; false for a speaker
+-- without a name, who comes first.
 function state.characters(clip, speaker)
   local is_known, list = {}, {}
   each(clip, 0, clip.segment_count, { left = MOST_STEPS }, function(_, of)

@@ -43,13 +43,14 @@ local function place(locale, number)
     if not next_entry then return nil end
     return offset, next_entry % TEXT_HAS_LENGTH - offset, is_fallback
   end
-  local high, middle, low = bytes.u8(locale.texts, offset), bytes.u8(locale.texts, offset + 1), bytes.u8(locale.texts, offset + 2)
+  local high, middle = bytes.u8(locale.texts, offset), bytes.u8(locale.texts, offset + 1)
+  local low = bytes.u8(locale.texts, offset + 2)
   if not low then return nil end
   return offset + COUNT_BYTES, high % 64 * 4096 + middle % 64 * 64 + low % 64, is_fallback
 end
 
---- Returns the text of the segment with a number, and whether it is from another locale; nil without a text. `first` is
--- the number of the clip's first segment.
+--- Returns the text of the segment with a number, and whether it is from another locale; nil without a text. `first`
+-- is the number of the clip's first segment.
 function texts.find(locale, first, number)
   local entry = u32(locale.starts, (locale.first_entry + first) * 4)
   if not entry or entry == NO_TEXT then return nil end

@@ -1,5 +1,5 @@
---- Times and frames. A time is a number of seconds, `{ us = n }` in microseconds, or `{ position = n, rate_hz = n }` in
--- samples. Frames per second are a ratio of whole numbers.
+--- Times and frames. A time is a number of seconds, `{ us = n }` in microseconds, or `{ position = n, rate_hz = n }`
+-- in samples. Frames per second are a ratio of whole numbers.
 
 local floor, huge = math.floor, math.huge
 local EXACT = 2 ^ 53

@@ -43,8 +43,8 @@ function Clip:original()
   return slot and Clip.new(self.bank, slot)
 end
 
---- Returns the clip to play in a voice, and the source of its visemes: "original", "dub" or "other dub", a dub in a voice
--- that this one falls back to.
+--- Returns the clip to play in a voice, and the source of its visemes: "original", "dub" or "other dub", a dub in a
+-- voice that this one falls back to.
 function Clip:in_voice(tag)
   local original = self:original() or self
   for voice = 2, #self.bank:voices() do

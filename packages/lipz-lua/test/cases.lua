@@ -67,7 +67,8 @@ local function show_due(events, segments)
 end
 
 local function show_state(name, state)
-  say("%s: feels %s, stares %s, points %s", name or "-", state.emotion or "-", state.stares_at or "-", state.points_at or "-")
+  local emotion, stares_at, points_at = state.emotion or "-", state.stares_at or "-", state.points_at or "-"
+  say("%s: feels %s, stares %s, points %s", name or "-", emotion, stares_at, points_at)
 end
 
 local function who_of(words, at)
@@ -84,8 +85,8 @@ end
 
 local function show_face(face)
   local function of(name) return thousandths(face[name]) end
-  say("blink %s, head %s %s %s, eyes %s %s, brows %s, shrug %s, breath %s", of("blink"), of("head_pitch"), of("head_yaw"),
-    of("head_roll"), of("eye_pitch"), of("eye_yaw"), of("brows"), of("shrug"), of("breath"))
+  say("blink %s, head %s %s %s, eyes %s %s, brows %s, shrug %s, breath %s", of("blink"), of("head_pitch"),
+    of("head_yaw"), of("head_roll"), of("eye_pitch"), of("eye_yaw"), of("brows"), of("shrug"), of("breath"))
 end
 
 --- Returns a profile of the bank; "default" stands for that of the project.
@@ -184,7 +185,11 @@ function commands.curve(words)
   local curve = stage.clip:curve(words[2])
   if not curve then return say("no curve") end
   local value
-  if words[3] == "frame" then value = curve:value(tonumber(words[4])) else value = curve:value_at((time_of(words, 3))) end
+  if words[3] == "frame" then
+    value = curve:value(tonumber(words[4]))
+  else
+    value = curve:value_at((time_of(words, 3)))
+  end
   say(value and thousandths(value) or "no frame rate")
 end
 
@@ -221,7 +226,8 @@ end
 function commands.articulation(words)
   local profile = profile_of("articulation", words[2])
   if not profile then return end
-  local found, names, values = stage.clip:articulation_at(time_of(words, 3), profile), require("lipz.articulation").NAMES, {}
+  local found = stage.clip:articulation_at((time_of(words, 3)), profile)
+  local names, values = require("lipz.articulation").NAMES, {}
   for index, name in ipairs(names) do values[index] = found[name] end
   show_values(names, values)
 end

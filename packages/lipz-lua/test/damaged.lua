@@ -1,5 +1,5 @@
---- The damaged banks of fixtures/banks/damaged.txt: each must give the documented error, and no query of a bank that opens
--- may raise an error.
+--- The damaged banks of fixtures/banks/damaged.txt: each must give the documented error, and no query of a bank that
+-- opens may raise an error.
 
 local files = require("test.files")
 local lipz = require("lipz")
@@ -80,7 +80,9 @@ local function query(bank)
   return count
 end
 
-local function said(bank, _, problem) return bank and "opens" or ("%s at %d"):format(problem.kind, problem.offset_bytes) end
+local function said(bank, _, problem)
+  return bank and "opens" or ("%s at %d"):format(problem.kind, problem.offset_bytes)
+end
 
 local function fnv(lines)
   local high, low = 0xCBF29CE4, 0x84222325

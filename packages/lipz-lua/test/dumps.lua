@@ -178,7 +178,9 @@ end
 local function dump(bank)
   out = {}
   put("format 1, %d clips\n", bank.clip_count)
-  for _, locale in ipairs(bank:locales()) do put("locale %s%s\n", locale.tag, locale.is_default and " default" or "") end
+  for _, locale in ipairs(bank:locales()) do
+    put("locale %s%s\n", locale.tag, locale.is_default and " default" or "")
+  end
   for index, tag in ipairs(bank:voices()) do put("voice %s%s\n", tag, index == 1 and " original" or "") end
   for _, profile in ipairs(bank:face_profiles()) do put_profile(profile) end
   for clip in bank:clips() do
@@ -197,7 +199,9 @@ return function()
   for _, case in ipairs(BANKS) do
     local name = case[1]
     local bank = assert(lipz.open(files.golden(name .. ".lipzbank")))
-    for _, tag in ipairs(case.texts or {}) do assert(bank:open_texts(files.golden(("%s.%s.lipztexts"):format(name, tag)))) end
+    for _, tag in ipairs(case.texts or {}) do
+      assert(bank:open_texts(files.golden(("%s.%s.lipztexts"):format(name, tag))))
+    end
     local problem = files.difference(name .. ".dump", dump(bank), files.golden((case.dump or name) .. ".dump"))
     if problem then return 0, problem end
   end

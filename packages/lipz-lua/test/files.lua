@@ -1,4 +1,5 @@
---- The files of the tests. `lipz_test_root` is the path of the repository, by default for a run in `packages/lipz-lua`.
+--- The files of the tests. `lipz_test_root` is the path of the repository, by default for a run in
+-- `packages/lipz-lua`.
 
 local files = { root = rawget(_G, "lipz_test_root") or "../.." }
 
