@@ -17,6 +17,7 @@ mod msrv;
 mod packages;
 mod page;
 mod paths;
+mod ports;
 mod recogniser;
 mod site;
 mod size;
@@ -58,6 +59,8 @@ enum Task {
     Web,
     /// Test the npm package with bundlers and engines, which npm fetches into target/web-engines
     WebEngines,
+    /// Test the readers in C#, Lua and other languages, each with its own script
+    Ports,
     /// Draw the images in docs/pictures with the face of the npm package
     Pictures,
     /// Test the plugin for Neovim, and test and pack the extension for Visual Studio Code
@@ -129,6 +132,7 @@ fn main() -> ExitCode {
         Task::Capi => capi::run(),
         Task::Web => web::run(),
         Task::WebEngines => web::engines(),
+        Task::Ports => ports::run(),
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
         Task::Accessibility => accessibility::run(),
