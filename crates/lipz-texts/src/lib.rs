@@ -32,7 +32,8 @@ pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};
 pub use lint::{TextLints, has_translations};
 pub use merge::{
-    ConfirmedTranslations, Counts, Merge, MergedFile, TextTranslations, TranslatorComments, resolve_keys, unknown_keys,
+    ConfirmedTranslations, Counts, Merge, MergedFile, TextTranslations, TranslatorComments, follow_renamed_clips,
+    resolve_keys, unknown_keys,
 };
 pub use progress::{
     Amount, LocaleWork, OpenSegment, Progress, SourceMatch, Work, cost_of, csv_table, html, html_page, page,

@@ -155,6 +155,37 @@ fn a_rejection_counts_even_if_a_copy_of_the_file_has_none() {
 }
 
 #[test]
+fn a_file_with_the_old_key_of_a_renamed_clip_is_imported() {
+    for (format, name) in [("po", "de.po"), ("xlsx", "de.xlsx"), ("csv", "de.csv"), ("xliff", "de.xlf")] {
+        let scene = project();
+        let folder = scene.path();
+        scene.write("voices/yes.lipz", "{ \"text_en-us\": \"Good evening.|Me!\" }");
+        export(folder, format, name);
+        fs::rename(folder.join("voices/otto.lipz"), folder.join("voices/mara.lipz")).unwrap();
+        if format != "xlsx" {
+            replace(folder, name, "Guten Abend.", "Schönen Abend.");
+        }
+        let imported = import(folder, &[name]);
+        assert!(imported.code == 0 && imported.stderr.contains("`otto` is now `mara`"), "{format}: {imported:?}");
+        let clip = fs::read_to_string(folder.join("voices/mara.lipz")).unwrap();
+        assert!(format == "xlsx" || clip.contains("Schönen Abend.|Du?"), "{format}: {clip}");
+    }
+    // Two clips with this text may be meant, and a file that lipz has not exported may be of a different game.
+    let scene = project();
+    let folder = scene.path();
+    export(folder, "po", "de.po");
+    fs::copy(folder.join("voices/otto.lipz"), folder.join("voices/mara.lipz")).unwrap();
+    fs::rename(folder.join("voices/otto.lipz"), folder.join("voices/nell.lipz")).unwrap();
+    assert!(import(folder, &["de.po"]).stderr.contains("the project has no clip `otto`"));
+    fs::remove_file(folder.join("voices/mara.lipz")).unwrap();
+    let text = fs::read_to_string(folder.join("de.po")).unwrap();
+    let unmarked: String =
+        text.lines().filter(|line| !line.contains("as exported")).map(|line| format!("{line}\n")).collect();
+    fs::write(folder.join("de.po"), unmarked).unwrap();
+    assert!(import(folder, &["de.po"]).stderr.contains("the project has no clip `otto`"));
+}
+
+#[test]
 fn entries_of_other_parts_of_a_game_do_not_refuse_those_of_clips() {
     let scene = project();
     let folder = scene.path();

@@ -6,12 +6,14 @@ mod confirmed;
 mod keys;
 mod line_ends;
 mod options;
+mod renamed;
 mod results;
 mod splice;
 
 pub use by_text::TextTranslations;
 pub use keys::{resolve_keys, unknown_keys};
 pub use options::Merge;
+pub use renamed::follow_renamed_clips;
 pub use results::{ConfirmedTranslations, Counts, MergedFile, TranslatorComments};
 
 use crate::exchange::Entry;

@@ -3,6 +3,7 @@
 use crate::reporter::{Abort, Reporter};
 use lipz_compiler::{Compiler, Input, Options};
 use lipz_file::locale::text_name;
+use lipz_texts::texts_of;
 use std::collections::BTreeSet;
 
 /// Returns the locale that the texts are translated from.
@@ -26,4 +27,14 @@ pub(crate) fn locales_of(inputs: &[Input], options: &Options, source_locale: &st
     });
     let all: BTreeSet<String> = each.into_iter().flatten().flatten().collect();
     all.into_iter().filter(|locale| locale != source_locale).collect()
+}
+
+/// Returns the keys of clips, and the source texts of their segments.
+pub(crate) fn sources_of(inputs: &[Input], options: &Options, source_locale: &str) -> Vec<(String, Vec<String>)> {
+    let each = Compiler::new(options.clone()).each_file(inputs, |_, bytes| {
+        let document = lipz_file::parse(bytes).document.unwrap_or_default();
+        texts_of(&document, options.get_default_locale()).remove(source_locale)
+    });
+    let pairs = inputs.iter().zip(each);
+    pairs.filter_map(|(input, texts)| Some((input.key.clone(), texts.ok()??))).collect()
 }

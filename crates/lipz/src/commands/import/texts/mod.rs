@@ -14,13 +14,14 @@ use crate::shared::run_flags::QuietFlag;
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
-use crate::shared::translations::{locales_of, source_locale};
+use crate::shared::translations::{locales_of, source_locale, sources_of};
 use crate::shared::values::{parse_locale, refuse_locales};
 use clap::{Args, ValueEnum};
 use lipz_compiler::{Compiler, Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span, reports as all_reports};
 use lipz_texts::{
-    ConfirmedTranslations, Counts, Merge, ReadOptions, TextTranslations, TranslatorComments, resolve_keys, unknown_keys,
+    ConfirmedTranslations, Counts, Merge, ReadOptions, TextTranslations, TranslatorComments, follow_renamed_clips,
+    resolve_keys, unknown_keys,
 };
 use new_problems::new_problems;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
@@ -135,6 +136,10 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     let keys: BTreeSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
     let mut entries = std::mem::take(&mut incoming.entries);
     resolve_keys(&mut entries, &keys);
+    if entries.iter().any(|entry| !keys.contains(entry.key.text.as_str())) {
+        let sources = sources_of(&inputs, options, &source_locale);
+        incoming.found.extend(follow_renamed_clips(&mut entries, &keys, &sources));
+    }
     let by_text = arguments.by_text.then(|| TextTranslations::new(&entries, &keys));
     let (by_text, found) =
         by_text.map_or_else(|| (None, unknown_keys(&entries, &keys)), |(by_text, found)| (Some(by_text), found));
