@@ -44,7 +44,7 @@ pub use frames::LossReason;
 pub use import::{DEFAULT_RATE, ImportOptions, ImportResult, ImportedClip, LostShape, import};
 pub use map::{Map, built_in as maps, file as map_file, find as find_map};
 pub use merge::{MergeOptions, MergedClip, Mouth, merge};
-pub use script::Script;
+pub use script::{Script, ScriptLine};
 pub use segments::Segments;
 pub use time::Time;
 pub use track::{FaceWeights, Shape, StartedPhone, Text, TimedText, Track, WeightRow};

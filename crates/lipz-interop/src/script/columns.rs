@@ -64,6 +64,8 @@ pub(super) struct Columns {
     /// The index of the column with the files, and of that with the texts.
     pub(super) file: usize,
     pub(super) text: usize,
+    /// Whether the first one has IDs, which are no paths of files.
+    pub(super) is_id: bool,
 }
 
 /// Returns the columns by the names in the first line of a script.
@@ -71,8 +73,9 @@ pub(super) fn find(script: &str) -> Result<Columns, Box<Diagnostic>> {
     let of = |delimiter| Some((delimiter, head(script, delimiter)?));
     let heads: Vec<(u8, Vec<String>)> = DELIMITERS.into_iter().filter_map(of).collect();
     let both = |(delimiter, names): &(u8, Vec<String>)| {
-        let file = column(names, &FILES)?;
-        Some(Columns { delimiter: *delimiter, file, text: text(names, file)? })
+        let id = id(names);
+        let file = id.or_else(|| column(names, &FILES))?;
+        Some(Columns { delimiter: *delimiter, file, text: text(names, file)?, is_id: id.is_some() })
     };
     heads.iter().find_map(both).ok_or_else(|| {
         // The delimiter that divides the line into most columns is the one that was meant.
@@ -91,6 +94,14 @@ fn head(script: &str, delimiter: u8) -> Option<Vec<String>> {
 fn column(names: &[String], known: &[&str]) -> Option<usize> {
     let plain: Vec<String> = names.iter().map(|name| plain(name)).collect();
     known.iter().find_map(|known| plain.iter().position(|name| name == known))
+}
+
+/// Returns the column with the IDs in tables of Yarn Spinner and Ren'Py, whose column `file` names a part of the script.
+fn id(names: &[String]) -> Option<usize> {
+    [["id", "node"], ["identifier", "dialogue"]].iter().find_map(|[id, other]| {
+        column(names, &[other])?;
+        column(names, &[id])
+    })
 }
 
 /// Returns the column with the texts: by its name, or the only one named after a locale, `en-us` or `text_en-us`.
@@ -149,7 +160,8 @@ mod tests {
             ("id|text|speaker", 0, 1),
             ("key,en-us,note", 0, 1),
             ("key,recording,text_en-us", 1, 2),
-            ("language,id,text,file,node", 3, 2),
+            ("language,id,text,file,node", 1, 2),
+            ("Identifier\tCharacter\tDialogue\tFilename\tLine Number\tRen'Py Script", 0, 2),
             ("VO_Filename,Text,Source", 0, 1),
         ] {
             let columns = find(&format!("{head}\n")).map(|columns| (columns.file, columns.text));

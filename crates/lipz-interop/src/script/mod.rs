@@ -1,6 +1,7 @@
 //! Scripts: the texts of many recordings in one file, identified by the names of the recordings.
 
 mod columns;
+mod exports;
 
 use crate::fallout::msg;
 use crate::to_utf8;
@@ -26,12 +27,34 @@ struct ScriptEntry {
     /// The path in the script, without extension, in lower case and with `/`.
     path: String,
     text: String,
+    span: Span,
+}
+
+impl ScriptEntry {
+    fn line(&self) -> ScriptLine<'_> {
+        ScriptLine { path: &self.path, text: &self.text, span: self.span }
+    }
+}
+
+/// A line of a script.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ScriptLine<'s> {
+    /// The path or ID of the line, without extension, in lower case.
+    pub path: &'s str,
+    /// The text.
+    pub text: &'s str,
+    /// The position of the line in the text of the script.
+    pub span: Span,
 }
 
 impl Script {
-    /// Reads a script: a `.msg` file of Fallout, or otherwise a CSV file whose first line names its columns. The
-    /// columns `file` and `text` are used, or those with other usual names, such as `Filename` and `Transcript`. Commas,
-    /// semicolons, tabs or bars separate columns.
+    /// Reads a script: a `.msg` file of Fallout, a JSON file of Ink or articy:draft, or otherwise a CSV file whose first
+    /// line names its columns. The columns `file` and `text` are used, or those with other usual names, such as
+    /// `Filename` and `Transcript`. In tables of Yarn Spinner and Ren'Py, it is the ID of the line rather than the file
+    /// of the script. Commas, semicolons, tabs or bars separate columns.
+    ///
+    /// A JSON file of Ink has the compiled story, in which lines have tags such as `# id: mara_hello`. One of
+    /// articy:draft has the exported packages, whose dialogue fragments have technical names.
     ///
     /// Files that are not UTF-8 are read in `encoding`, or else as Windows-1252, the usual encoding of old tools
     /// ([`to_utf8`]). The diagnostics refer to the text of the returned source.
@@ -40,7 +63,11 @@ impl Script {
         let utf8 = to_utf8(bytes, encoding, true, &mut diagnostics);
         let text = String::from_utf8_lossy(without_byte_order_mark(&utf8)).into_owned();
         let is_msg = path.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("msg"));
-        let (mut script, found) = if is_msg { of_entries(&text) } else { of_rows(&text) };
+        let (mut script, found) = match () {
+            () if is_msg => of_entries(&text),
+            () if text.trim_start().starts_with('{') => exports::of_json(&text),
+            () => of_rows(&text),
+        };
         script.file = path.to_owned();
         diagnostics.extend(found);
         (script, Source::new(path, text), diagnostics)
@@ -70,6 +97,18 @@ impl Script {
         let mut names: Vec<&str> = all.filter(|path| !used.contains(path)).collect();
         names.sort_unstable();
         names
+    }
+
+    /// Returns all lines, ordered by their positions.
+    pub fn lines(&self) -> Vec<ScriptLine<'_>> {
+        let mut lines: Vec<ScriptLine<'_>> = self.entries.values().flatten().map(ScriptEntry::line).collect();
+        lines.sort_by_key(|line| line.span);
+        lines
+    }
+
+    /// Returns the line of the clip or recording at `path`, without extension; see [`text_of`](Script::text_of).
+    pub fn line_of(&self, path: &str) -> Option<ScriptLine<'_>> {
+        self.entry(path).map(ScriptEntry::line)
     }
 
     /// Returns the text of the recording at `path`, without extension. Case and Unicode normalisation are ignored.
@@ -106,12 +145,12 @@ impl Script {
     }
 
     /// Adds a text, unless the recording has a different one. Returns whether it was added.
-    fn add(&mut self, path: String, text: String) -> bool {
+    fn add(&mut self, path: String, text: String, span: Span) -> bool {
         let entries = self.entries.entry(name(&path).to_owned()).or_default();
         match entries.iter().find(|entry| entry.path == path) {
             Some(first) => first.text == text,
             None => {
-                entries.push(ScriptEntry { path, text });
+                entries.push(ScriptEntry { path, text, span });
                 true
             }
         }
@@ -124,14 +163,17 @@ fn of_entries(text: &str) -> (Script, Vec<Diagnostic>) {
     found.extend(ambiguous);
     let mut script = Script::default();
     for (sound, entry) in by_sound {
-        script.add(sound, entry.text.clone());
+        script.add(sound, entry.text.clone(), entry.span);
     }
     (script, found)
 }
 
+/// The prefix of the IDs of Yarn Spinner.
+const YARN_LINE: &str = "line:";
+
 fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
     let (mut script, mut found) = (Script::default(), Vec::new());
-    let columns::Columns { delimiter, file, text: line } = match columns::find(text) {
+    let columns::Columns { delimiter, file, text: line, is_id } = match columns::find(text) {
         Ok(columns) => columns,
         Err(diagnostic) => return (script, vec![*diagnostic]),
     };
@@ -151,7 +193,9 @@ fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
         let span = Span::new(start, start + length);
         match (row.get(file).map(str::trim), row.get(line)) {
             (Some(name), Some(line)) if !name.is_empty() => {
-                if !script.add(without_extension(&normal(name)).to_owned(), line.to_owned()) {
+                let name = if is_id { name.strip_prefix(YARN_LINE).unwrap_or(name) } else { name };
+                let path = if is_id { normal(name) } else { without_extension(&normal(name)).to_owned() };
+                if !script.add(path, line.to_owned(), span) {
                     let message = format!("{} has a different text in a row above", escape::quoted(name));
                     found.push(Diagnostic::at(Code::ForeignOddity, span, message).note("the first text is used"));
                 }

@@ -3,6 +3,7 @@
 mod baseline;
 mod fallout_heads;
 mod fix_result;
+mod lines;
 mod statistics;
 pub(crate) mod translations;
 
@@ -45,6 +46,7 @@ use translations::Translations;
   lipz check - < draft.lipz
   lipz check voices --audio recordings
   lipz check --diff voices
+  lipz check voices --lines game/dialogue.tab
   lipz check voices --show stats
   lipz check --fallout-heads data/art/heads
   lipz check voices --cache check.cache
@@ -77,6 +79,10 @@ pub(crate) struct Check {
     #[arg(long, value_name = "FILE")]
     cache: Option<PathBuf>,
 
+    /// Compare the clips with the lines of the game's script: a table of Ren'Py or Yarn Spinner, JSON of Ink or articy, or CSV
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
+    lines: Option<PathBuf>,
+
     /// Show the number of diagnostics of each rule instead of the diagnostics
     #[arg(long, value_enum, value_name = "WHAT", conflicts_with = "diff")]
     show: Option<CheckView>,
@@ -87,7 +93,7 @@ pub(crate) struct Check {
 }
 
 /// The arguments that do not apply to images.
-const ABOUT_LIPZ_FILES: [&str; 15] = [
+const ABOUT_LIPZ_FILES: [&str; 16] = [
     "sources",
     "config",
     "no_config",
@@ -102,6 +108,7 @@ const ABOUT_LIPZ_FILES: [&str; 15] = [
     "fix",
     "diff",
     "cache",
+    "lines",
     "show",
 ];
 
@@ -141,6 +148,10 @@ impl Run for Check {
             (false, false) => FixResult::default(),
         };
         let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, self.cache.as_deref(), quiet);
+        if let Some(lines) = &self.lines {
+            run.reports.extend(lines::check(lines, &project, &run.inputs, reporter)?);
+            lipz_diagnostics::reports::sort(&mut run.reports);
+        }
         if self.sources.names_single_files() {
             retain_own(&mut run.reports);
         }
