@@ -1,0 +1,119 @@
+extends RefCounted
+## The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values are in
+## thousandths, times in microseconds from the query. Divisions are of floats, which are exact for these numbers.
+
+const Target := preload("target.gd")
+
+const _LONGEST_RISE_US := 150000
+const _LONGEST_RELEASE_US := 40000
+const _JAW_US := 140000
+const _LIPS_US := 120000
+const _ROUNDING_US := 150000
+const _TONGUE_US := 60000
+const _TONGUE_STRENGTH := 10
+const _FULL := 10000
+const _JAW_CAP := 80
+const _TEETH_CAP := 150
+
+var _are_certain := true
+var _jaw := 0
+var _opening := 0
+var _rounding := 0
+var _spreading := 0
+var _tip := 0
+var _out := 0
+var _back := 0
+var _jaw_weight := 0
+var _lips_weight := 0
+var _rounding_weight := 0
+var _tongue_weight := 0
+var _closure := 0
+var _teeth := 0
+var _narrow := 0
+
+
+## Starts a blend.
+func start(are_certain: bool) -> void:
+	_are_certain = are_certain
+	_jaw = 0
+	_opening = 0
+	_rounding = 0
+	_spreading = 0
+	_tip = 0
+	_out = 0
+	_back = 0
+	_jaw_weight = 0
+	_lips_weight = 0
+	_rounding_weight = 0
+	_tongue_weight = 0
+	_closure = 0
+	_teeth = 0
+	_narrow = 0
+
+
+## Adds a sound.
+func add(start_us: int, end_us: int, target: Target) -> void:
+	if start_us > _LONGEST_RISE_US or end_us < -_LONGEST_RISE_US:
+		return
+	var hold_end_us := end_us - mini((end_us - start_us) >> 2, _LONGEST_RELEASE_US)
+	var done := clampi(mini(_JAW_US - start_us, hold_end_us + _JAW_US), 0, _JAW_US)
+	var weight := int(done / 140.0) * target.jaw_strength
+	_jaw_weight += weight
+	_jaw += weight * target.jaw
+	done = clampi(mini(_LIPS_US - start_us, hold_end_us + _LIPS_US), 0, _LIPS_US)
+	weight = int(done / 120.0) * target.lips_strength
+	_lips_weight += weight
+	_opening += weight * target.opening
+	_spreading += weight * target.spreading
+	done = clampi(mini(_ROUNDING_US - start_us, hold_end_us + _ROUNDING_US), 0, _ROUNDING_US)
+	weight = int(done / 150.0) * target.rounding_strength
+	_rounding_weight += weight
+	_rounding += weight * target.rounding
+	done = clampi(mini(_TONGUE_US - start_us, hold_end_us + _TONGUE_US), 0, _TONGUE_US)
+	weight = int(done / 60.0) * _TONGUE_STRENGTH
+	_tongue_weight += weight
+	_tip += weight * target.tongue_tip
+	_out += weight * target.tongue_out
+	_back += weight * target.tongue_back
+	if target.closes_lips:
+		_closure = maxi(_closure, _lasting(start_us, end_us, hold_end_us, 60000, 45000))
+	if target.touches_teeth:
+		_teeth = maxi(_teeth, _lasting(start_us, end_us, hold_end_us, 50000, 50000))
+	if target.narrows_jaw:
+		_narrow = maxi(_narrow, _lasting(start_us, end_us, hold_end_us, 40000, 100000))
+
+
+func _lasting(start_us: int, end_us: int, hold_end_us: int, shortest_us: int, ramp_us: int) -> int:
+	if _are_certain:
+		return _share(start_us, maxi(end_us, start_us + shortest_us), ramp_us)
+	return _share(start_us, hold_end_us, _LIPS_US) >> 1
+
+
+static func _share(start_us: int, end_us: int, rise_us: int) -> int:
+	return int(clampi(mini(rise_us - start_us, end_us + rise_us), 0, rise_us) * 1000 / float(rise_us))
+
+
+static func _value(sum: int, weight: int, rest_percent: int) -> int:
+	if weight >= _FULL:
+		return int(sum / floorf(weight / 10.0))
+	return int((sum + (_FULL - weight) * rest_percent) / 1000.0)
+
+
+static func _capped(value: int, cap: int, part: int) -> int:
+	return mini(value, int((value * (1000 - part) + cap * part) / 1000.0))
+
+
+## Ends the blend, and writes the nine values into an array.
+func finish(rest: Target, gain: int, jaw_percent: int, values: PackedInt64Array) -> void:
+	var jaw := int(_value(_jaw, _jaw_weight, rest.jaw) * jaw_percent / 100.0)
+	jaw = mini(int(jaw * gain / 1000.0), 1000)
+	var opening := mini(int(_value(_opening, _lips_weight, rest.opening) * gain / 1000.0), 1000)
+	values[0] = _capped(jaw, _JAW_CAP, _narrow)
+	values[1] = _capped(_capped(opening, _TEETH_CAP, _teeth), 0, _closure)
+	values[2] = _closure
+	values[3] = _teeth
+	values[4] = _value(_rounding, _rounding_weight, rest.rounding)
+	values[5] = _value(_spreading, _lips_weight, rest.spreading)
+	values[6] = _value(_tip, _tongue_weight, rest.tongue_tip)
+	values[7] = _value(_out, _tongue_weight, rest.tongue_out)
+	values[8] = _value(_back, _tongue_weight, rest.tongue_back)
