@@ -13,6 +13,7 @@ const _SACCADE_MS := 50
 const _OF_A_FACE: Array[Vector2i] = [Vector2i(0, 1900), Vector2i(0, -1900), Vector2i(-4000, 0)]
 const _NEUTRAL := 5000
 const _HEAD_MOST := 60000
+const _LOOK_MOST := 1000000.0
 
 ## How far the lids are closed, from 0 to 1.
 var blink := 0.0
@@ -124,7 +125,7 @@ static func _fixation(profile: FaceProfile, id: int, number: int) -> Vector2i:
 
 ## Returns pitch and yaw of the eyes in thousandths of a degree.
 static func _eyes(profile: FaceProfile, id: int, ms: int, look: Vector2, is_person: bool) -> Vector2i:
-	var target := Vector2i(roundi(look.x * 1000.0), roundi(look.y * 1000.0))
+	var target := Vector2i((look * 1000.0).round().clampf(-_LOOK_MOST, _LOOK_MOST))
 	if not is_person:
 		return target
 	var step := Chance.step(id, ms, Chance.Stream.FIXATION_TIME, profile.fixation_ms, _SACCADE_MS)

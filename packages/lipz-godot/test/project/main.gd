@@ -4,6 +4,7 @@ extends Node3D
 const Cases := preload("cases.gd")
 const Damaged := preload("damaged.gd")
 const Dumps := preload("dumps.gd")
+const Speed := preload("speed.gd")
 
 
 func _ready() -> void:
@@ -11,6 +12,7 @@ func _ready() -> void:
 	_report("cases", Cases.new().play())
 	_report("dumps", Dumps.new().compare_all())
 	_report("damaged banks", Damaged.new().open_all())
+	_report("speed", Speed.new().run())
 	print("DONE")
 
 
