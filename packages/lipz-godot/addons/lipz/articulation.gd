@@ -71,11 +71,10 @@ func thousandths(clip: LipzClip, time_ns: int) -> PackedInt64Array:
 
 ## Replaces values by the curves with their names.
 func _replace(clip: LipzClip, time_ns: int, values: PackedInt64Array) -> void:
-	var curves := LipzCurve._of_character(clip, "", true)
-	var position := Clock.position(time_ns, clip.fps_numerator, clip.fps_denominator)
-	for index in NAMES.size():
-		if curves.has(NAMES[index]):
-			values[index] = clampi(LipzCurve._strongest(curves[NAMES[index]], position, 0), 0, 1000)
+	for curve in clip.curves():
+		var index := NAMES.find(curve.name)
+		if index >= 0:
+			values[index] = clampi(curve._thousandths_at(time_ns), 0, 1000)
 
 
 func _gain(phones: Phones) -> int:
@@ -120,9 +119,9 @@ func _add_phones(phones: Phones, time_ns: int) -> void:
 func _add_visemes(clip: LipzClip, time_ns: int) -> void:
 	if clip.fps_numerator == 0 or clip.viseme_type == "" or time_ns < 0:
 		return
-	if not clip._kept.has("targets"):
-		clip._kept["targets"] = Target.of_visemes(clip.viseme_type)
-	var targets: Dictionary = clip._kept["targets"]
+	if clip._targets.is_empty():
+		clip._targets = Target.of_visemes(clip.viseme_type)
+	var targets := clip._targets
 	var codes := clip.frames()
 	var position := Clock.position(time_ns, clip.fps_numerator, clip.fps_denominator)
 	var frame := position >> 16

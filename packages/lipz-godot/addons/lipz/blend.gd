@@ -1,6 +1,8 @@
 extends RefCounted
 ## The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values are in
-## thousandths, times in microseconds from the query. Divisions are of floats, which are exact for these numbers.
+## thousandths, times in microseconds from the query.
+##
+## A face does this in each rendered frame, so calls of functions are few here.
 
 const Target := preload("target.gd")
 
@@ -57,20 +59,24 @@ func add(start_us: int, end_us: int, target: Target) -> void:
 		return
 	var hold_end_us := end_us - mini((end_us - start_us) >> 2, _LONGEST_RELEASE_US)
 	var done := clampi(mini(_JAW_US - start_us, hold_end_us + _JAW_US), 0, _JAW_US)
-	var weight := int(done / 140.0) * target.jaw_strength
+	@warning_ignore("integer_division")
+	var weight := done / 140 * target.jaw_strength
 	_jaw_weight += weight
 	_jaw += weight * target.jaw
 	done = clampi(mini(_LIPS_US - start_us, hold_end_us + _LIPS_US), 0, _LIPS_US)
-	weight = int(done / 120.0) * target.lips_strength
+	@warning_ignore("integer_division")
+	weight = done / 120 * target.lips_strength
 	_lips_weight += weight
 	_opening += weight * target.opening
 	_spreading += weight * target.spreading
 	done = clampi(mini(_ROUNDING_US - start_us, hold_end_us + _ROUNDING_US), 0, _ROUNDING_US)
-	weight = int(done / 150.0) * target.rounding_strength
+	@warning_ignore("integer_division")
+	weight = done / 150 * target.rounding_strength
 	_rounding_weight += weight
 	_rounding += weight * target.rounding
 	done = clampi(mini(_TONGUE_US - start_us, hold_end_us + _TONGUE_US), 0, _TONGUE_US)
-	weight = int(done / 60.0) * _TONGUE_STRENGTH
+	@warning_ignore("integer_division")
+	weight = done / 60 * _TONGUE_STRENGTH
 	_tongue_weight += weight
 	_tip += weight * target.tongue_tip
 	_out += weight * target.tongue_out
@@ -93,27 +99,36 @@ static func _share(start_us: int, end_us: int, rise_us: int) -> int:
 	return int(clampi(mini(rise_us - start_us, end_us + rise_us), 0, rise_us) * 1000 / float(rise_us))
 
 
-static func _value(sum: int, weight: int, rest_percent: int) -> int:
-	if weight >= _FULL:
-		return int(sum / floorf(weight / 10.0))
-	return int((sum + (_FULL - weight) * rest_percent) / 1000.0)
-
-
 static func _capped(value: int, cap: int, part: int) -> int:
 	return mini(value, int((value * (1000 - part) + cap * part) / 1000.0))
 
 
 ## Ends the blend, and writes the nine values into an array.
 func finish(rest: Target, gain: int, jaw_percent: int, values: PackedInt64Array) -> void:
-	var jaw := int(_value(_jaw, _jaw_weight, rest.jaw) * jaw_percent / 100.0)
-	jaw = mini(int(jaw * gain / 1000.0), 1000)
-	var opening := mini(int(_value(_opening, _lips_weight, rest.opening) * gain / 1000.0), 1000)
-	values[0] = _capped(jaw, _JAW_CAP, _narrow)
-	values[1] = _capped(_capped(opening, _TEETH_CAP, _teeth), 0, _closure)
+	var room := maxi(_FULL - _jaw_weight, 0)
+	@warning_ignore("integer_division")
+	var jaw := (_jaw + room * rest.jaw) / (maxi(_jaw_weight, _FULL) / 10) * jaw_percent / 100
+	@warning_ignore("integer_division")
+	values[0] = _capped(mini(jaw * gain / 1000, 1000), _JAW_CAP, _narrow)
+	room = maxi(_FULL - _lips_weight, 0)
+	@warning_ignore("integer_division")
+	var whole := maxi(_lips_weight, _FULL) / 10
+	@warning_ignore("integer_division")
+	var opening := (_opening + room * rest.opening) / whole * gain / 1000
+	values[1] = _capped(_capped(mini(opening, 1000), _TEETH_CAP, _teeth), 0, _closure)
 	values[2] = _closure
 	values[3] = _teeth
-	values[4] = _value(_rounding, _rounding_weight, rest.rounding)
-	values[5] = _value(_spreading, _lips_weight, rest.spreading)
-	values[6] = _value(_tip, _tongue_weight, rest.tongue_tip)
-	values[7] = _value(_out, _tongue_weight, rest.tongue_out)
-	values[8] = _value(_back, _tongue_weight, rest.tongue_back)
+	@warning_ignore("integer_division")
+	values[5] = (_spreading + room * rest.spreading) / whole
+	room = maxi(_FULL - _rounding_weight, 0)
+	@warning_ignore("integer_division")
+	values[4] = (_rounding + room * rest.rounding) / (maxi(_rounding_weight, _FULL) / 10)
+	room = maxi(_FULL - _tongue_weight, 0)
+	@warning_ignore("integer_division")
+	whole = maxi(_tongue_weight, _FULL) / 10
+	@warning_ignore("integer_division")
+	values[6] = (_tip + room * rest.tongue_tip) / whole
+	@warning_ignore("integer_division")
+	values[7] = (_out + room * rest.tongue_out) / whole
+	@warning_ignore("integer_division")
+	values[8] = (_back + room * rest.tongue_back) / whole

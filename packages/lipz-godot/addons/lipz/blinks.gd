@@ -38,7 +38,7 @@ func closed(ms: int, clip: LipzClip, character: String, is_speaker: bool) -> int
 			_slots[index] = slot
 			_compute(index, 0, slot)
 			_compute(index, 1, slot - 1)
-		for place in [index * 2, index * 2 + 1]:
+		for place in range(index * 2, index * 2 + 2):
 			var start := _starts[place]
 			if start < 0 or start > ms:
 				continue
@@ -79,9 +79,8 @@ func _interval_at(ms: int, clip: LipzClip, character: String, is_speaker: bool) 
 	return _profile.blink_interval_ms[strongest + 1]
 
 
-## Returns the blinks of a seed, which the profile and the clip keep.
+## Returns the blinks of a seed, which the clip keeps until a query has a different profile.
 static func of(clip: LipzClip, profile: FaceProfile, id: int) -> RefCounted:
-	var kept := "blinks %s %d" % [profile.name, id]
-	if not clip._kept.has(kept):
-		clip._kept[kept] = new(profile, id)
-	return clip._kept[kept]
+	if not clip._blinks.has(id) or clip._blinks[id]._profile != profile:
+		clip._blinks[id] = new(profile, id)
+	return clip._blinks[id]

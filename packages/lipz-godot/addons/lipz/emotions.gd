@@ -7,6 +7,10 @@ const NAMES: Array[String] = [
 	"sadness", "anger", "joy", "fear", "disgust", "surprise", "shock", "perplexed", "asleep", "pain", "exertion",
 	"shout",
 ]
+const _INDICES: Dictionary[String, int] = {
+	"sadness": 0, "anger": 1, "joy": 2, "fear": 3, "disgust": 4, "surprise": 5, "shock": 6, "perplexed": 7, "asleep": 8,
+	"pain": 9, "exertion": 10, "shout": 11,
+}
 
 
 ## Returns the twelve values of a character at a time, in the order of [constant NAMES].
@@ -17,9 +21,9 @@ static func thousandths(clip: LipzClip, time_ns: int, character := "", is_speake
 		return values
 	var position := Clock.position(time_ns, clip.fps_numerator, clip.fps_denominator)
 	var curves := LipzCurve._of_character(clip, character, is_speaker)
-	for index in NAMES.size():
-		if curves.has(NAMES[index]):
-			values[index] = LipzCurve._strongest(curves[NAMES[index]], position, 0)
+	for purpose in curves:
+		if _INDICES.has(purpose):
+			values[_INDICES[purpose]] = LipzCurve._strongest(curves[purpose], position, 0)
 	return values
 
 

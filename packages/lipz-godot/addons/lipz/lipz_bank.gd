@@ -22,6 +22,8 @@ var _pilots := PackedInt64Array()
 var _segment_count := 0
 ## What the first query has read, by the tag of its section.
 var _kept: Dictionary[String, Array] = {}
+var _default_articulation: Articulation
+var _default_face_profile: FaceProfile
 
 
 ## Opens a bank from the contents of a file. If the file cannot be used, prints an error with the reason, and returns
@@ -175,6 +177,13 @@ func articulation(profile_name := "default") -> Articulation:
 	return Articulation.new() if found == null and profile_name == "default" else found
 
 
+## Returns the articulation profile of the project, which the bank keeps.
+func _usual_articulation() -> Articulation:
+	if _default_articulation == null:
+		_default_articulation = articulation()
+	return _default_articulation
+
+
 ## Returns all face profiles, each with `name`.
 func face_profiles() -> Array:
 	return _profiles("FACE", FaceProfile.read)
@@ -184,6 +193,13 @@ func face_profiles() -> Array:
 func face_profile(profile_name := "default") -> FaceProfile:
 	var found: FaceProfile = _named(face_profiles(), profile_name)
 	return FaceProfile.new() if found == null and profile_name == "default" else found
+
+
+## Returns the face profile of the project, which the bank keeps.
+func _usual_face_profile() -> FaceProfile:
+	if _default_face_profile == null:
+		_default_face_profile = face_profile()
+	return _default_face_profile
 
 
 ## Returns the babble profile with a name; for `default`, if the bank does not have it, the built-in one.

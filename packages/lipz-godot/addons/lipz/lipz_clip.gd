@@ -3,9 +3,11 @@ extends RefCounted
 ## A clip: one spoken line. Get it with [method LipzBank.clip]. Frames and segments are numbered from 0. Times are in
 ## seconds; the methods that end in `_ns` take nanoseconds from [code]clock.gd[/code].
 
+const Blinks := preload("blinks.gd")
 const Clock := preload("clock.gd")
 const Emotions := preload("emotions.gd")
 const Hashing := preload("hashing.gd")
+const Phones := preload("phones.gd")
 const Section := preload("section.gd")
 
 const REST := "-"
@@ -44,8 +46,12 @@ var _visemes := ""
 var _starts := PackedInt64Array()
 var _curves: Array[LipzCurve] = []
 var _has_curves := false
-## What queries keep for a character of the clip.
-var _kept: Dictionary = {}
+var _phones: Phones
+## The targets of the visemes by their codes, and the curves and blinks of each character, as queries have read them.
+var _targets: Dictionary = {}
+var _speaker_curves: Dictionary[String, Dictionary] = {}
+var _other_curves: Dictionary[String, Dictionary] = {}
+var _blinks: Dictionary[int, Blinks] = {}
 
 
 ## Returns the clip in a slot; null if the bank does not have it.

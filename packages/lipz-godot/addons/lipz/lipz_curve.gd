@@ -145,9 +145,9 @@ static func _farther(one: int, other: int, neutral: int) -> int:
 ## Returns the curves of a character of a clip, by their names without that of the character. Each name has the curve
 ## without and the curve with the character's name, or one of them.
 static func _of_character(clip: LipzClip, character: String, is_speaker: bool) -> Dictionary[String, Array]:
-	var kept := "curves %s %s" % [is_speaker or character == "", character]
-	if clip._kept.has(kept):
-		return clip._kept[kept]
+	var kept := clip._speaker_curves if is_speaker or character == "" else clip._other_curves
+	if kept.has(character):
+		return kept[character]
 	var found: Dictionary[String, Array] = {}
 	var prefix := character + "."
 	for curve in clip.curves():
@@ -158,7 +158,7 @@ static func _of_character(clip: LipzClip, character: String, is_speaker: bool) -
 		if not found.has(purpose):
 			found[purpose] = []
 		found[purpose].append(curve)
-	clip._kept[kept] = found
+	kept[character] = found
 	return found
 
 

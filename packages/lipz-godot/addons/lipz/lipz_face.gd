@@ -12,6 +12,11 @@ const Head := preload("head.gd")
 const _SACCADE_MS := 50
 const _OF_A_FACE: Array[Vector2i] = [Vector2i(0, 1900), Vector2i(0, -1900), Vector2i(-4000, 0)]
 const _NEUTRAL := 5000
+## The neutral value of each curve of a face.
+const _NEUTRALS: Dictionary[String, int] = {
+	"blink": 0, "headPitch": 0, "headYaw": 0, "headRoll": 0, "eyePitch": 0, "eyeYaw": 0, "lids": 0, "nod": _NEUTRAL,
+	"shake": _NEUTRAL, "lookPitch": 0, "lookYaw": 0, "brows": 0, "shrug": 0, "breath": 0,
+}
 const _HEAD_MOST := 60000
 const _LOOK_MOST := 1000000.0
 
@@ -65,7 +70,7 @@ static func _at_ns(
 	clip: LipzClip, time_ns: int, character: String, is_speaker: bool, look: Vector2, is_person: bool,
 	profile: FaceProfile
 ) -> LipzFace:
-	var used := profile if profile != null else clip.bank.face_profile()
+	var used := profile if profile != null else clip.bank._usual_face_profile()
 	var speaks := is_speaker or character == ""
 	var id := clip._id if speaks else clip._id ^ Hashing.clip_id(character)
 	var ms := Clock.milliseconds(time_ns)
@@ -111,8 +116,8 @@ static func _curve_values(
 	var position := Clock.position(time_ns, clip.fps_numerator, clip.fps_denominator)
 	var curves := LipzCurve._of_character(clip, character, is_speaker)
 	for purpose in curves:
-		var neutral := _NEUTRAL if purpose == "nod" or purpose == "shake" else 0
-		values[purpose] = LipzCurve._strongest(curves[purpose], position, neutral)
+		if _NEUTRALS.has(purpose):
+			values[purpose] = LipzCurve._strongest(curves[purpose], position, _NEUTRALS[purpose])
 	return values
 
 

@@ -3,9 +3,9 @@ extends RefCounted
 ## A rig of a bank: the weights of a model's shapes at a time. Get it with [method LipzBank.rig].
 
 const Articulation := preload("articulation.gd")
+const Blinks := preload("blinks.gd")
 const Clock := preload("clock.gd")
-const Emotions := preload("emotions.gd")
-const FaceProfile := preload("face_profile.gd")
+const Hashing := preload("hashing.gd")
 const Section := preload("section.gd")
 
 const _RECORD_BYTES := 8
@@ -14,8 +14,12 @@ const _TERM_BYTES := 4
 const _NO_INPUT := 255
 const _INPUTS := 25
 const _MOST_INPUT := 4000
-const _FIRST_EMOTION := 9
-const _FIRST_OF_FACE := 21
+const _BLINK := 21
+## The input of each curve; -1 for the one that is combined with blinks.
+const _CURVE_INPUTS: Dictionary[String, int] = {
+	"sadness": 9, "anger": 10, "joy": 11, "fear": 12, "disgust": 13, "surprise": 14, "shock": 15, "perplexed": 16,
+	"asleep": 17, "pain": 18, "exertion": 19, "shout": 20, "blink": _BLINK, "brows": 22, "shrug": 23, "lids": -1,
+}
 
 var name := ""
 ## The names of the weights, such as `jawOpen`.
@@ -87,7 +91,7 @@ func _weights_at_ns(
 	clip: LipzClip, time_ns: int, weights: PackedFloat32Array, character: String, is_speaker: bool,
 	articulation: Articulation
 ) -> void:
-	var used := articulation if articulation != null else clip.bank.articulation()
+	var used := articulation if articulation != null else clip.bank._usual_articulation()
 	var inputs := used.thousandths(clip, time_ns)
 	inputs.resize(_INPUTS)
 	_set_face(clip, time_ns, character, is_speaker, inputs)
@@ -104,27 +108,37 @@ func _set_face(
 	clip: LipzClip, time_ns: int, character: String, is_speaker: bool, inputs: PackedInt64Array
 ) -> void:
 	inputs[_INPUTS - 1] = 1000
-	var values: Dictionary[String, int] = {}
-	if not clip.curves().is_empty():
-		var emotions := Emotions.thousandths(clip, time_ns, character, is_speaker)
-		for index in emotions.size():
-			inputs[_FIRST_EMOTION + index] = int(emotions[index] / 10.0)
-		values = LipzFace._curve_values(clip, time_ns, character, is_speaker)
-		inputs[_FIRST_OF_FACE + 1] = values.get("brows", 0)
-		inputs[_FIRST_OF_FACE + 2] = values.get("shrug", 0)
-	var speaks := is_speaker or character == ""
-	var id := clip._id if speaks else clip._id ^ LipzFace.Hashing.clip_id(character)
-	var ms := Clock.milliseconds(time_ns)
-	inputs[_FIRST_OF_FACE] = LipzFace._blink(
-		clip, clip.bank.face_profile(), id, ms, character, is_speaker, values
-	)
+	var lids := 0
+	var has_blink := false
+	if clip.fps_numerator > 0 and not clip.curves().is_empty():
+		var position := Clock.position(time_ns, clip.fps_numerator, clip.fps_denominator)
+		var curves := LipzCurve._of_character(clip, character, is_speaker)
+		for purpose in curves:
+			if not _CURVE_INPUTS.has(purpose):
+				continue
+			var input := _CURVE_INPUTS[purpose]
+			var value := LipzCurve._strongest(curves[purpose], position, 0)
+			if input < 0:
+				lids = value
+			else:
+				@warning_ignore("integer_division")
+				inputs[input] = value / 10 if input < _BLINK else value
+				has_blink = has_blink or input == _BLINK
+	if not has_blink:
+		var speaks := is_speaker or character == ""
+		var id := clip._id if speaks else clip._id ^ Hashing.clip_id(character)
+		var blinks: Blinks = Blinks.of(clip, clip.bank._usual_face_profile(), id)
+		inputs[_BLINK] = blinks.closed(Clock.milliseconds(time_ns), clip, character, is_speaker)
+	inputs[_BLINK] = maxi(inputs[_BLINK], lids)
 
 
-## Adds the terms of an input to the sums. Divisions are of floats, which are exact for these numbers.
+## Adds the terms of an input to the sums.
 func _add(inputs: PackedInt64Array, value: int, terms: PackedInt64Array) -> void:
 	for at in range(0, terms.size(), 3):
-		var product := int(terms[at + 1] * value / 1000.0)
+		@warning_ignore("integer_division")
+		var product := terms[at + 1] * value / 1000
 		var second := terms[at + 2]
 		if second >= 0:
-			product = int(product * clampi(inputs[second], -_MOST_INPUT, _MOST_INPUT) / 1000.0)
+			@warning_ignore("integer_division")
+			product = product * clampi(inputs[second], -_MOST_INPUT, _MOST_INPUT) / 1000
 		_sums[terms[at]] += product

@@ -60,6 +60,6 @@ func _last_end_ms(clip: LipzClip) -> int:
 
 ## Returns the phones of a clip, which it keeps.
 static func of(clip: LipzClip) -> RefCounted:
-	if not clip._kept.has("phones"):
-		clip._kept["phones"] = new(clip)
-	return clip._kept["phones"]
+	if clip._phones == null:
+		clip._phones = new(clip)
+	return clip._phones
