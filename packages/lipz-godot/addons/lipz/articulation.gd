@@ -57,6 +57,12 @@ static func read(section: Section, at: int) -> Variant:
 func thousandths(clip: LipzClip, time_ns: int) -> PackedInt64Array:
 	var values := PackedInt64Array()
 	values.resize(NAMES.size())
+	write(clip, time_ns, values)
+	return values
+
+
+## Writes these values to the start of an array.
+func write(clip: LipzClip, time_ns: int, values: PackedInt64Array) -> void:
 	var phones: Phones = Phones.of(clip)
 	_blend.start(phones.are_certain)
 	if phones.numbers.is_empty():
@@ -66,7 +72,6 @@ func thousandths(clip: LipzClip, time_ns: int) -> PackedInt64Array:
 	_blend.finish(_rest, _gain(phones), jaw_percent, values)
 	if clip.fps_numerator > 0 and not clip.curves().is_empty():
 		_replace(clip, time_ns, values)
-	return values
 
 
 ## Replaces values by the curves with their names.
@@ -90,9 +95,9 @@ func _add_phones(phones: Phones, time_ns: int) -> void:
 	var ms := -_MOST_MS
 	var us := 0
 	if time_ns >= 0:
-		var position := Clock.position(time_ns, 1000, 1)
-		ms = (position >> 16) + lead_ms
-		us = (position & 0xFFFF) * 1000 >> 16
+		ms = Clock.milliseconds(time_ns) + lead_ms
+		@warning_ignore("integer_division")
+		us = (time_ns % 1000000 * 65536 / 1000000) * 1000 >> 16
 	var count := phones.numbers.size()
 	var starts := phones.starts_ms
 	var first := starts.bsearch(maxi(ms - _REACH_MS, 0), false) - 1

@@ -15,6 +15,9 @@ var _phases := PackedInt64Array()
 var _slots := PackedInt64Array()
 var _starts := PackedInt64Array()
 var _doubles := PackedInt64Array()
+## The lids are open from one time up to another one, in milliseconds.
+var _open_from_ms := 0
+var _open_until_ms := 0
 
 
 func _init(profile: FaceProfile, id: int) -> void:
@@ -31,20 +34,28 @@ func _init(profile: FaceProfile, id: int) -> void:
 
 ## Returns how far the lids are closed, in thousandths. The clip is null for a silent character.
 func closed(ms: int, clip: LipzClip, character: String, is_speaker: bool) -> int:
+	if ms >= _open_from_ms and ms < _open_until_ms:
+		return 0
 	var most := 0
+	var until_ms := 0x7FFFFFFFFFFFFFFF
 	for index in _intervals.size():
 		var slot := int((ms + _phases[index]) / float(_intervals[index]))
 		if slot != _slots[index]:
 			_slots[index] = slot
 			_compute(index, 0, slot)
 			_compute(index, 1, slot - 1)
+		until_ms = mini(until_ms, (slot + 1) * _intervals[index] - _phases[index])
 		for place in range(index * 2, index * 2 + 2):
 			var start := _starts[place]
-			if start < 0 or start > ms:
-				continue
-			var found := _closed_after(ms - start, _doubles[place] != 0)
-			if found > most and _interval_at(start, clip, character, is_speaker) == _intervals[index]:
-				most = found
+			if start > ms:
+				until_ms = mini(until_ms, start)
+			elif start >= 0 and ms - start < 3 * _profile.blink_length_ms:
+				until_ms = ms
+				var found := _closed_after(ms - start, _doubles[place] != 0)
+				if found > most and _interval_at(start, clip, character, is_speaker) == _intervals[index]:
+					most = found
+	_open_from_ms = ms
+	_open_until_ms = until_ms
 	return most
 
 

@@ -287,6 +287,17 @@ func curve(curve_name: String) -> LipzCurve:
 	return null
 
 
+## Returns the articulation at a time: `jaw`, `opening`, `closure`, `teeth`, `rounding`, `spreading`, `tongue_tip`,
+## `tongue_out` and `tongue_back`, each from 0 to 1.
+func articulation_at(seconds: float) -> Dictionary[String, float]:
+	var profile := bank._usual_articulation()
+	var values := profile.thousandths(self, Clock.of_seconds(seconds))
+	var found: Dictionary[String, float] = {}
+	for index in values.size():
+		found[profile.NAMES[index]] = values[index] / 1000.0
+	return found
+
+
 ## Returns the emotions of a character at a time: a value, usually from 0 to 10, for each emotion that is not 0. The
 ## character is the speaker, unless you pass a name. With `is_speaker`, the name is that of the speaker.
 func emotions_at(seconds: float, character := "", is_speaker := false) -> Dictionary[String, float]:

@@ -100,6 +100,8 @@ func _begun() -> int:
 func _due(first: int, last: int, around_to: int) -> Array[LipzEvent]:
 	var list: Array[LipzEvent] = []
 	due_segments.clear()
+	if first >= last and around_to == 0:
+		return list
 	for segment in range(first, last):
 		due_segments.append(segment)
 	for segment in around_to:

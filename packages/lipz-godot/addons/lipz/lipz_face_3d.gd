@@ -4,6 +4,9 @@ extends Node
 ## Moves the blend shapes of a mesh while a [LipzPlayer] plays. The shapes are found by their names: ARKit, OVR, VRM, MMD,
 ## or the names in a rig of your project. When the line ends, they rest.
 
+## Not a sum of any weight.
+const _NOT_SHOWN := 0x7FFFFFFFFFFFFFFF
+
 ## The player whose clips move the face.
 @export var player: LipzPlayer
 ## The mesh with the blend shapes.
@@ -19,11 +22,10 @@ extends Node
 var _shapes: LipzShapes
 var _rig: LipzRig
 var _bank: LipzBank
-var _weights := PackedFloat32Array()
-var _shown := PackedFloat32Array()
-## The weights that have a shape, and these shapes.
+## The weights that have a shape, these shapes, and the sums whose weights they show.
 var _from := PackedInt32Array()
 var _to := PackedInt32Array()
+var _shown := PackedInt64Array()
 var _is_resting := true
 
 
@@ -37,33 +39,35 @@ func _process(_delta: float) -> void:
 		_find_shapes()
 	if _to.is_empty():
 		return
+	_is_resting = false
 	if _rig == null:
-		for index in _weights.size():
-			_weights[index] = 1.0 if _shapes.weight_names[index] == player.viseme() else 0.0
-	else:
-		var is_speaker := character == "" or character == player.speaker
-		var who := player.speaker if is_speaker else character
-		_rig._weights_at_ns(player.clip, player.time_ns(), _weights, who, is_speaker, null)
-	_apply()
+		_show_viseme(player.viseme())
+		return
+	var is_speaker := character == "" or character == player.speaker
+	var who := player.speaker if is_speaker else character
+	_rig._compute(player.clip, player.time_ns(), who, is_speaker, null)
+	var sums := _rig._sums
+	for index in _from.size():
+		var sum := sums[_from[index]]
+		if sum != _shown[index]:
+			_shown[index] = sum
+			mesh.set_blend_shape_value(_to[index], _rig._weight(_from[index]))
 
 
 ## Sets all shapes of the face to 0.
 func rest() -> void:
 	if _is_resting or _shapes == null:
 		return
-	_weights.fill(0.0)
-	_apply()
+	for index in _to.size():
+		mesh.set_blend_shape_value(_to[index], 0.0)
+	_shown.fill(_NOT_SHOWN)
 	_is_resting = true
 
 
-## Sets the shapes whose weight has changed.
-func _apply() -> void:
-	_is_resting = false
-	for index in _from.size():
-		var weight := _weights[_from[index]]
-		if weight != _shown[index]:
-			_shown[index] = weight
-			mesh.set_blend_shape_value(_to[index], weight)
+## For a model with a shape for each viseme: sets its shape to 1, and all others to 0.
+func _show_viseme(viseme: String) -> void:
+	for index in _to.size():
+		mesh.set_blend_shape_value(_to[index], 1.0 if _shapes.weight_names[_from[index]] == viseme else 0.0)
 
 
 func _find_shapes() -> void:
@@ -84,10 +88,8 @@ func _find_shapes() -> void:
 		if _shapes.indices[weight] >= 0:
 			_from.append(weight)
 			_to.append(_shapes.indices[weight])
-	_weights.resize(_shapes.weight_names.size())
-	_weights.fill(0.0)
 	_shown.resize(_from.size())
-	_shown.fill(0.0)
+	_shown.fill(_NOT_SHOWN)
 
 
 func _warn() -> void:

@@ -24,6 +24,8 @@ enum Hold {
 	READABLE,
 }
 
+const _NONE := -2
+
 ## The bank. `load("res://voices.lipzbank")` returns it.
 @export var bank: LipzBank
 ## The [AudioStreamPlayer], [AudioStreamPlayer2D] or [AudioStreamPlayer3D] that plays the recordings. Without one, clips
@@ -47,6 +49,10 @@ var _locale: LipzLocale
 var _time_ns := 0
 var _subtitle := ""
 var _viseme := LipzClip.REST
+## The segment that is shown, and the places of the cursor and of its mouth in the last rendered frame.
+var _segment := _NONE
+var _place := _NONE
+var _mouth := _NONE
 
 
 ## Plays a clip, with its recording if there is an audio player. The speaker is the character to whom events without a
@@ -65,6 +71,9 @@ func play(key: String, of_speaker := "", recording: AudioStream = null) -> bool:
 		_cursor.set_hold_readable()
 	_locale = _find_locale()
 	_time_ns = 0
+	_segment = _NONE
+	_place = _NONE
+	_mouth = _NONE
 	if audio != null:
 		if recording != null:
 			audio.set("stream", recording)
@@ -159,8 +168,12 @@ func _advance() -> void:
 	_emit(_cursor.advance_to_ns(_time_ns))
 	if clip == null: # a receiver of a signal has stopped it
 		return
-	_set_viseme(_cursor.viseme())
-	_set_subtitle(_cursor.text(_locale))
+	if _cursor._mouth != _mouth:
+		_mouth = _cursor._mouth
+		_set_viseme(_cursor.viseme())
+	if _cursor._place != _place:
+		_place = _cursor._place
+		_show_segment(_cursor.segment())
 	if _cursor.is_over() and _time_ns >= Clock.of_seconds(clip.duration()):
 		_end()
 
@@ -171,6 +184,12 @@ func _emit(events: Array[LipzEvent]) -> void:
 		segment_began.emit(segment, playing.clip.event(segment))
 	for event in events:
 		event_fired.emit(event)
+
+
+func _show_segment(segment: int) -> void:
+	if segment != _segment:
+		_segment = segment
+		_set_subtitle(_cursor.text(_locale))
 
 
 func _set_viseme(viseme_to_show: String) -> void:

@@ -91,16 +91,28 @@ func _weights_at_ns(
 	clip: LipzClip, time_ns: int, weights: PackedFloat32Array, character: String, is_speaker: bool,
 	articulation: Articulation
 ) -> void:
+	_compute(clip, time_ns, character, is_speaker, articulation)
+	for index in _sums.size():
+		weights[index] = _weight(index)
+
+
+## Computes the sums of all terms at a time.
+func _compute(
+	clip: LipzClip, time_ns: int, character: String, is_speaker: bool, articulation: Articulation
+) -> void:
 	var used := articulation if articulation != null else clip.bank._usual_articulation()
-	var inputs := used.thousandths(clip, time_ns)
-	inputs.resize(_INPUTS)
-	_set_face(clip, time_ns, character, is_speaker, inputs)
+	_inputs.fill(0)
+	used.write(clip, time_ns, _inputs)
+	_set_face(clip, time_ns, character, is_speaker, _inputs)
 	_sums.fill(0)
 	for input in _INPUTS:
-		if inputs[input] != 0:
-			_add(inputs, clampi(inputs[input], -_MOST_INPUT, _MOST_INPUT), _terms[input])
-	for index in _sums.size():
-		weights[index] = clampi(_sums[index], _least[index], _most[index]) * 0.001
+		if _inputs[input] != 0:
+			_add(_inputs, clampi(_inputs[input], -_MOST_INPUT, _MOST_INPUT), _terms[input])
+
+
+## Returns a weight from its sum.
+func _weight(index: int) -> float:
+	return clampi(_sums[index], _least[index], _most[index]) * 0.001
 
 
 ## Sets the inputs of emotions and face.
