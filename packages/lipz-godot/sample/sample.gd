@@ -2,7 +2,7 @@ extends Node2D
 ## Two characters who speak a line each, in two languages, with subtitles, events, emotions and a drawn face.
 
 ## The lines: key, speaker and language.
-const LINES: Array[PackedStringArray] = [
+const LINES: Array[Array] = [
 	["act1/mara-good-evening", "mara", "en-us"],
 	["act1/otto-twenty-years", "otto", "de-de"],
 ]

@@ -5,7 +5,7 @@ const Blend := preload("blend.gd")
 const Clock := preload("clock.gd")
 const Phones := preload("phones.gd")
 const Section := preload("section.gd")
-const Target := preload("target.gd")
+const Targets := preload("targets.gd")
 
 const NAMES: Array[String] = [
 	"jaw", "opening", "closure", "teeth", "rounding", "spreading", "tongue_tip", "tongue_out", "tongue_back",
@@ -28,8 +28,8 @@ var lead_ms := 10
 var level_db := -20
 ## The offset after the profile in its section, in bytes.
 var end_bytes := 0
-var _targets: Array = []
-var _rest: Target = Target.rest()
+var _targets: Array[PackedByteArray] = []
+var _rest := Targets.rest
 var _blend := Blend.new()
 
 
@@ -38,7 +38,7 @@ static func read(section: Section, at: int) -> Variant:
 	var name_length := section.u16(at)
 	var count := section.u16(at + 2)
 	var first := at + _RECORD_BYTES + name_length
-	if name_length < 0 or count < 0 or not section.has_bytes(first, count * Target.BYTES):
+	if name_length < 0 or count < 0 or not section.has_bytes(first, count * Targets.BYTES):
 		return null
 	var profile := new()
 	profile.name = section.text(at + _RECORD_BYTES, name_length)
@@ -46,8 +46,8 @@ static func read(section: Section, at: int) -> Variant:
 	profile.jaw_percent = section.u16(at + 6)
 	profile.lead_ms = section.i16(at + 8)
 	profile.level_db = section.i16(at + 10)
-	profile.end_bytes = first + count * Target.BYTES
-	profile._targets = Target.list(section, first, count)
+	profile.end_bytes = first + count * Targets.BYTES
+	profile._targets = Targets.list(section, first, count)
 	if count > 0:
 		profile._rest = profile._targets[0]
 	return profile
@@ -87,8 +87,8 @@ func _gain(phones: Phones) -> int:
 	return int(clampi(louder_db * _GAIN_PER_DB + 1000, 700, 1300) * gain_percent / 100.0)
 
 
-func _target(number: int) -> Target:
-	return _targets[number] if number < _targets.size() else Target.rest()
+func _target(number: int) -> PackedByteArray:
+	return _targets[number] if number < _targets.size() else Targets.rest
 
 
 func _add_phones(phones: Phones, time_ns: int) -> void:
@@ -113,10 +113,10 @@ func _add_phones(phones: Phones, time_ns: int) -> void:
 		var start_us := clampi(starts[index] - ms, -_MOST_MS, _MOST_MS) * 1000 - us
 		var end_ms := starts[index + 1] if index + 1 < count else phones.end_ms
 		var end_us := clampi(end_ms - ms, -_MOST_MS, _MOST_MS) * 1000 - us
-		if target.second != number and end_us - start_us > _SHORTEST_GLIDE_US:
+		if target[Targets.SECOND] != number and end_us - start_us > _SHORTEST_GLIDE_US:
 			var glide_us := start_us + int((end_us - start_us) * _GLIDE_PERCENT / 100.0)
 			_blend.add(start_us, glide_us, target)
-			_blend.add(glide_us, end_us, _target(target.second))
+			_blend.add(glide_us, end_us, _target(target[Targets.SECOND]))
 		else:
 			_blend.add(start_us, end_us, target)
 
@@ -125,7 +125,7 @@ func _add_visemes(clip: LipzClip, time_ns: int) -> void:
 	if clip.fps_numerator == 0 or clip.viseme_type == "" or time_ns < 0:
 		return
 	if clip._targets.is_empty():
-		clip._targets = Target.of_visemes(clip.viseme_type)
+		clip._targets = Targets.of_visemes(clip.viseme_type)
 	var targets := clip._targets
 	var codes := clip.frames()
 	var position := Clock.position(time_ns, clip.fps_numerator, clip.fps_denominator)

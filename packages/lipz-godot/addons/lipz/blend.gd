@@ -4,7 +4,7 @@ extends RefCounted
 ##
 ## A face does this in each rendered frame, so calls of functions are few here.
 
-const Target := preload("target.gd")
+const Targets := preload("targets.gd")
 
 const _LONGEST_RISE_US := 150000
 const _LONGEST_RELEASE_US := 40000
@@ -54,38 +54,41 @@ func start(are_certain: bool) -> void:
 
 
 ## Adds a sound.
-func add(start_us: int, end_us: int, target: Target) -> void:
+func add(start_us: int, end_us: int, target: PackedByteArray) -> void:
 	if start_us > _LONGEST_RISE_US or end_us < -_LONGEST_RISE_US:
 		return
 	var hold_end_us := end_us - mini((end_us - start_us) >> 2, _LONGEST_RELEASE_US)
 	var done := clampi(mini(_JAW_US - start_us, hold_end_us + _JAW_US), 0, _JAW_US)
 	@warning_ignore("integer_division")
-	var weight := done / 140 * target.jaw_strength
+	var weight := done / 140 * target[Targets.JAW_STRENGTH]
 	_jaw_weight += weight
-	_jaw += weight * target.jaw
+	_jaw += weight * target[Targets.JAW]
 	done = clampi(mini(_LIPS_US - start_us, hold_end_us + _LIPS_US), 0, _LIPS_US)
 	@warning_ignore("integer_division")
-	weight = done / 120 * target.lips_strength
+	weight = done / 120 * target[Targets.LIPS_STRENGTH]
 	_lips_weight += weight
-	_opening += weight * target.opening
-	_spreading += weight * target.spreading
+	_opening += weight * target[Targets.OPENING]
+	_spreading += weight * target[Targets.SPREADING]
 	done = clampi(mini(_ROUNDING_US - start_us, hold_end_us + _ROUNDING_US), 0, _ROUNDING_US)
 	@warning_ignore("integer_division")
-	weight = done / 150 * target.rounding_strength
+	weight = done / 150 * target[Targets.ROUNDING_STRENGTH]
 	_rounding_weight += weight
-	_rounding += weight * target.rounding
+	_rounding += weight * target[Targets.ROUNDING]
 	done = clampi(mini(_TONGUE_US - start_us, hold_end_us + _TONGUE_US), 0, _TONGUE_US)
 	@warning_ignore("integer_division")
 	weight = done / 60 * _TONGUE_STRENGTH
 	_tongue_weight += weight
-	_tip += weight * target.tongue_tip
-	_out += weight * target.tongue_out
-	_back += weight * target.tongue_back
-	if target.closes_lips:
+	_tip += weight * target[Targets.TONGUE_TIP]
+	_out += weight * target[Targets.TONGUE_OUT]
+	_back += weight * target[Targets.TONGUE_BACK]
+	var classes := target[Targets.CLASSES]
+	if classes == 0:
+		return
+	if classes & Targets.CLOSES_LIPS:
 		_closure = maxi(_closure, _lasting(start_us, end_us, hold_end_us, 60000, 45000))
-	if target.touches_teeth:
+	if classes & Targets.TOUCHES_TEETH:
 		_teeth = maxi(_teeth, _lasting(start_us, end_us, hold_end_us, 50000, 50000))
-	if target.narrows_jaw:
+	if classes & Targets.NARROWS_JAW:
 		_narrow = maxi(_narrow, _lasting(start_us, end_us, hold_end_us, 40000, 100000))
 
 
@@ -104,31 +107,31 @@ static func _capped(value: int, cap: int, part: int) -> int:
 
 
 ## Ends the blend, and writes the nine values into an array.
-func finish(rest: Target, gain: int, jaw_percent: int, values: PackedInt64Array) -> void:
+func finish(rest: PackedByteArray, gain: int, jaw_percent: int, values: PackedInt64Array) -> void:
 	var room := maxi(_FULL - _jaw_weight, 0)
 	@warning_ignore("integer_division")
-	var jaw := (_jaw + room * rest.jaw) / (maxi(_jaw_weight, _FULL) / 10) * jaw_percent / 100
+	var jaw := (_jaw + room * rest[Targets.JAW]) / (maxi(_jaw_weight, _FULL) / 10) * jaw_percent / 100
 	@warning_ignore("integer_division")
 	values[0] = _capped(mini(jaw * gain / 1000, 1000), _JAW_CAP, _narrow)
 	room = maxi(_FULL - _lips_weight, 0)
 	@warning_ignore("integer_division")
 	var whole := maxi(_lips_weight, _FULL) / 10
 	@warning_ignore("integer_division")
-	var opening := (_opening + room * rest.opening) / whole * gain / 1000
+	var opening := (_opening + room * rest[Targets.OPENING]) / whole * gain / 1000
 	values[1] = _capped(_capped(mini(opening, 1000), _TEETH_CAP, _teeth), 0, _closure)
 	values[2] = _closure
 	values[3] = _teeth
 	@warning_ignore("integer_division")
-	values[5] = (_spreading + room * rest.spreading) / whole
+	values[5] = (_spreading + room * rest[Targets.SPREADING]) / whole
 	room = maxi(_FULL - _rounding_weight, 0)
 	@warning_ignore("integer_division")
-	values[4] = (_rounding + room * rest.rounding) / (maxi(_rounding_weight, _FULL) / 10)
+	values[4] = (_rounding + room * rest[Targets.ROUNDING]) / (maxi(_rounding_weight, _FULL) / 10)
 	room = maxi(_FULL - _tongue_weight, 0)
 	@warning_ignore("integer_division")
 	whole = maxi(_tongue_weight, _FULL) / 10
 	@warning_ignore("integer_division")
-	values[6] = (_tip + room * rest.tongue_tip) / whole
+	values[6] = (_tip + room * rest[Targets.TONGUE_TIP]) / whole
 	@warning_ignore("integer_division")
-	values[7] = (_out + room * rest.tongue_out) / whole
+	values[7] = (_out + room * rest[Targets.TONGUE_OUT]) / whole
 	@warning_ignore("integer_division")
-	values[8] = (_back + room * rest.tongue_back) / whole
+	values[8] = (_back + room * rest[Targets.TONGUE_BACK]) / whole

@@ -48,7 +48,7 @@ var _curves: Array[LipzCurve] = []
 var _has_curves := false
 var _phones: Phones
 ## The targets of the visemes by their codes, and the curves and blinks of each character, as queries have read them.
-var _targets: Dictionary = {}
+var _targets: Dictionary[String, PackedByteArray] = {}
 var _speaker_curves: Dictionary[String, Dictionary] = {}
 var _other_curves: Dictionary[String, Dictionary] = {}
 var _blinks: Dictionary[int, Blinks] = {}

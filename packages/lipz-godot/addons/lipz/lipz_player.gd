@@ -25,6 +25,8 @@ enum Hold {
 }
 
 const _NONE := -2
+## Audio is mixed more often, but the time since the last mix grows while the game loads.
+const _LONGEST_MIX_SECONDS := 0.1
 
 ## The bank. `load("res://voices.lipzbank")` returns it.
 @export var bank: LipzBank
@@ -161,7 +163,8 @@ func _process(delta: float) -> void:
 ## Returns the position that the listener hears. The position of the player only changes when audio is mixed.
 func _audio_time() -> float:
 	var position: float = audio.call("get_playback_position")
-	return position + AudioServer.get_time_since_last_mix() - AudioServer.get_output_latency()
+	var since_mix := minf(AudioServer.get_time_since_last_mix(), _LONGEST_MIX_SECONDS)
+	return position + since_mix - AudioServer.get_output_latency()
 
 
 func _advance() -> void:

@@ -33,7 +33,7 @@ func _run_pages() -> void:
 		print("BEGIN ", page)
 		var node: Node = (load("res://%s.gd" % page) as GDScript).new()
 		add_child(node)
-		await get_tree().create_timer(5.0).timeout
+		await get_tree().create_timer(9.0).timeout
 		node.free()
 		print("END ", page)
 
