@@ -48,8 +48,9 @@ func _draw() -> void:
 		if face.blink < 0.8:
 			draw_circle(Vector2(side - face.eye_yaw / 2.0, -30.0 - face.eye_pitch / 2.0), 6.0, Color.BLACK)
 	var width := 45.0 - 22.0 * mouth["rounding"] + 14.0 * mouth["spreading"]
-	_draw_ellipse(Vector2(0.0, 50.0 + 10.0 * mouth["jaw"]), Vector2(width, 5.0 + 38.0 * mouth["opening"]), Color("b34040"))
-	_draw_ellipse(Vector2(0.0, 50.0 + 10.0 * mouth["jaw"]), Vector2(width - 5.0, 36.0 * mouth["opening"]), Color("330d14"))
+	var centre := Vector2(0.0, 50.0 + 10.0 * mouth["jaw"])
+	_draw_ellipse(centre, Vector2(width, 5.0 + 38.0 * mouth["opening"]), Color("b34040"))
+	_draw_ellipse(centre, Vector2(width - 5.0, 36.0 * mouth["opening"]), Color("330d14"))
 
 
 func _draw_ellipse(centre: Vector2, radii: Vector2, colour: Color) -> void:

@@ -10,6 +10,7 @@ import { SWIFTSHADER, reported } from "../../lipz-web/test/engines/chromium.js";
 import { faceGlb } from "../../lipz-web/test/engines/model.js";
 import { serveFolder } from "../../lipz-web/test/engines/server.js";
 import { classList, packed } from "./pck.js";
+import { warnings } from "./warnings.js";
 
 const HERE = fileURLToPath(new URL("./", import.meta.url));
 const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
@@ -20,7 +21,8 @@ const PAGES = { guide: "docs/guides/godot.md", readme: "packages/lipz-godot/READ
 /** The reason for refusing a damaged bank, which the addon prints. */
 const REFUSED = "lipz: the file does not have the length in its header";
 /** What Godot prints about strings in damaged banks that open, and about the file of a refused bank. */
-const EXPECTED = /^ERROR (Unicode parsing error|ERROR: (lipz: the file does|Failed loading resource: res:..damaged)|\s+at: )/;
+const EXPECTED =
+  /^ERROR (Unicode parsing error|ERROR: (lipz: the file does|Failed loading resource: res:..damaged)|\s+at: )/;
 
 /** Installs the engine, unless this version is installed. */
 async function install(folder) {
@@ -49,13 +51,14 @@ async function firstProgram(path) {
 /** The files of a folder, as pairs of their path in the project and their contents. */
 async function filesOf(folder, prefix) {
   const names = await readdir(folder, { recursive: true, withFileTypes: true });
-  const paths = names.filter((entry) => entry.isFile()).map(({ parentPath, path, name }) => join(parentPath ?? path, name));
+  const files = names.filter((entry) => entry.isFile());
+  const paths = files.map(({ parentPath, path, name }) => join(parentPath ?? path, name));
   const inProject = (path) => prefix + path.slice(folder.length).replaceAll("\\", "/").replace(/^\//, "");
   return Promise.all(paths.sort().map(async (path) => [inProject(path), await readFile(path)]));
 }
 
 /** All files of the project with the tests. */
-async function project(programs) {
+async function project() {
   const scripts = [
     ...(await filesOf(join(HERE, "project"), "")),
     ...(await filesOf(join(HERE, "../addons"), "addons/")),
@@ -72,7 +75,6 @@ async function project(programs) {
       ]),
     )),
     ...(await filesOf(join(HERE, "../sample"), "")).filter(([path]) => path !== "project.godot"),
-    ...Object.entries(programs).map(([name, { code }]) => [`${name}.gd`, code]),
     ["voices.lipzbank", await readFile(join(ROOT, "fixtures/banks/v1/drama.lipzbank"))],
     ["bank-format.md", await readFile(join(ROOT, "docs/reference/bank-format.md"))],
     ["damaged.lipzbank", bank.subarray(0, 1000)],
@@ -97,14 +99,16 @@ async function main(argument) {
   if (argument === undefined) throw new Error("usage: node test/run.js FOLDER");
   const folder = resolve(argument);
   await install(folder);
+  const files = await project();
   const programs = {};
   for (const [name, path] of Object.entries(PAGES)) programs[name] = await firstProgram(path);
-  await writeFile(join(folder, "page", "test.pck"), packed(await project(programs)));
+  const pages = Object.entries(programs).map(([name, { code }]) => [`${name}.gd`, code]);
+  await writeFile(join(folder, "page", "test.pck"), packed([...files, ...pages]));
   const ends = [];
   const listen = (post) => serveFolder(join(folder, "page"), post);
   const lines = await reported({ after: (end) => ends.push(end) }, listen, "page.html", SWIFTSHADER);
   for (const end of ends) await end();
-  const problems = judged(lines, programs);
+  const problems = [...warnings([...files, ...pages]), ...judged(lines, programs)];
   const picture = lines.find((line) => line.startsWith("PICTURE "));
   if (picture) await writeFile(join(folder, "sample.png"), Buffer.from(picture.slice("PICTURE ".length), "base64"));
   console.log(lines.filter((line) => !EXPECTED.test(line) && line !== picture).join("\n"));

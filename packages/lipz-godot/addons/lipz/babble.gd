@@ -20,11 +20,11 @@ var _denominator := 1
 
 
 ## Reads the profile at an offset of a section; null if it is damaged.
-static func read(section: Section, at: int) -> Variant:
+static func read(section: Section, start: int) -> Variant:
 	var texts: Array[String] = []
-	var first := at + _RECORD_BYTES
+	var first := start + _RECORD_BYTES
 	for index in 5:
-		var length := section.u16(at + 16 + index * 2)
+		var length := section.u16(start + 16 + index * 2)
 		if length < 0 or not section.has_bytes(first, length):
 			return null
 		texts.append(section.text(first, length))
@@ -35,14 +35,14 @@ static func read(section: Section, at: int) -> Variant:
 	profile._aah = texts[2]
 	profile._ooh_transfer = texts[3]
 	profile._aah_transfer = texts[4]
-	profile._numerator = section.u32(at + 8)
-	profile._denominator = section.u32(at + 12)
+	profile._numerator = section.u32(start + 8)
+	profile._denominator = section.u32(start + 12)
 	profile.end_bytes = first
 	return profile if profile._numerator > 0 and profile._denominator > 0 else null
 
 
-## Returns how far the lips are rounded (x) and how far the jaw is open (y), from 0 to about 1, some time after the voice
-## has started. The power of the voice is from 0 to 1.
+## Returns how far the lips are rounded (x) and how far the jaw is open (y), from 0 to about 1, some time after the
+## voice has started. The power of the voice is from 0 to 1.
 func at(elapsed_seconds: float, power: float) -> Vector2:
 	return at_ns(Clock.of_seconds(elapsed_seconds), power)
 

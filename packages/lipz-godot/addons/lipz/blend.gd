@@ -1,6 +1,6 @@
 extends RefCounted
-## The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values are in
-## thousandths, times in microseconds from the query.
+## The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values
+## are in thousandths, times in microseconds from the query.
 ##
 ## A face does this in each rendered frame, so calls of functions are few here.
 

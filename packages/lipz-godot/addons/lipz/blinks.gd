@@ -2,14 +2,13 @@ extends RefCounted
 ## The blinks of a face. Keeps those of the last slots, because most queries are about the same ones.
 
 const Chance := preload("chance.gd")
-const Clock := preload("clock.gd")
 const Emotions := preload("emotions.gd")
 const FaceProfile := preload("face_profile.gd")
 
 var _profile: FaceProfile
 var _id: int
-## The different intervals, and for each of them: the phase, the last slot that was computed, and for this slot and the
-## one before it the start of the blink in milliseconds (-1 before the clip) and whether it is a double blink.
+## The different intervals, and for each of them: the phase, the last slot that was computed, and for this slot and
+## the one before it the start of the blink in milliseconds (-1 before the clip) and whether it is a double blink.
 var _intervals := PackedInt64Array()
 var _phases := PackedInt64Array()
 var _slots := PackedInt64Array()

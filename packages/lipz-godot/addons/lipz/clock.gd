@@ -1,6 +1,6 @@
 extends RefCounted
-## Times and frames. A time is a number of whole nanoseconds. Times before the start are negative. A frame rate is a ratio
-## of two numbers of up to 32 bits.
+## Times and frames. A time is a number of whole nanoseconds. Times before the start are negative. A frame rate is a
+## ratio of two numbers of up to 32 bits.
 
 ## The time of everything that is later.
 const LATEST_NS := 0x7FFFFFFFFFFFFFFF
@@ -26,15 +26,15 @@ static func of_us(us: int) -> int:
 
 
 ## Returns the time of a position in samples, rounded up.
-static func of_samples(position: int, rate_hz: int) -> int:
-	if position < 0 or rate_hz <= 0:
+static func of_samples(samples: int, rate_hz: int) -> int:
+	if samples < 0 or rate_hz <= 0:
 		return BEFORE_NS
 	@warning_ignore("integer_division")
-	var seconds := position / rate_hz
+	var seconds := samples / rate_hz
 	if seconds >= _LATEST_SECONDS:
 		return LATEST_NS
 	@warning_ignore("integer_division")
-	return seconds * _NS + (position % rate_hz * _NS + rate_hz - 1) / rate_hz
+	return seconds * _NS + (samples % rate_hz * _NS + rate_hz - 1) / rate_hz
 
 
 ## Returns the time that is some microseconds later.

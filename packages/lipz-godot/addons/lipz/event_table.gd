@@ -73,7 +73,8 @@ func string_of(number: int) -> String:
 	return _strings.text(_events.u32(at), _events.u32(at + 4)) if at >= 0 else ""
 
 
-## Returns the typed events of the segment with a number, each as verb, number of the character and number of the object.
+## Returns the typed events of the segment with a number, each as verb, number of the character and number of the
+## object.
 func typed_of(number: int) -> Array[PackedInt64Array]:
 	var list: Array[PackedInt64Array] = []
 	var at := _record(number)

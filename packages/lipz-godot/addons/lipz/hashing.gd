@@ -1,5 +1,6 @@
 extends RefCounted
-## Hashes of 64 bits (docs/reference/bank-format.md). Numbers are the bits of unsigned numbers, so they may be negative.
+## Hashes of 64 bits (docs/reference/bank-format.md). Numbers are the bits of unsigned numbers, so they may be
+## negative.
 
 const _HALF := 0xFFFFFFFF
 ## 0x9E3779B97F4A7C15 and 0x9FB21C651E98DF25, which do not fit a signed number.

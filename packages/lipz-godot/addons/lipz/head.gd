@@ -51,8 +51,8 @@ func _start_ms(frame: int) -> int:
 	return int(_clip.start_of_frame_us(frame) / 1000.0)
 
 
-## Returns the time of the first change in a slot: a segment starts, or the mouth starts or stops to move; -1 if there is
-## none.
+## Returns the time of the first change in a slot: a segment starts, or the mouth starts or stops to move; -1 if
+## there is none.
 func _change_ms(slot_ms: int) -> int:
 	var end_us := (slot_ms + mini(_profile.pose_ms, _LOOKED_AT_MS)) * 1000
 	var before := _frame_at(slot_ms * 1000 - 1)
@@ -85,8 +85,8 @@ func _turned(slot: int) -> int:
 	return _eased(maxi(_ms - start, 0), _profile.pose_ms >> 1)
 
 
-## Returns three poses, each a number and a share in thousandths, and how far the head has turned to the second and to the
-## third.
+## Returns three poses, each a number and a share in thousandths, and how far the head has turned to the second and
+## to the third.
 func _poses_at_keys(poses: LipzCurve) -> PackedInt64Array:
 	var index := poses._index_at(_frame_at(_ms * 1000))
 	var before := maxi(index - 1, 0)

@@ -89,8 +89,8 @@ func open_texts(bytes: PackedByteArray) -> bool:
 	return true
 
 
-## Compares all bytes with the checksum. Returns false if the file was changed or damaged. It takes about a millisecond
-## for each 10 kB, so call it for files that were downloaded.
+## Compares all bytes with the checksum. Returns false if the file was changed or damaged. It takes about a
+## millisecond for each 10 kB, so call it for files that were downloaded.
 func verify_checksum() -> bool:
 	return Checksum.of(_file.data) == _file.data.decode_s64(8)
 

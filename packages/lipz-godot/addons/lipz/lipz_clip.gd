@@ -8,7 +8,6 @@ const Clock := preload("clock.gd")
 const Emotions := preload("emotions.gd")
 const Hashing := preload("hashing.gd")
 const Phones := preload("phones.gd")
-const Section := preload("section.gd")
 
 const REST := "-"
 const _RECORD_BYTES := 16
@@ -46,11 +45,17 @@ var _visemes := ""
 var _starts := PackedInt64Array()
 var _curves: Array[LipzCurve] = []
 var _has_curves := false
+# What queries in other scripts have read: phones, the targets of the visemes by their codes, and the curves and
+# blinks of each character.
+@warning_ignore("unused_private_class_variable")
 var _phones: Phones
-## The targets of the visemes by their codes, and the curves and blinks of each character, as queries have read them.
+@warning_ignore("unused_private_class_variable")
 var _targets: Dictionary[String, PackedByteArray] = {}
+@warning_ignore("unused_private_class_variable")
 var _speaker_curves: Dictionary[String, Dictionary] = {}
+@warning_ignore("unused_private_class_variable")
 var _other_curves: Dictionary[String, Dictionary] = {}
+@warning_ignore("unused_private_class_variable")
 var _blinks: Dictionary[int, Blinks] = {}
 
 

@@ -102,12 +102,10 @@ func _due(first: int, last: int, around_to: int) -> Array[LipzEvent]:
 	due_segments.clear()
 	if first >= last and around_to == 0:
 		return list
-	for segment in range(first, last):
-		due_segments.append(segment)
-	for segment in around_to:
-		due_segments.append(segment)
-	for segment in due_segments:
-		clip.bank._events.collect(clip._segments_first + segment, _speaker, list)
+	due_segments.append_array(range(first, last))
+	due_segments.append_array(range(around_to))
+	for index in due_segments:
+		clip.bank._events.collect(clip._segments_first + index, _speaker, list)
 	return list
 
 
@@ -186,8 +184,8 @@ func text(locale: LipzLocale) -> String:
 	return clip.text(segment(), locale)
 
 
-## Returns the state of a character, by name; empty for the speaker: `emotion`, `stares_at` and `points_at`, without those
-## that no event has set.
+## Returns the state of a character, by name; empty for the speaker: `emotion`, `stares_at` and `points_at`, without
+## those that no event has set.
 func state(character := "") -> Dictionary[String, String]:
 	var id := EventTable.NO_NAME if character == "" else clip.bank._events.id_of(character)
 	if character != "" and id == EventTable.NO_NAME:
@@ -195,8 +193,8 @@ func state(character := "") -> Dictionary[String, String]:
 	return States.after(clip, _past(), _speaker, id)
 
 
-## Returns the state of each character in the clip's events, by name, in the order of the names. The name is empty for a
-## speaker without a name.
+## Returns the state of each character in the clip's events, by name, in the order of the names. The name is empty
+## for a speaker without a name.
 func characters() -> Dictionary[String, Dictionary]:
 	var found: Dictionary[String, Dictionary] = {}
 	for id in States.characters(clip, _speaker):

@@ -1,8 +1,8 @@
 @icon("icon.svg")
 class_name LipzFace3D
 extends Node
-## Moves the blend shapes of a mesh while a [LipzPlayer] plays. The shapes are found by their names: ARKit, OVR, VRM, MMD,
-## or the names in a rig of your project. When the line ends, they rest.
+## Moves the blend shapes of a mesh while a [LipzPlayer] plays. The shapes are found by their names: ARKit, OVR,
+## VRM, MMD, or the names in a rig of your project. When the line ends, they rest.
 
 ## Not a sum of any weight.
 const _NOT_SHOWN := 0x7FFFFFFFFFFFFFFF
@@ -30,7 +30,7 @@ var _is_resting := true
 
 
 func _process(_delta: float) -> void:
-	if player == null or mesh == null or mesh.mesh == null:
+	if not is_instance_valid(player) or not is_instance_valid(mesh) or mesh.mesh == null:
 		return
 	if player.clip == null:
 		rest()
@@ -102,5 +102,5 @@ func _warn() -> void:
 
 
 func _exit_tree() -> void:
-	if mesh != null:
+	if is_instance_valid(mesh):
 		rest()

@@ -1,8 +1,8 @@
 @tool
 class_name LipzBankLoader
 extends ResourceFormatLoader
-## Loads banks: [code]load("res://voices.lipzbank")[/code]. Godot finds this class by its base class, so you do not have
-## to enable a plugin.
+## Loads banks: [code]load("res://voices.lipzbank")[/code]. Godot finds this class by its base class, so you do not
+## have to enable a plugin.
 
 
 func _get_recognized_extensions() -> PackedStringArray:
@@ -22,4 +22,6 @@ func _load(path: String, _original_path: String, _use_sub_threads: bool, _cache_
 	if bytes.is_empty():
 		return FileAccess.get_open_error() if FileAccess.get_open_error() != OK else ERR_FILE_CORRUPT
 	var bank := LipzBank.open(bytes)
-	return bank if bank != null else ERR_FILE_CORRUPT
+	if bank == null:
+		return ERR_FILE_CORRUPT
+	return bank

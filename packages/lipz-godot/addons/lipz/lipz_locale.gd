@@ -37,7 +37,8 @@ static func _list(file: File, segment_count: int) -> Array[LipzLocale]:
 	return list
 
 
-## Returns the entry of the segment with a number, or -1 without a text. `first` is the number of the clip's first one.
+## Returns the entry of the segment with a number, or -1 without a text. `first` is the number of the clip's first
+## one.
 func _entry(first: int, number: int) -> int:
 	var first_entry := _starts.u32((_first_entry + first) * 4)
 	if first_entry < 0 or first_entry == _NO_TEXT:

@@ -1,8 +1,8 @@
 @icon("icon.svg")
 class_name LipzMouth2D
 extends Node
-## Shows the visemes of a [LipzPlayer] with pictures of a mouth: the animations of an [AnimatedSprite2D] whose names are
-## visemes ([code]A[/code], [code]E[/code] ...), or the frames of a [Sprite2D] in a given order.
+## Shows the visemes of a [LipzPlayer] with pictures of a mouth: the animations of an [AnimatedSprite2D] whose names
+## are visemes ([code]A[/code], [code]E[/code] ...), or the frames of a [Sprite2D] in a given order.
 
 ## The player whose clips move the mouth.
 @export var player: LipzPlayer:

@@ -1,8 +1,8 @@
 @icon("icon.svg")
 class_name LipzPlayer
 extends Node
-## Plays clips of a bank: follows an audio player, and emits events and subtitles. Add a [LipzFace3D] or a [LipzMouth2D]
-## to show the mouth.
+## Plays clips of a bank: follows an audio player, and emits events and subtitles. Add a [LipzFace3D] or a
+## [LipzMouth2D] to show the mouth.
 
 const Clock := preload("clock.gd")
 
@@ -30,8 +30,8 @@ const _LONGEST_MIX_SECONDS := 0.1
 
 ## The bank. `load("res://voices.lipzbank")` returns it.
 @export var bank: LipzBank
-## The [AudioStreamPlayer], [AudioStreamPlayer2D] or [AudioStreamPlayer3D] that plays the recordings. Without one, clips
-## follow the time of the game.
+## The [AudioStreamPlayer], [AudioStreamPlayer2D] or [AudioStreamPlayer3D] that plays the recordings. Without one,
+## clips follow the time of the game.
 @export var audio: Node
 ## The language of subtitles, such as `de-de`. If it is empty, that of the project or of the bank.
 @export var locale := ""
@@ -151,7 +151,7 @@ func _find_locale() -> LipzLocale:
 func _process(delta: float) -> void:
 	if clip == null:
 		return
-	if audio == null:
+	if audio == null or audio.get("stream") == null:
 		_time_ns += Clock.of_seconds(delta)
 	elif audio.get("playing"):
 		_time_ns = Clock.of_seconds(_audio_time())

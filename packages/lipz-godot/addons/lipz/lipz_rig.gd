@@ -28,8 +28,8 @@ var weight_names := PackedStringArray()
 var end_bytes := 0
 var _least := PackedInt64Array()
 var _most := PackedInt64Array()
-## For each input, the weights that it is the first input of, and the factors and second inputs (-1 without one) of these
-## terms. Most inputs are 0 at a time, so their terms are skipped together.
+## For each input, the weights that it is the first input of, and the factors and second inputs (-1 without one) of
+## these terms. Most inputs are 0 at a time, so their terms are skipped together.
 var _terms: Array[PackedInt64Array] = []
 var _inputs := PackedInt64Array()
 var _sums := PackedInt64Array()
@@ -41,8 +41,8 @@ static func _read(section: Section, at: int) -> Variant:
 	var weight_count := section.u16(at + 2)
 	var term_count := section.u16(at + 4)
 	var names_length := section.u16(at + 6)
-	var weights_at := at + _RECORD_BYTES + name_length
-	var terms_at := weights_at + weight_count * _WEIGHT_BYTES
+	var first_weight_at := at + _RECORD_BYTES + name_length
+	var terms_at := first_weight_at + weight_count * _WEIGHT_BYTES
 	var names_at := terms_at + term_count * _TERM_BYTES
 	if names_length < 0 or not section.has_bytes(names_at, names_length):
 		return null
@@ -56,7 +56,7 @@ static func _read(section: Section, at: int) -> Variant:
 	var name_start := 0
 	var term := 0
 	for index in weight_count:
-		var weight_at := weights_at + index * _WEIGHT_BYTES
+		var weight_at := first_weight_at + index * _WEIGHT_BYTES
 		var terms_end := mini(section.u16(weight_at), term_count)
 		var name_end := section.u16(weight_at + 2)
 		var is_inside := name_end >= name_start and name_end <= names_length
@@ -78,8 +78,8 @@ func _add_term(section: Section, at: int, weight: int) -> void:
 
 
 ## Writes the weights of a clip at a time into [param weights], in the order of [member weight_names]: articulation,
-## emotions and face of a character. The character is the speaker, unless you pass a name; with `is_speaker`, the name is
-## that of the speaker.
+## emotions and face of a character. The character is the speaker, unless you pass a name; with `is_speaker`, the
+## name is that of the speaker.
 func weights_at(
 	clip: LipzClip, seconds: float, weights: PackedFloat32Array, character := "", is_speaker := false,
 	articulation: Articulation = null

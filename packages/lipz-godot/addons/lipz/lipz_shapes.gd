@@ -86,7 +86,7 @@ func _write_report(names: PackedStringArray) -> void:
 		return
 	var missing := PackedStringArray()
 	for index in weight_names.size():
-		if indices[index] < 0:
+		if indices[index] < 0 and weight_names[index] != LipzClip.REST: # a mesh without weights rests
 			var similar := ShapeNames.nearest(weight_names[index], others)
 			missing.append(weight_names[index] + (" (did you mean %s?)" % similar if similar != "" else ""))
 	if not missing.is_empty():

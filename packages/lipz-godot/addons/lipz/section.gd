@@ -1,6 +1,6 @@
 extends RefCounted
-## A section of a file: little-endian numbers at offsets in bytes from its start. A read outside the section returns -1,
-## so a damaged bank cannot cause an error.
+## A section of a file: little-endian numbers at offsets in bytes from its start. A read outside the section returns
+## -1, so a damaged bank cannot cause an error.
 
 var data: PackedByteArray
 ## The offset of the section in the file, in bytes.

@@ -2,8 +2,9 @@ extends RefCounted
 ## The names that models give to their blend shapes. Each kind has the name of the bank's rig whose weights its shapes
 ## take, or of a viseme type.
 
-## The kinds, the first of which counts if a model has the shapes of several. `mouth` lists the weights of the mouth, by
-## which a kind is recognised, and `rest` all others; a star stands for both sides. `also` has further names of a weight.
+## The kinds, the first of which counts if a model has the shapes of several. `mouth` lists the weights of the
+## mouth, by which a kind is recognised, and `rest` all others; a star stands for both sides. `also` has further
+## names of a weight.
 const KINDS: Array = [
 	{
 		"kind": "arkit",
@@ -79,8 +80,8 @@ func _bare(text: String) -> String:
 	return letters(_prefix.sub(text, ""))
 
 
-## Returns the forms in which a name is compared, in the order of their similarity to it. The third one is bare: without
-## path and prefix.
+## Returns the forms in which a name is compared, in the order of their similarity to it. The third one is bare:
+## without path and prefix.
 func forms(text: String) -> PackedStringArray:
 	var plain := _path.sub(text, "")
 	var sided := plain

@@ -7,7 +7,8 @@ const EventTable := preload("event_table.gd")
 const _MOST_STEPS := 1 << 20
 
 
-## Returns the state of the character with a number, [constant EventTable.NO_NAME] for the speaker, after some segments.
+## Returns the state of the character with a number, [constant EventTable.NO_NAME] for the speaker, after some
+## segments.
 static func after(clip: LipzClip, segments: Array[int], speaker: int, character: int) -> Dictionary[String, String]:
 	var events := clip.bank._events
 	var ids: Dictionary[String, int] = {}

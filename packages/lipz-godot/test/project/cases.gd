@@ -4,11 +4,11 @@ extends RefCounted
 const Clock := preload("res://addons/lipz/clock.gd")
 const Articulation := preload("res://addons/lipz/articulation.gd")
 const Emotions := preload("res://addons/lipz/emotions.gd")
-const FaceProfile := preload("res://addons/lipz/face_profile.gd")
 const Files := preload("files.gd")
 
 const _FEATURES: Array[String] = [
-	"lead", "states", "hold", "refresh", "text-banks", "babble", "curves", "emotions", "faces", "voices", "articulation",
+	"lead", "states", "hold", "refresh", "text-banks", "babble", "curves", "emotions", "faces", "voices",
+	"articulation",
 ]
 
 var _bank: LipzBank
@@ -94,9 +94,9 @@ func _show_due(events: Array[LipzEvent]) -> void:
 
 
 func _show_state(name: String, state: Dictionary) -> void:
-	_say("%s: feels %s, stares %s, points %s" % [
-		name if name != "" else "-", state.get("emotion", "-"), state.get("stares_at", "-"), state.get("points_at", "-"),
-	])
+	var words := ["emotion", "stares_at", "points_at"].map(func(field: String) -> String: return state.get(field, "-"))
+	words.push_front(name if name != "" else "-")
+	_say("%s: feels %s, stares %s, points %s" % words)
 
 
 func _start(words: Array) -> void:
@@ -240,8 +240,8 @@ func _emotions(words: Array) -> void:
 
 func _show_face(face: LipzFace) -> void:
 	var values := [
-		face.blink, face.head_pitch, face.head_yaw, face.head_roll, face.eye_pitch, face.eye_yaw, face.brows, face.shrug,
-		face.breath,
+		face.blink, face.head_pitch, face.head_yaw, face.head_roll, face.eye_pitch, face.eye_yaw, face.brows,
+		face.shrug, face.breath,
 	]
 	_say("blink %s, head %s %s %s, eyes %s %s, brows %s, shrug %s, breath %s" % values.map(_thousandths))
 

@@ -1,9 +1,8 @@
 extends RefCounted
-## The damaged banks of fixtures/banks/damaged.txt: each must give the documented error, and all queries of a bank that
-## opens must end.
+## The damaged banks of fixtures/banks/damaged.txt: each must give the documented error, and all queries of a bank
+## that opens must end.
 
 const Dumps := preload("dumps.gd")
-const File := preload("res://addons/lipz/file.gd")
 const Files := preload("files.gd")
 
 const _FEATURES: Array[String] = ["text-banks", "checksum"]

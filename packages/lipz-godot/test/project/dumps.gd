@@ -7,8 +7,8 @@ const Files := preload("files.gd")
 const Phones := preload("res://addons/lipz/phones.gd")
 
 const _BANKS: Array[String] = [
-	"drama", "small", "stripped", "split", "wide", "curves", "faces", "specials", "phones", "rigs", "recorded", "dubbed",
-	"long",
+	"drama", "small", "stripped", "split", "wide", "curves", "faces", "specials", "phones", "rigs", "recorded",
+	"dubbed", "long",
 ]
 ## Banks with the answers of a different bank.
 const _DUMPS: Dictionary = {"stripped": "small", "split": "small"}
@@ -82,7 +82,8 @@ func _put_mouth(clip: LipzClip) -> void:
 	var rate := "Fps(%d/%d)" % [clip.fps_numerator, clip.fps_denominator] if clip.fps_numerator > 0 else "unspecified"
 	_out += "  rate %s, type %s\n" % [rate, _TYPES[clip.viseme_type]]
 	_out += "  visemes %s, events %s\n" % [clip.has_visemes, clip.has_events]
-	_out += "  %d frames %s, %s us\n" % [clip.frame_count, clip.frames(), _some(clip.start_of_frame_us(clip.frame_count))]
+	var duration := _some(clip.start_of_frame_us(clip.frame_count))
+	_out += "  %d frames %s, %s us\n" % [clip.frame_count, clip.frames(), duration]
 	_put_sampled(clip.or_fps(24))
 
 
@@ -163,8 +164,8 @@ func _put_segment(bank: LipzBank, clip: LipzClip, segment: int) -> void:
 func _put_profile(profile: FaceProfile) -> void:
 	_out += "face %s, blinks %s ms, each %d, %d %% double, head %d %d, pose %d ms, glances %d %%, fixation %d ms\n" % [
 		_quoted(profile.name), " ".join(profile.blink_interval_ms.map(str)), profile.blink_length_ms,
-		profile.double_blink_percent, profile.head_motion, profile.head_follows, profile.pose_ms, profile.glance_percent,
-		profile.fixation_ms,
+		profile.double_blink_percent, profile.head_motion, profile.head_follows, profile.pose_ms,
+		profile.glance_percent, profile.fixation_ms,
 	]
 
 

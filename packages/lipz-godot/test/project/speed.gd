@@ -3,15 +3,13 @@ extends RefCounted
 
 const Files := preload("files.gd")
 
-const _SHAPES := 67
 
-
-static func _measure(what: String, count: int, call: Callable) -> String:
+static func _measure(what: String, count: int, action: Callable) -> String:
 	for index in 100:
-		call.call(index)
+		action.call(index)
 	var start := Time.get_ticks_usec()
 	for index in count:
-		call.call(index)
+		action.call(index)
 	return "%s %.1f us" % [what, (Time.get_ticks_usec() - start) / float(count)]
 
 
@@ -40,7 +38,9 @@ func run() -> String:
 		_measure("clip(key)", 5000, func(_index: int) -> void: bank.clip("act1/mara-good-evening")),
 		_measure("viseme_at", 20000, func(index: int) -> void: clip.viseme_at(index * 0.00015)),
 		_measure("tick", 5000, tick),
-		_measure("35 weights", 3000, func(index: int) -> void: rig.weights_at(spoken, fmod(index / 60.0, 1.4), weights)),
-		_measure("articulation", 3000, func(index: int) -> void: rigged.articulation().thousandths(spoken, index % 84 * 16666667)),
+		_measure("35 weights", 3000, func(index: int) -> void:
+			rig.weights_at(spoken, fmod(index / 60.0, 1.4), weights)),
+		_measure("articulation", 3000, func(index: int) -> void:
+			rigged.articulation().thousandths(spoken, index % 84 * 16666667)),
 		_measure("face", 3000, func(index: int) -> void: LipzFace.at(spoken, fmod(index / 60.0, 1.4))),
 	])
