@@ -17,7 +17,6 @@ var _colour := Color.WHITE
 
 
 func _ready() -> void:
-	_player.bank = load("res://voices.lipzbank")
 	_player.subtitle_changed.connect(func(text: String) -> void: _subtitle.text = text)
 	_player.event_fired.connect(func(event: LipzEvent) -> void: _event.text = str(event))
 	_player.finished.connect(_play_next, CONNECT_DEFERRED)

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Articulation: how far jaw, lips and tongue are from rest. An articulation profile of a bank, or the built-in one.
 

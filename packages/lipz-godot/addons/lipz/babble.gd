@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Babble: mouth movement without visemes, from the power of the voice. A profile of a bank, or the built-in one.
 

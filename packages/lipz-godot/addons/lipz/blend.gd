@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The blend of sounds that overlap: the formulas of docs/reference/bank-format.md, computing articulation. Values
 ## are in thousandths, times in microseconds from the query.

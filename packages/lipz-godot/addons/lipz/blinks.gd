@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The blinks of a face. Keeps those of the last slots, because most queries are about the same ones.
 

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Chance that depends only on a seed: the formulas of docs/guides/faces.md, generated motion.
 

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The checksum of a bank: XXH64 of docs/reference/bank-format.md.
 

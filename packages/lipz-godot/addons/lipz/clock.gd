@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Times and frames. A time is a number of whole nanoseconds. Times before the start are negative. A frame rate is a
 ## ratio of two numbers of up to 32 bits.

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Emotions: the curves of twelve names (docs/guides/faces.md). Values are in thousandths.
 

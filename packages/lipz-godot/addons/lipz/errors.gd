@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The errors of a file that cannot be opened, with the numbers and messages of docs/reference/bank-format.md.
 

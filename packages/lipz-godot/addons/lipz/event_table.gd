@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The events of a bank: the strings of segments, and the typed events that were parsed from them.
 

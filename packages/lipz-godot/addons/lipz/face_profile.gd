@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## A face profile of a bank, or the built-in one: how faces move by themselves.
 

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The header and the directory of a file, and its sections.
 

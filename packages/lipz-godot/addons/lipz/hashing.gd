@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Hashes of 64 bits (docs/reference/bank-format.md). Numbers are the bits of unsigned numbers, so they may be
 ## negative.

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The generated motion of the head while the mouth moves (docs/guides/faces.md).
 

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Consonant hold: keeps consonants on the screen long enough to be seen (docs/guides/playback.md, lead and hold).
 

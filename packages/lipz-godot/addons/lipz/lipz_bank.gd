@@ -1,3 +1,4 @@
+@tool
 @icon("icon.svg")
 class_name LipzBank
 extends Resource

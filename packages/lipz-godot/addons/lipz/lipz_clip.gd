@@ -1,3 +1,4 @@
+@tool
 class_name LipzClip
 extends RefCounted
 ## A clip: one spoken line. Get it with [method LipzBank.clip]. Frames and segments are numbered from 0. Times are in

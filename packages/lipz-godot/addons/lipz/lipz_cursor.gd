@@ -1,3 +1,4 @@
+@tool
 class_name LipzCursor
 extends RefCounted
 ## The position in a clip while it plays. It follows the audio, and returns each event once. Get it with

@@ -1,3 +1,4 @@
+@tool
 class_name LipzCurve
 extends RefCounted
 ## A curve of a clip: a named number that changes while the clip plays. Get it with [method LipzClip.curve].

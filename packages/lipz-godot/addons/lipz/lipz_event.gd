@@ -1,3 +1,4 @@
+@tool
 class_name LipzEvent
 extends RefCounted
 ## An event of a line in Character Event Syntax, such as `mara feels sad`.

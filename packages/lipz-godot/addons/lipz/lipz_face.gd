@@ -1,3 +1,4 @@
+@tool
 class_name LipzFace
 extends RefCounted
 ## The face of a character at a time: blinks, head and eyes, from generated motion and curves. Angles are in degrees.

@@ -1,3 +1,4 @@
+@tool
 class_name LipzLocale
 extends RefCounted
 ## A language of a bank, with the texts of all clips. Get it with [method LipzBank.locale].

@@ -1,3 +1,4 @@
+@tool
 class_name LipzRig
 extends RefCounted
 ## A rig of a bank: the weights of a model's shapes at a time. Get it with [method LipzBank.rig].
@@ -104,10 +105,21 @@ func _compute(
 	_inputs.fill(0)
 	used.write(clip, time_ns, _inputs)
 	_set_face(clip, time_ns, character, is_speaker, _inputs)
+	for input in _INPUTS:
+		_inputs[input] = clampi(_inputs[input], -_MOST_INPUT, _MOST_INPUT)
 	_sums.fill(0)
 	for input in _INPUTS:
-		if _inputs[input] != 0:
-			_add(_inputs, clampi(_inputs[input], -_MOST_INPUT, _MOST_INPUT), _terms[input])
+		var value := _inputs[input]
+		if value == 0:
+			continue
+		var terms := _terms[input]
+		for at in range(0, terms.size(), 3):
+			@warning_ignore("integer_division")
+			var product := terms[at + 1] * value / 1000
+			if terms[at + 2] >= 0:
+				@warning_ignore("integer_division")
+				product = product * _inputs[terms[at + 2]] / 1000
+			_sums[terms[at]] += product
 
 
 ## Returns a weight from its sum.
@@ -142,15 +154,3 @@ func _set_face(
 		var blinks: Blinks = Blinks.of(clip, clip.bank._usual_face_profile(), id)
 		inputs[_BLINK] = blinks.closed(Clock.milliseconds(time_ns), clip, character, is_speaker)
 	inputs[_BLINK] = maxi(inputs[_BLINK], lids)
-
-
-## Adds the terms of an input to the sums.
-func _add(inputs: PackedInt64Array, value: int, terms: PackedInt64Array) -> void:
-	for at in range(0, terms.size(), 3):
-		@warning_ignore("integer_division")
-		var product := terms[at + 1] * value / 1000
-		var second := terms[at + 2]
-		if second >= 0:
-			@warning_ignore("integer_division")
-			product = product * clampi(inputs[second], -_MOST_INPUT, _MOST_INPUT) / 1000
-		_sums[terms[at]] += product

@@ -1,3 +1,4 @@
+@tool
 class_name LipzShapes
 extends RefCounted
 ## The blend shapes of a model, by their names: which of them take the weights of a rig.

@@ -1,3 +1,4 @@
+@tool
 class_name LipzVoices
 ## Voices: the clip to play for a line that was recorded in several languages.
 

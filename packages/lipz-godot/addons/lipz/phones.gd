@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Phones: the units of speech in a clip, and their times.
 

@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## A section of a file: little-endian numbers at offsets in bytes from its start. A read outside the section returns
 ## -1, so a damaged bank cannot cause an error.

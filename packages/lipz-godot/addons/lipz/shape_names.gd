@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The names that models give to their blend shapes. Each kind has the name of the bank's rig whose weights its shapes
 ## take, or of a viseme type.

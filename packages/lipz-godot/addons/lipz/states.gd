@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## The lasting effects of events: emotions, stares and pointing.
 

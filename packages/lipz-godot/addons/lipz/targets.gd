@@ -1,3 +1,4 @@
+@tool
 extends RefCounted
 ## Targets: how far jaw, lips and tongue move for a phone or a viseme (docs/reference/bank-format.md). A target is
 ## the 12 bytes of its record, because reading an element of an array is faster than reading a member of an object.

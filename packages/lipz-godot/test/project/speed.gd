@@ -35,6 +35,7 @@ func run() -> String:
 		cursor.text(german)
 	return ", ".join([
 		_measure("open", 200, func(_index: int) -> void: LipzBank.open(bytes)),
+		_measure("checksum of %d bytes" % bytes.size(), 20, func(_index: int) -> void: bank.verify_checksum()),
 		_measure("clip(key)", 5000, func(_index: int) -> void: bank.clip("act1/mara-good-evening")),
 		_measure("viseme_at", 20000, func(index: int) -> void: clip.viseme_at(index * 0.00015)),
 		_measure("tick", 5000, tick),
