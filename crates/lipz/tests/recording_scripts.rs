@@ -149,7 +149,7 @@ fn takes_and_texts_come_back_from_the_studio() {
         // Nothing was changed yet.
         let unchanged = lipz(scene.path(), ["import", "texts", name]);
         assert_eq!((unchanged.code, unchanged.stderr.as_str()), (0, ""), "{format}");
-        let again = lipz(scene.path(), ["import", "recordings", name, "--takes", "voices"]);
+        let again = lipz(scene.path(), ["import", "recordings", name, "voices"]);
         assert!(again.code == 2 && again.stderr.contains("no take is chosen"), "{again:?}");
     }
     let scene = scene();
@@ -161,9 +161,7 @@ fn takes_and_texts_come_back_from_the_studio() {
     for (take, seed) in [("mara-hello_1.wav", 1), ("mara-hello_2.wav", 2), ("otto-yes-odd.wav", 3)] {
         scene.write(&format!("takes/monday/{take}"), voice(SECOND, seed));
     }
-    let import = |more: &[&str]| {
-        lipz(scene.path(), ["import", "recordings", "script.csv", "--takes", "takes"].iter().chain(more))
-    };
+    let import = |more: &[&str]| lipz(scene.path(), ["import", "recordings", "script.csv", "takes"].iter().chain(more));
     let copied = import(&[]);
     assert_eq!(
         (copied.code, copied.stdout.as_str()),
@@ -190,7 +188,7 @@ fn takes_that_cannot_be_found_are_reported() {
     assert_eq!(export(&scene, &["csv", "--locale", "de-de", "-o", "script.csv"]).code, 0);
     let script = fs::read_to_string(scene.path().join("script.csv")).unwrap();
     let choose = |take: &str| script.replace("de/act1/mara-hello,", &format!("de/act1/mara-hello,{take}"));
-    let run = ["import", "recordings", "script.csv", "--takes", "takes"];
+    let run = ["import", "recordings", "script.csv", "takes"];
     scene.write("takes/mara-hello_1.wav", voice(SECOND, 1));
     scene.write("takes/late/mara-hello-take1.wav", voice(SECOND, 2));
     scene.write("script.csv", choose("3"));

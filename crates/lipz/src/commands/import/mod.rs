@@ -16,7 +16,7 @@ use clap::Args;
 #[command(after_help = "Examples:
   lipz import visemes rhubarb-tsv recorded/*.tsv -o voices
   lipz import texts de-de.po
-  lipz import recordings script.xlsx --takes takes
+  lipz import recordings script.xlsx takes
   lipz import subtitles subtitles -o voices")]
 pub(crate) struct Import {
     #[command(subcommand)]

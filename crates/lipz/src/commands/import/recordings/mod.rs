@@ -29,15 +29,15 @@ use takes::TakeFiles;
 /// file. Either all takes are copied, or none.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  lipz import recordings script.xlsx --takes takes
-  lipz import recordings pick-ups.csv --takes monday --overwrite")]
+  lipz import recordings script.xlsx takes
+  lipz import recordings pick-ups.csv monday --overwrite")]
 pub(crate) struct ImportRecordings {
-    /// Recording scripts: .xlsx, .csv, .tsv, .ods; `-` is standard input
-    #[arg(value_name = "FILES", required = true)]
-    files: Vec<PathBuf>,
+    /// Recording script: .xlsx, .csv, .tsv, .ods; `-` is standard input
+    #[arg(value_name = "SCRIPT")]
+    script: PathBuf,
 
     /// Folder with the takes of the session
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(value_name = "TAKES")]
     takes: PathBuf,
 
     /// Lipz files of the project: folders, files or patterns [default: those of lipz.toml]
@@ -74,7 +74,8 @@ impl Run for ImportRecordings {
     }
 
     fn run(&self, reporter: &mut Reporter) -> CommandResult {
-        self.stdin.apply(&self.files, reporter)?;
+        let scripts = std::slice::from_ref(&self.script);
+        self.stdin.apply(scripts, reporter)?;
         let project = self.file.project(&self.output, reporter)?;
         let settings = &project.settings;
         let options = &settings.options;
@@ -89,7 +90,7 @@ impl Run for ImportRecordings {
             .wanted(self.locale.iter().filter(|locale| **locale != source_locale).cloned())
             .known(locales_of(&inputs, options, &source_locale))
             .extended_locales(options.get_extended_locales());
-        let mut incoming = IncomingTexts::read(&self.files, &read_options, reporter, &mut reports)?;
+        let mut incoming = IncomingTexts::read(scripts, &read_options, reporter, &mut reports)?;
         // What concerns texts is for `lipz import texts`.
         incoming.found.retain(|(_, diagnostic)| diagnostic.code != Code::ExchangeLoss);
         let takes = std::mem::take(&mut incoming.takes);
