@@ -61,6 +61,8 @@ enum Task {
     WebEngines,
     /// Test the readers in C#, Lua and other languages, each with its own script
     Ports,
+    /// Test the addon for Godot in the engine, which npm fetches into target/godot
+    Godot,
     /// Draw the images in docs/pictures with the face of the npm package
     Pictures,
     /// Test the plugin for Neovim, and test and pack the extension for Visual Studio Code
@@ -133,6 +135,7 @@ fn main() -> ExitCode {
         Task::Web => web::run(),
         Task::WebEngines => web::engines(),
         Task::Ports => ports::run(),
+        Task::Godot => ports::godot(),
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
         Task::Accessibility => accessibility::run(),

@@ -19,8 +19,21 @@ const PORTS: [Port; 2] = [
     Port { command: &["packages/lipz-lua/test/all.sh"], programs: &["luajit"] },
 ];
 
+/// The addon for Godot, in the engine that npm fetches into `target/godot`.
+const GODOT: [Port; 1] =
+    [Port { command: &["node", "packages/lipz-godot/test/run.js", "target/godot"], programs: &["npm", "chromium"] }];
+
 pub(crate) fn run() -> Result<(), Failure> {
-    for Port { command, programs } in PORTS {
+    test(&PORTS)
+}
+
+/// Tests the addon for Godot.
+pub(crate) fn godot() -> Result<(), Failure> {
+    test(&GODOT)
+}
+
+fn test(ports: &[Port]) -> Result<(), Failure> {
+    for Port { command, programs } in ports {
         if let Some(missing) = programs.iter().find(|program| !is_there(program)) {
             skip_rest(missing)?;
             continue;

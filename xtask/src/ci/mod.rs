@@ -113,7 +113,7 @@ static HERE: [Step; 19] = [
 ];
 
 /// Builds for other machines, for C, with an old compiler or for speed, each in a separate folder.
-static ELSEWHERE: [Step; 10] = [
+static ELSEWHERE: [Step; 11] = [
     Step::task("size"),
     // These share the standard library built for `size` and `web`. All of them are 32-bit.
     Step { arguments: "targets no-std cortex-m4 cortex-m0 wasm", ..Step::task("targets") },
@@ -122,6 +122,7 @@ static ELSEWHERE: [Step; 10] = [
         .slow("lipz-types, lipz-layout or lipz-bank"),
     Step::task("web"),
     Step::task("ports"),
+    Step::task("godot").slow("packages/lipz-godot"),
     Step::task("web-engines").slow("packages/lipz-web, or its examples for engines"),
     Step::task("windows").slow("code for Windows, or a dependency"),
     Step::task("msrv"),
