@@ -38,6 +38,13 @@ impl Script {
 }
 
 impl Word {
+    /// Whether the word is drawn out: written with a letter three times or more in a row, such as `Nooo` or `Mmmm`. Its
+    /// sound may last for seconds.
+    pub fn is_drawn_out(&self) -> bool {
+        let letters: Vec<char> = self.text.chars().flat_map(char::to_lowercase).collect();
+        letters.chunk_by(|one, two| one == two).any(|run| run.len() > 2 && run.iter().all(|c| c.is_alphabetic()))
+    }
+
     /// Returns the origin of the first pronunciation, or `None` if the word is silent.
     pub fn origin(&self) -> Option<Origin> {
         self.pronunciations.first().map(|pronunciation| pronunciation.origin)

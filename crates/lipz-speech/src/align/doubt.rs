@@ -13,6 +13,9 @@ const ODDS_FIT: f32 = 0.6;
 /// A worse fit than this is evidence for a mismatch, a better fit is evidence against it: the difference, in nats per
 /// frame.
 const BORDER_FIT: f32 = -2.8;
+/// The least fit of the phones of a [drawn-out](crate::Word::is_drawn_out) word, in nats per frame: better than both of
+/// these, because a hum or a cry is unlike the short sounds that the model knows, and lasts for many frames.
+pub(super) const DRAWN_OUT_FIT: f32 = -2.7;
 /// The evidence of a word that is missing from the audio, in nats.
 const MISSING_NATS: f32 = 22.0;
 /// The evidence of each frame of speech that is not in the script, in nats.

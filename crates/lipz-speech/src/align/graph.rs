@@ -5,6 +5,7 @@
 //! speech) back to the same junction, or past the word, which is then missing. So every phone has one predecessor, and
 //! only junctions choose.
 
+use crate::script::Word;
 use crate::{Phone, Script};
 use std::ops::Range;
 
@@ -64,8 +65,14 @@ impl Graph {
             // Silence at the start and the end of a recording costs nothing.
             let pause = if junction == 0 || junction + 1 == junctions { 0.0 } else { costs.pause };
             graph.add_filler(Phone::Sil, junction, pause);
-            graph.add_filler(Phone::Noise, junction, costs.noise);
-            graph.add_filler(Phone::Spoken, junction, costs.other_speech);
+            // The sound of a drawn-out word may last for seconds, and is as steady as a noise.
+            let beside = [junction.checked_sub(1), Some(junction)].into_iter().flatten();
+            let (noise, other_speech) = match beside.filter_map(|word| script.words.get(word)).any(Word::is_drawn_out) {
+                true => (f32::NEG_INFINITY, f32::NEG_INFINITY),
+                false => (costs.noise, costs.other_speech),
+            };
+            graph.add_filler(Phone::Noise, junction, noise);
+            graph.add_filler(Phone::Spoken, junction, other_speech);
             if let Some(word) = script.words.get(junction) {
                 for (number, pronunciation) in word.pronunciations.iter().take(MOST_PRONUNCIATIONS).enumerate() {
                     graph.add_pronunciation(&pronunciation.phones, junction, number);

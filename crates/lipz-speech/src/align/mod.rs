@@ -18,6 +18,7 @@ mod unwritten;
 
 use crate::features::cepstra::Vectors;
 use crate::features::warp::Warp;
+use crate::script::Word;
 use crate::{Model, Phone, Script, Sound};
 use emission::Emissions;
 use excerpt::Excerpt;
@@ -248,6 +249,8 @@ impl<'m> Aligner<'m> {
             if let Some(word) = word {
                 heard[word] = Some(node.pronunciation);
             }
+            let is_drawn_out = word.and_then(|word| script.words.get(word)).is_some_and(Word::is_drawn_out);
+            let fit = if is_drawn_out { fit.max(doubt::DRAWN_OUT_FIT) } else { fit };
             phones.push(AlignedPhone { phone: node.phone, start_us, end_us, word, fit });
         }
         let phones = time::cover(phones, duration_us);
