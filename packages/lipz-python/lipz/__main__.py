@@ -3,7 +3,7 @@
 import os
 import sys
 
-from . import path
+from .program import path
 
 arguments = [path(), *sys.argv[1:]]
 if os.name == "nt":

@@ -56,7 +56,7 @@ class Bank:
         self.starts = u32s(sections[b"STRT"])
         self.event_references = u32s(sections[b"EVRF"])
         self.event_table = EventTable(sections)
-        self.curve_table = CurveTable(*(file.section(tag) for tag in (b"CRVC", b"CURV", b"CRVK")), self.event_table)
+        self.curve_table = CurveTable(file, self.event_table)
         self.phone_table = PhoneTable(file)
         self.voice_table = VoiceTable(file, self.clip_count)
         self._texts = [LocaleTable(sections, max(len(self.starts) - 1, 0))]

@@ -44,9 +44,7 @@ class Blend:
         hold_end_us = end_us - min(int((end_us - start_us) / 4), _LONGEST_RELEASE_US)
         jaw, lips, rounding = targets.strength_tenths
         strengths = (jaw, lips, rounding, _TONGUE_STRENGTH)
-        added = [
-            _share(start_us, hold_end_us, rise_us) * strength for rise_us, strength in zip(_RISE_US, strengths)
-        ]
+        added = [_share(start_us, hold_end_us, rise_us) * strength for rise_us, strength in zip(_RISE_US, strengths)]
         for group, weight in enumerate(added):
             self._weights[group] += weight
         for place, (group, percent) in enumerate(zip(_GROUPS, targets.percent)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 
 from .events import EventTable
-from .file import u32s
+from .file import File, u32s
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -76,10 +76,11 @@ class CurveTable:
 
     __slots__ = ("_clips", "_curves", "_units", "_events")
 
-    def __init__(self, clips: memoryview, curves: memoryview, units: memoryview, events: EventTable) -> None:
+    def __init__(self, file: File, events: EventTable) -> None:
+        clips, curves = file.section(b"CRVC"), file.section(b"CURV")
         self._clips = u32s(clips[: len(clips) // _PAIR.size * _PAIR.size])
         self._curves = curves[: len(curves) // _PAIR.size * _PAIR.size]
-        self._units = units
+        self._units = file.section(b"CRVK")
         self._events = events
 
     def of(self, slot: int, fps: Fps | None) -> list[Curve]:

@@ -56,9 +56,7 @@ class Face:
         return self._thousandths[0], self._thousandths[6], self._thousandths[7]
 
 
-FACE_VALUES = (
-    *("blink", "head_pitch", "head_yaw", "head_roll", "eye_pitch", "eye_yaw", "brows", "shrug", "breath"),
-)
+FACE_VALUES = tuple("blink head_pitch head_yaw head_roll eye_pitch eye_yaw brows shrug breath".split())
 
 
 def face_of(clip: Clip, time: Time, who: Who, profile: FaceProfile, look_at: LookAt) -> Face:

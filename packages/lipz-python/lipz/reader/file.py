@@ -109,7 +109,7 @@ def _checked_section_count(view: memoryview) -> int:
         raise BankError("UnsupportedVersion", 20)
     if length != len(view):
         raise BankError("WrongLength", 16)
-    (count,) = struct.unpack_from("<I", view, 40)
+    count: int = struct.unpack_from("<I", view, 40)[0]
     if count > MAX_SECTIONS:
         raise BankError("DirectoryTooLong", 40)
     if HEADER_BYTES + count * ENTRY_BYTES > len(view):
@@ -132,7 +132,7 @@ def u32s(view: memoryview) -> memoryview | tuple[int, ...]:
 
 
 def text_of(pool: memoryview, start: int, length: int) -> str | None:
-    """Returns a string of a pool, or None if it is outside the pool or not UTF-8, which is possible in a damaged bank."""
+    """Returns a string of a pool, or None if it is damaged: outside the pool, or not UTF-8."""
     end = start + length
     if end > len(pool):
         return None

@@ -19,10 +19,7 @@ _SPEAKING = 1000
 _LOOKED_AT_MS = 1000
 
 
-
-def head_motion(
-    clip: Clip, profile: FaceProfile, seed: int, ms: int, poses: Curve | None
-) -> tuple[int, int, int]:
+def head_motion(clip: Clip, profile: FaceProfile, seed: int, ms: int, poses: Curve | None) -> tuple[int, int, int]:
     """Returns pitch, yaw and roll in thousandths of a degree.
 
     There is one pose for each key of the curve `pose`. Without the curve, there is one for each segment, each pause
@@ -58,7 +55,7 @@ def _frame_at(fps: Fps, us: int) -> int:
 
 
 def _speaking(clip: Clip, fps: Fps, ms: int) -> int:
-    """Returns how much the mouth moves, in thousandths: less with the distance to the nearest frame that is not rest."""
+    """Returns how much the mouth moves, in thousandths: less far from the nearest frame that is not rest."""
     now_us = ms * 1000
     now = _frame_at(fps, now_us)
     first = _frame_at(fps, max(now_us - _NEAR_US, 0))
@@ -112,7 +109,7 @@ def _in_slot(clip: Clip, fps: Fps, profile: FaceProfile, seed: int, ms: int, slo
 
 
 def _change_ms(clip: Clip, fps: Fps, slot_ms: int, length_ms: int) -> int | None:
-    """Returns the time of a change in a slot: the last start of a segment, or else the first start or end of a pause."""
+    """Returns the time of a change in a slot: the last start of a segment, or else the first edge of a pause."""
     start_us = slot_ms * 1000
     end_us = start_us + min(length_ms, _LOOKED_AT_MS) * 1000
     # The frames that start in the slot. The first frame of the clip is never a change.

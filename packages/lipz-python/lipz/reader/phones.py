@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 # The names of the phones in the order of their numbers: ARPAbet, or else IPA.
 PHONES = tuple(
-    (
-        "sil AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R S SH T TH UH UW V W Y "
-        "Z ZH y ʏ ɨ ʉ ɯ e ø ɘ ɵ ɤ o AX œ ɜ ɞ AXR ɐ a ɶ ɒ ɛ̃ œ̃ ɔ̃ ɑ̃ ɐ̃ ẽ ĩ õ ũ ɸ β ʙ ɱ ʋ pf WH ɥ ts dz DX r "
-        "ɬ ɮ ɕ ʑ tɕ dʑ ʂ ʐ tʂ dʐ ʈ ɖ ɳ ɭ ɽ ɻ ɫ c ɟ ɲ ç ʝ ʎ x ɣ ɰ q ɢ ɴ χ ʁ ʀ ħ ʕ Q ɦ ɧ"
-    ).split()
+    """
+    sil AA AE AH AO AW AY B CH D DH EH ER EY F G HH IH IY JH K L M N NG OW OY P R S SH T TH UH UW V W Y
+    Z ZH y ʏ ɨ ʉ ɯ e ø ɘ ɵ ɤ o AX œ ɜ ɞ AXR ɐ a ɶ ɒ ɛ̃ œ̃ ɔ̃ ɑ̃ ɐ̃ ẽ ĩ õ ũ ɸ β ʙ ɱ ʋ pf WH ɥ ts dz DX r
+    ɬ ɮ ɕ ʑ tɕ dʑ ʂ ʐ tʂ dʐ ʈ ɖ ɳ ɭ ɽ ɻ ɫ c ɟ ɲ ç ʝ ʎ x ɣ ɰ q ɢ ɴ χ ʁ ʀ ħ ʕ Q ɦ ɧ
+    """.split()
 )
 SILENCE = 0
 _OFFSET = 0x3FFF_FFFF

@@ -12,8 +12,8 @@ _LISTED = 5
 class Shapes:
     """The shapes of a model that take the weights of a rig.
 
-    `kind` is the name of the rig or of the viseme type, or None if no shape is known. `map` has the name in the model of
-    each weight that it has a shape for. `missing` lists the other weights.
+    `kind` is the name of the rig or of the viseme type, or None if no shape is known. `map` has the name in the model
+    of each weight for which the model has a shape. `missing` lists the other weights.
     """
 
     __slots__ = ("kind", "weight_names", "map", "missing", "_pairs")

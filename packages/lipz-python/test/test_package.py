@@ -1,0 +1,77 @@
+"""The package: the first program of the readme, the imports of the reader, and types."""
+
+import ast
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import fixtures
+
+READER = os.path.join(fixtures.PACKAGE, "lipz", "reader")
+
+
+def read(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return file.read()
+
+
+def blocks(markdown, language):
+    """Returns the blocks of code in a language."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", markdown, re.M | re.S)
+
+
+def run_in_demo(program, files=(("drama.lipzbank", "dialogue.lipzbank"),)):
+    """Runs a program in a folder with these banks. Returns its output."""
+    with tempfile.TemporaryDirectory() as folder:
+        for source, name in files:
+            shutil.copy(os.path.join(fixtures.BANKS, source), os.path.join(folder, name))
+        environment = {**os.environ, "PYTHONPATH": fixtures.PACKAGE, "PYTHONIOENCODING": "utf-8"}
+        result = subprocess.run(
+            [sys.executable, "-c", program], cwd=folder, env=environment, stdout=subprocess.PIPE, check=True
+        )
+    return re.sub(r" +$", "", result.stdout.decode(), flags=re.M)
+
+
+class Package(unittest.TestCase):
+    def test_the_readme_starts_with_the_installation_and_ten_lines_that_run(self):
+        readme = read(fixtures.PACKAGE, "README.md")
+        self.assertEqual(blocks(readme, "sh")[0], "pip install lipz\n")
+        program = blocks(readme, "python")[0]
+        self.assertLess(readme.index("pip install"), readme.index(program))
+        self.assertLessEqual(len(program.splitlines()), 11)
+        self.assertEqual(run_in_demo(program), blocks(readme, "text")[0])
+
+    def test_the_reader_imports_nothing_but_struct(self):
+        for name in sorted(os.listdir(READER)):
+            if not name.endswith(".py"):
+                continue
+            for node in ast.parse(read(READER, name)).body:
+                # Blocks such as `if TYPE_CHECKING` do not run.
+                if isinstance(node, ast.Import):
+                    self.assertEqual([alias.name for alias in node.names], ["struct"], name)
+                if isinstance(node, ast.ImportFrom):
+                    self.assertTrue(node.level == 1 or node.module == "__future__", name)
+
+    def test_the_reader_works_in_a_different_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(READER, os.path.join(folder, "game", "lips"))
+            program = "import game.lips, sys\nprint(sorted({'typing', 're', 'lipz'}.intersection(sys.modules)))"
+            result = subprocess.run(
+                [sys.executable, "-S", "-c", program], cwd=folder, stdout=subprocess.PIPE, check=True
+            )
+        self.assertEqual(result.stdout.decode().strip(), "[]")
+
+    def test_types_are_complete(self):
+        if shutil.which("mypy") is None:
+            self.skipTest("mypy is not installed")
+        command = ["mypy", "--strict", "--no-error-summary", "--cache-dir", os.devnull, "-p", "lipz"]
+        result = subprocess.run(command, cwd=fixtures.PACKAGE, stdout=subprocess.PIPE, check=False)
+        self.assertEqual((result.returncode, result.stdout.decode()), (0, ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
