@@ -1,4 +1,4 @@
-//! The wheel for `pip install lipz`: the finished program, installed as a script.
+//! The wheel for `pip install lipz`: the finished program, installed as a script, and the reader for Python.
 //!
 //! No tool writes it, because those that do would compile the program again for each format.
 
@@ -9,11 +9,15 @@ use crate::Failure;
 use crate::paths::workspace_root;
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use std::fs;
 
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The folder of the Python module in this repository.
-const MODULE: &str = "packages/lipz-python/lipz";
+/// The folder of the Python package in this repository.
+const PACKAGE: &str = "packages/lipz-python";
+
+/// The folders of its modules.
+const MODULES: [&str; 2] = ["lipz", "lipz/reader"];
 
 /// The licences of the program with the data in it, as in the manifest of lipz-speech.
 pub(super) const LICENCE: &str = "(MIT OR Apache-2.0) AND BSD-2-Clause AND Unicode-3.0";
@@ -26,10 +30,7 @@ pub(super) fn name(platform: &Platform) -> String {
 /// Returns the wheel.
 pub(super) fn wheel(platform: &Platform, contents: &Contents) -> Result<Vec<u8>, Failure> {
     let (data, info) = (format!("lipz-{VERSION}.data"), format!("lipz-{VERSION}.dist-info"));
-    let mut entries = Vec::new();
-    for file in ["__init__.py", "__main__.py"] {
-        entries.push(Entry::file(format!("lipz/{file}"), read(&workspace_root().join(MODULE).join(file))?));
-    }
+    let mut entries = modules()?;
     entries.push(Entry::program(format!("{data}/scripts/{}", platform.program()), contents.program.clone()));
     let share = format!("{data}/data/share");
     entries.extend(contents.manual.iter().map(|page| page.below(&format!("{share}/man/man1"))));
@@ -44,6 +45,25 @@ pub(super) fn wheel(platform: &Platform, contents: &Contents) -> Result<Vec<u8>,
     let record = record(&entries, &info);
     entries.push(Entry::file(format!("{info}/RECORD"), record));
     zip(&entries).map_err(|error| format!("the wheel: {error}"))
+}
+
+/// Returns the files of the Python modules, in the order of their paths.
+fn modules() -> Result<Vec<Entry>, Failure> {
+    let mut entries = Vec::new();
+    for module in MODULES {
+        let folder = workspace_root().join(PACKAGE).join(module);
+        let failed = |error: std::io::Error| format!("`{}`: {error}", folder.display());
+        let mut names = Vec::new();
+        for entry in fs::read_dir(&folder).map_err(failed)? {
+            names.push(entry.map_err(failed)?.file_name().to_string_lossy().into_owned());
+        }
+        names.sort();
+        // Not the folders of the interpreter's cache.
+        for name in names.iter().filter(|name| name.ends_with(".py") || name.as_str() == "py.typed") {
+            entries.push(Entry::file(format!("{module}/{name}"), read(&folder.join(name))?));
+        }
+    }
+    Ok(entries)
 }
 
 /// Returns the path below `share` at which a shell looks for completions. Elvish and PowerShell have none.

@@ -54,6 +54,9 @@ pub(super) fn install(packages: &Packages, folder: &Path) -> Result<PathBuf, Fai
         command
     };
     answers("python -m lipz", module, folder)?;
+    // The reader, and the mark that it has types.
+    let imports = "import lipz.reader, pathlib; assert pathlib.Path(lipz.__file__).with_name('py.typed').is_file()";
+    printed(in_environment("python").args(["-c", imports]))?;
     for file in ["man/man1/lipz.1", "bash-completion/completions/lipz"] {
         if !folder.join("share").join(file).is_file() {
             return Err(format!("the wheel does not install `share/{file}`"));
