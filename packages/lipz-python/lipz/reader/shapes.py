@@ -7,6 +7,8 @@ from .shape_names import BARE, KINDS, forms_of, letters_of
 
 # The most names that a report lists.
 _LISTED = 5
+# The forms of the names of weights, because a program recognises many models.
+_KNOWN: dict[tuple[str, ...], list[str]] = {}
 
 
 class Shapes:
@@ -80,11 +82,19 @@ def _names_for(weights: list[str], degrees: list[dict[str, str]], also: dict[str
     """Returns the most similar name for each weight that has one."""
     found = {}
     for weight in weights:
-        # A rig may have a prefix that the model lacks, so the bare weight comes last.
-        known = [*(letters_of(name) for name in (weight, *also.get(weight, ()))), forms_of(weight)[BARE]]
+        known = _known_forms((weight, *also.get(weight, ())))
         for by_form in degrees:
             form = next((form for form in known if form in by_form), None)
             if form is not None:
                 found[weight] = by_form[form]
                 break
     return found
+
+
+def _known_forms(names: tuple[str, ...]) -> list[str]:
+    """Returns the forms of the names of a weight, the most similar first."""
+    known = _KNOWN.get(names)
+    if known is None:
+        # A rig may have a prefix that the model lacks, so the bare weight comes last.
+        known = _KNOWN[names] = [*map(letters_of, names), forms_of(names[0])[BARE]]
+    return known
