@@ -37,13 +37,15 @@ def run_in_demo(program, files=(("drama.lipzbank", "dialogue.lipzbank"),)):
 
 
 class Package(unittest.TestCase):
-    def test_the_readme_starts_with_the_installation_and_ten_lines_that_run(self):
-        readme = read(fixtures.PACKAGE, "README.md")
-        self.assertEqual(blocks(readme, "sh")[0], "pip install lipz\n")
-        program = blocks(readme, "python")[0]
-        self.assertLess(readme.index("pip install"), readme.index(program))
-        self.assertLessEqual(len(program.splitlines()), 11)
-        self.assertEqual(run_in_demo(program), blocks(readme, "text")[0])
+    def test_the_pages_start_with_the_installation_and_ten_lines_that_run(self):
+        guide = os.path.join(os.path.dirname(fixtures.FIXTURES), "docs", "guides", "python.md")
+        for path in (os.path.join(fixtures.PACKAGE, "README.md"), guide):
+            page = read(path)
+            self.assertEqual(blocks(page, "sh")[0], "pip install lipz\n")
+            program = blocks(page, "python")[0]
+            self.assertLess(page.index("pip install"), page.index(program))
+            self.assertLessEqual(len(program.splitlines()), 11)
+            self.assertEqual(run_in_demo(program), blocks(page, "text")[0])
 
     def test_the_reader_imports_nothing_but_struct(self):
         for name in sorted(os.listdir(READER)):
