@@ -15,6 +15,8 @@ init -100 python in lipz:
     voice_channel = "voice"
     ## For games with dubs, the voice of each language of Ren'Py: `{ "german" : "de-de" }`.
     voices = { }
+    ## The frame rate of clips without their own.
+    fps = 24
     ## The time by which visemes are ahead of the audio, in seconds.
     lead = 0.04
     ## The time from one picture of a mouth to the next, in seconds.
@@ -59,7 +61,7 @@ init -100 python in lipz:
         seconds = renpy.music.get_pos(channel=voice_channel)
         if playing is None or seconds is None:
             return "-"
-        return playing.or_fps(24).viseme_at(seconds + lead)
+        return playing.or_fps(fps).viseme_at(seconds + lead)
 
     def openness(who=None):
         """Returns how far the mouth of a character is open now, from 0 to 0.99."""
@@ -67,7 +69,7 @@ init -100 python in lipz:
         seconds = renpy.music.get_pos(channel=voice_channel)
         if playing is None or seconds is None:
             return 0.0
-        return playing.or_fps(24).openness_at(seconds + lead) or 0.0
+        return playing.or_fps(fps).openness_at(seconds + lead) or 0.0
 
     def picture(st, at, image, who):
         """Returns the image of the viseme, and the time after which to draw again."""

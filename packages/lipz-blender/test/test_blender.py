@@ -87,9 +87,8 @@ class InBlender(unittest.TestCase):
                 wrong += self.shown(face, start + frame) != code
                 count += 1
         median = sorted(took)[len(took) // 2] * 1000
-        print(
-            f"Blender {bpy.app.version_string}: {count} frames of {len(clips)} clips, {wrong} wrong; {median:.1f} ms a clip"
-        )
+        compared = f"{count} frames of {len(clips)} clips, {wrong} wrong"
+        print(f"Blender {bpy.app.version_string}: {compared}; {median:.1f} ms a clip")
         self.assertEqual(wrong, 0)
         self.assertGreater(count, 1000)
 

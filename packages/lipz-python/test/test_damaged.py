@@ -1,9 +1,10 @@
 """The damaged banks of fixtures/banks/damaged.txt. Damage never causes anything but the documented error."""
 
+import os
 import unittest
 
 import fixtures
-from lipz.reader import Bank, BankError, Micros, clip_id
+from lipz.reader import Bank, BankError, Micros, clip_id, open_bank
 from lipz.reader.checksum import checksum_of
 
 # This reader does not check every reference.
@@ -166,6 +167,14 @@ class Damaged(unittest.TestCase):
         for data in (b"", b"{}", bytes(100), b"\x89LPZ\r\n\x1a\n" + bytes(10_000)):
             with self.assertRaises(BankError):
                 Bank(data)
+
+    def test_lipz_files_are_not_banks(self):
+        folder = os.path.join(fixtures.FIXTURES, "bad")
+        names = [name for name in sorted(os.listdir(folder)) if os.path.isfile(os.path.join(folder, name))]
+        self.assertGreater(len(names), 100)
+        for name in names:
+            with self.assertRaises(BankError), self.subTest(name):
+                open_bank(os.path.join(folder, name))
 
     def test_errors_have_codes(self):
         with self.assertRaises(BankError) as caught:

@@ -47,6 +47,14 @@ class Package(unittest.TestCase):
             self.assertLessEqual(len(program.splitlines()), 11)
             self.assertEqual(run_in_demo(program), blocks(page, "text")[0])
 
+    def test_the_sample_plays_two_lines_in_two_languages(self):
+        program = "import runpy, sys, time; time.sleep = lambda _: None; sys.argv[1:] = ['dialogue.lipzbank']\n"
+        sample = os.path.join(fixtures.PACKAGE, "sample", "play.py")
+        printed = run_in_demo(program + f"runpy.run_path({sample!r}, run_name='__main__')").splitlines()
+        self.assertIn("    de-de: Guten Abend, Otto.", printed)
+        self.assertIn("    en-us: Good evening, Otto.", printed)
+        self.assertTrue(any(line.endswith(" sad (otto feels sad)") for line in printed), printed)
+
     def test_the_reader_imports_nothing_but_struct(self):
         for name in sorted(os.listdir(READER)):
             if not name.endswith(".py"):

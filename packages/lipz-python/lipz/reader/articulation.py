@@ -118,9 +118,9 @@ def _add_phones(blend: Blend, phones: Phones, time: Time, profile: ArticulationP
         now_us = (position & 0xFFFF) * 1000 >> 16
     numbers, starts_ms = phones.numbers, phones.starts_ms
     # The phone before the first one that starts within reach may end within reach.
-    index = max(_started_by(starts_ms, max(now_ms - _REACH_MS, 0)) - 1, 0)
+    first = max(_started_by(starts_ms, max(now_ms - _REACH_MS, 0)) - 1, 0)
     last_ms = max(now_ms + _REACH_MS, 0)
-    for index in range(index, min(index + _MOST_NEAR, len(numbers))):
+    for index in range(first, min(first + _MOST_NEAR, len(numbers))):
         if starts_ms[index] > last_ms:
             break
         if numbers[index] == SILENCE:

@@ -29,9 +29,6 @@ class Who:
         return curve if self.is_speaker else None
 
 
-SPEAKER = Who(None, None)
-
-
 class Emotions:
     """The values of the attributes at a time, from 0 to 10 each."""
 

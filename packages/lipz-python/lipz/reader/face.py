@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from . import chance
 from .curves import Curve
-from .emotions import EMOTIONS, Who, emotions_in, farther
+from .emotions import Who, emotions_in, farther
 from .face_profile import AHEAD, FaceProfile, LookAt
 from .head import head_motion
 from .ids import clip_id
@@ -132,8 +132,8 @@ def _blink(profile: FaceProfile, seed: int, ms: int, leading: Callable[[int], in
             continue
         phase = chance.part(interval, chance.draw(seed, chance.BLINK_PHASE, interval, 0))
         now = ms + phase
-        slot = now // interval
-        for slot in (slot - 1, slot):
+        current = now // interval
+        for slot in (current - 1, current):
             if slot < 0:
                 continue
             late = chance.part(interval // 2, chance.draw(seed, chance.BLINK_TIME, interval, slot))
