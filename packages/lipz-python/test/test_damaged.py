@@ -80,7 +80,7 @@ def each_byte(data):
         result = result_of(lambda: Bank(bytes(data)), "opens")
         if result == "opens":
             opened += 1
-            if at % 16 == 0:
+            if at % 61 == 0:
                 exercise(Bank(bytes(data)))
         else:
             lines.append(f"{at}: {result}\n")
