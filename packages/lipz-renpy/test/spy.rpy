@@ -6,11 +6,16 @@ init -50 python in lipz:
 
     drawn = picture
 
+    def playing_now():
+        return [ renpy.music.get_playing(channel="voice"), renpy.music.get_pos(channel="voice") ]
+
     def picture(st, at, image, who):
+        # The voice goes on while the image is chosen.
+        before = playing_now()
         found = drawn(st, at, image, who)
-        playing = renpy.music.get_playing(channel="voice")
+        after = playing_now()
         with open(config.basedir + "/seen.jsonl", "a") as file:
-            file.write(json.dumps([ playing, renpy.music.get_pos(channel="voice"), image, found[0] ]) + "\n")
+            file.write(json.dumps([ before, after, image, found[0] ]) + "\n")
         return found
 
     def has_played(name):

@@ -32,6 +32,21 @@ def python_of(script):
     return [textwrap.dedent(block) for block in blocks]
 
 
+def visemes_between(bank, before, after, speaker):
+    """Returns the names of the visemes that the mouth of a speaker may show between two positions of voices."""
+    found = set()
+    for name, position in (before, after):
+        is_spoken = position is not None and speaker in name
+        clip = bank.clip(name[len("voice/") : -len(".ogg")]) if is_spoken else None
+        end = after[1] if name == after[0] and after[1] is not None else position
+        while is_spoken and position <= end:
+            found.add(clip.viseme_at(position + 0.04).lower().replace("-", "rest"))
+            position += 0.01
+        if not is_spoken:
+            found.add("rest")
+    return found
+
+
 class Engine:
     """The parts of Ren'Py that the script uses."""
 
@@ -148,14 +163,11 @@ class InRenPy(unittest.TestCase):
         with open(game.BANK, "rb") as file:
             bank = reader.Bank(file.read())
         shown, keys = set(), set()
-        for name, position, image, found in seen:
-            viseme = "rest"
-            if position is not None and image.split()[0] in name:
-                clip = bank.clip(name[len("voice/") : -len(".ogg")])
-                viseme = clip.viseme_at(position + 0.04).lower().replace("-", "rest")
-                keys.add(clip.key)
-            self.assertEqual(found, f"{image} {viseme}", (name, position))
+        for before, after, image, found in seen:
+            expected = visemes_between(bank, before, after, image.split()[0])
+            self.assertIn(found, {f"{image} {viseme}" for viseme in expected}, (before, after))
             shown.add(found)
+            keys.update(key for key in game.KEYS if before[1] is not None and key in before[0])
         print(f"Ren'Py: {len(seen)} pictures of mouths compared, {len(shown)} different ones")
         self.assertEqual(keys, set(game.KEYS))
         self.assertGreater(len(shown), 6)
