@@ -59,10 +59,8 @@ enum Task {
     Web,
     /// Test the npm package with bundlers and engines, which npm fetches into target/web-engines
     WebEngines,
-    /// Test the readers in C#, Lua and other languages, each with its own script
-    Ports,
-    /// Test the addon for Godot in the engine, which npm fetches into target/godot
-    Godot,
+    /// Test the readers in C#, Lua, Python and other languages, each with its own script
+    Ports(ports::Settings),
     /// Draw the images in docs/pictures with the face of the npm package
     Pictures,
     /// Test the plugin for Neovim, and test and pack the extension for Visual Studio Code
@@ -134,8 +132,7 @@ fn main() -> ExitCode {
         Task::Capi => capi::run(),
         Task::Web => web::run(),
         Task::WebEngines => web::engines(),
-        Task::Ports => ports::run(),
-        Task::Godot => ports::godot(),
+        Task::Ports(settings) => ports::run(&settings),
         Task::Pictures => web::pictures(),
         Task::Editors => editors::run(),
         Task::Accessibility => accessibility::run(),

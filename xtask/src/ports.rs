@@ -1,46 +1,78 @@
 //! `cargo xtask ports`: tests the readers in other languages, each with its own test script.
 
 use crate::Failure;
+use crate::cargo;
 use crate::paths::workspace_root;
 use crate::tools::{has_program, skip_rest, succeed};
+use clap::{Args, ValueEnum};
 use std::process::Command;
 
-/// A reader in its own language, in `packages/`.
-struct Port {
-    /// The command that tests it, in the root of the workspace.
-    command: &'static [&'static str],
-    /// A program of each language that it needs.
-    programs: &'static [&'static str],
+/// The ports to test.
+#[derive(Args, Debug)]
+pub(crate) struct Settings {
+    /// Ports [default: all whose tests take seconds]
+    #[arg(value_enum)]
+    ports: Vec<Port>,
 }
 
-/// The ports whose tests take seconds.
-const PORTS: [Port; 2] = [
-    Port { command: &["packages/lipz-unity/test~/run.sh"], programs: &["mcs", "mono"] },
-    Port { command: &["packages/lipz-lua/test/all.sh"], programs: &["luajit"] },
-];
-
-/// The addon for Godot, in the engine that npm fetches into `target/godot`.
-const GODOT: [Port; 1] =
-    [Port { command: &["node", "packages/lipz-godot/test/run.js", "target/godot"], programs: &["npm", "chromium"] }];
-
-pub(crate) fn run() -> Result<(), Failure> {
-    test(&PORTS)
+/// A reader in its own language, or its integration in an engine, in `packages/`.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Port {
+    /// C#, and the package for Unity
+    Unity,
+    /// Lua and LÖVE
+    Lua,
+    /// Python
+    Python,
+    /// Ren'Py; in the engine, if Debian's package is installed
+    Renpy,
+    /// Blender, as the Python package `bpy`
+    Blender,
+    /// Godot, which npm fetches into target/godot
+    Godot,
 }
 
-/// Tests the addon for Godot.
-pub(crate) fn godot() -> Result<(), Failure> {
-    test(&GODOT)
+impl Port {
+    /// The ports that every run tests.
+    const EVERYDAY: [Port; 4] = [Port::Unity, Port::Lua, Port::Python, Port::Renpy];
+
+    /// Returns the command that tests the port, in the root of the workspace.
+    fn command(self) -> &'static [&'static str] {
+        match self {
+            Port::Unity => &["packages/lipz-unity/test~/run.sh"],
+            Port::Lua => &["packages/lipz-lua/test/all.sh"],
+            Port::Python => &["python3", "-m", "unittest", "discover", "-s", "packages/lipz-python/test"],
+            Port::Renpy => &["python3", "-m", "unittest", "discover", "-s", "packages/lipz-renpy/test"],
+            Port::Blender => &["python3", "-m", "unittest", "discover", "-s", "packages/lipz-blender/test"],
+            Port::Godot => &["node", "packages/lipz-godot/test/run.js", "target/godot"],
+        }
+    }
+
+    /// Returns the programs that the command needs.
+    fn programs(self) -> &'static [&'static str] {
+        match self {
+            Port::Unity => &["mcs", "mono"],
+            Port::Lua => &["luajit"],
+            Port::Python | Port::Renpy | Port::Blender => &["python3"],
+            Port::Godot => &["npm", "chromium"],
+        }
+    }
 }
 
-fn test(ports: &[Port]) -> Result<(), Failure> {
-    for Port { command, programs } in ports {
-        if let Some(missing) = programs.iter().find(|program| !is_there(program)) {
+pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    let ports = if settings.ports.is_empty() { &Port::EVERYDAY[..] } else { &settings.ports };
+    for port in ports {
+        if let Some(missing) = port.programs().iter().find(|program| !is_there(program)) {
             skip_rest(missing)?;
             continue;
         }
-        let [program, arguments @ ..] = command else { continue };
+        let [program, arguments @ ..] = port.command() else { continue };
         let mut test = Command::new(program);
-        succeed(test.args(arguments).current_dir(workspace_root()), &command.join(" "))?;
+        if *port == Port::Python {
+            // Its functions run the command.
+            test.env("LIPZ_PROGRAM", cargo::lipz()?);
+        }
+        succeed(test.args(arguments).current_dir(workspace_root()), &port.command().join(" "))?;
     }
     Ok(())
 }

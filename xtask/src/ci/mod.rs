@@ -122,7 +122,7 @@ static ELSEWHERE: [Step; 11] = [
         .slow("lipz-types, lipz-layout or lipz-bank"),
     Step::task("web"),
     Step::task("ports"),
-    Step::task("godot").slow("packages/lipz-godot"),
+    Step { arguments: "ports godot blender", ..Step::task("engine-ports") }.slow("packages/lipz-godot or lipz-blender"),
     Step::task("web-engines").slow("packages/lipz-web, or its examples for engines"),
     Step::task("windows").slow("code for Windows, or a dependency"),
     Step::task("msrv"),
