@@ -71,7 +71,7 @@ impl Code {
 
     /// Whether the rule reports only if a project sets its level, because it concerns a matter of choice.
     pub const fn is_allowed_by_default(self) -> bool {
-        matches!(self, Code::OtherEvents)
+        matches!(self, Code::OtherEvents | Code::EndPunctuation)
     }
 
     /// Returns the page about the rule for writers and localisers, in Markdown: subject, reason, example and fix.

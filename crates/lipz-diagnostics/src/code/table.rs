@@ -225,6 +225,8 @@ codes! {
     LineWithoutClip "LZ1919" "line-without-clip" Warning "a line of the script has no clip"
     ClipWithoutLine "LZ1920" "clip-without-line" Warning "a clip has no line in the script"
     LineDiffers "LZ1921" "line-differs" Warning "a clip and its line in the script have different texts"
+    TermMissing "LZ1922" "term-missing" Warning "a translation lacks the project's translation of a term"
+    EndPunctuation "LZ1923" "end-punctuation" Warning "a translation and its source end with different punctuation"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"

@@ -3,8 +3,12 @@
 mod characters;
 mod numbers;
 mod numerals;
+mod punctuation;
 mod same;
 mod stale;
+mod terms;
+
+pub use terms::Terms;
 
 use crate::exchange::clip_texts::{tag_of, trimmed};
 use crate::exchange::{markup, placeholder};
@@ -38,12 +42,13 @@ pub struct TextLints<'r> {
     source_locale: String,
     default_locale: Option<String>,
     record: Option<&'r TextRecord>,
+    terms: Option<&'r Terms>,
 }
 
 impl<'r> TextLints<'r> {
     /// Returns lints of translations from this locale.
     pub fn new(source_locale: impl Into<String>) -> TextLints<'r> {
-        TextLints { source_locale: source_locale.into(), default_locale: None, record: None }
+        TextLints { source_locale: source_locale.into(), default_locale: None, record: None, terms: None }
     }
 
     /// Sets the locale of `text` without a locale.
@@ -56,6 +61,12 @@ impl<'r> TextLints<'r> {
     #[must_use]
     pub fn record(self, record: Option<&'r TextRecord>) -> Self {
         TextLints { record, ..self }
+    }
+
+    /// Sets the terms of the project, whose translations every text must contain.
+    #[must_use]
+    pub fn terms(self, terms: Option<&'r Terms>) -> Self {
+        TextLints { terms, ..self }
     }
 
     /// Reports the problems of a clip's translations. `file` is the path of its Lipz file in the record.
@@ -77,7 +88,7 @@ impl<'r> TextLints<'r> {
                 }
                 // A translation should match the text in the project's own locale, whichever its source was.
                 if source_locale == self.source_locale {
-                    compare(&source, &translation, diagnostics);
+                    compare(&source, &translation, self.terms, diagnostics);
                 }
                 bound::limit_many(diagnostics);
             }
@@ -128,10 +139,15 @@ fn odd_characters(text: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// Reports translations whose content differs from the source, in segments that both have.
-fn compare(source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+fn compare(
+    source: &LocaleText<'_>,
+    translation: &LocaleText<'_>,
+    terms: Option<&Terms>,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     let is_other_language = language(&source.locale) != language(&translation.locale);
-    let mut found: [FewDiagnostics; 5] = Default::default();
-    let [same, placeholders, metas, tags, numbers] = &mut found;
+    let mut found: [FewDiagnostics; 7] = Default::default();
+    let [same, placeholders, metas, tags, numbers, of_terms, ends] = &mut found;
     let numbers_differ = numbers::differ(&source.segments, &translation.segments);
     let pairs = source.segments.iter().zip(&translation.segments).enumerate();
     for (at, (from, to)) in pairs.filter(|(_, (from, to))| !from.is_empty() && !to.is_empty()) {
@@ -157,6 +173,13 @@ fn compare(source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &
         if let Some(message) = numbers_differ.then(|| numbers::difference(from, to)).flatten() {
             let help = "compare the texts, and correct one of the two";
             numbers.add(|| differs(Code::NumbersDiffer, message, "the source", help));
+        }
+        if let Some(message) = terms.and_then(|terms| terms.difference(from, &translation.locale, to)) {
+            let help = "use the term, or add this translation to the table of terms";
+            of_terms.add(|| differs(Code::TermMissing, message, "the source", help));
+        }
+        if let Some(message) = punctuation::difference(from, &translation.locale, to) {
+            ends.add(|| differs(Code::EndPunctuation, message, "the source", punctuation::HELP));
         }
     }
     for of_kind in found {

@@ -78,6 +78,8 @@ pub struct Settings {
     pub audio: Audio,
     /// The rules for making visemes from them.
     pub sync: Sync,
+    /// The table of terms and their translations.
+    pub terms: Option<PathBuf>,
     /// The images of characters' mouths for previews, by character; `default` is for all others.
     pub sprites: BTreeMap<String, Sprites>,
     /// The options for packing the bank.

@@ -1,12 +1,15 @@
 //! Problems of translations: those that are older than their source, or that do not match it.
 
 use crate::console;
+use crate::shared::input_file;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use lipz_compiler::{Compiler, Input, LintResult, Options};
-use lipz_diagnostics::{Code, Report};
+use lipz_diagnostics::{Code, Report, Source};
 use lipz_file::locale::{canonical_tag, text_name};
-use lipz_texts::{TextLints, has_translations};
+use lipz_file::without_byte_order_mark;
+use lipz_texts::{Terms, TextLints, has_translations};
+use std::path::Path;
 
 /// The problems of a project's translations.
 #[derive(Default)]
@@ -24,6 +27,28 @@ pub(super) struct Translations<'p> {
     odd_lines: Option<Report>,
     /// `None` if nothing can be compared.
     source_locale: Option<String>,
+    terms: TermFile,
+}
+
+/// The terms of a project, and the file that they come from.
+#[derive(Default)]
+struct TermFile {
+    terms: Terms,
+    bytes: Vec<u8>,
+    report: Option<Report>,
+}
+
+impl TermFile {
+    /// # Errors
+    /// If the file cannot be read.
+    fn read(path: Option<&Path>, source_locale: Option<&str>) -> Result<TermFile, Report> {
+        let Some((path, source_locale)) = path.zip(source_locale) else { return Ok(TermFile::default()) };
+        let bytes = input_file::read(path).map_err(|error| input_file::unreadable(path, &error))?;
+        let text = String::from_utf8_lossy(without_byte_order_mark(&bytes)).into_owned();
+        let (terms, found) = Terms::read(&text, source_locale);
+        let report = (!found.is_empty()).then(|| Report::new(Source::new(console::path(path), text), found));
+        Ok(TermFile { terms, bytes, report })
+    }
 }
 
 impl<'p> Translations<'p> {
@@ -35,7 +60,8 @@ impl<'p> Translations<'p> {
         let default = options.get_default_locale().and_then(|locale| canonical_tag(locale, true));
         let recorded = || file.record.source_locales().first().map(|locale| (*locale).to_owned());
         let source_locale = default.or_else(recorded);
-        Ok(Translations { options, file, odd_lines, source_locale })
+        let terms = TermFile::read(project.settings.terms.as_deref(), source_locale.as_deref())?;
+        Ok(Translations { options, file, odd_lines, source_locale, terms })
     }
 
     /// Returns the problems of a file's translations, and counts the file if some of its translations are unrecorded.
@@ -48,7 +74,8 @@ impl<'p> Translations<'p> {
         let texts = || document.elements.iter().filter(|one| text_name(&one.name.text).is_some());
         let lints = TextLints::new(source_locale.as_str())
             .default_locale(self.options.get_default_locale().map(str::to_owned))
-            .record(is_recorded.then_some(&self.file.record));
+            .record(is_recorded.then_some(&self.file.record))
+            .terms(Some(&self.terms.terms));
         let mut diagnostics = Vec::new();
         let name = if is_recorded { self.file.name(input) } else { String::new() };
         lints.check(&name, &document, &mut diagnostics);
@@ -64,7 +91,8 @@ impl<'p> Translations<'p> {
     /// Returns all inputs of these checks except the Lipz files and the options, as bytes to compare.
     pub(super) fn beside(&self) -> Vec<u8> {
         // The same record in a different folder belongs to different files.
-        let place = [&[u8::from(self.file.exists())], self.file.folders().as_slice(), &[0]].concat();
+        let place =
+            [&[u8::from(self.file.exists())], self.file.folders().as_slice(), &[0], &self.terms.bytes, &[0]].concat();
         match self.file.renamed.is_empty() {
             true => [place.as_slice(), self.file.bytes()].concat(),
             // Whether a file counts as renamed depends on the deleted files.
@@ -74,7 +102,7 @@ impl<'p> Translations<'p> {
 
     /// Returns the result, from the reports and the number of counted files.
     pub(super) fn found(self, reports: Vec<Report>, marked: usize) -> TranslationCheck {
-        let mut of_record = Vec::from_iter(self.odd_lines);
+        let mut of_record: Vec<Report> = self.odd_lines.into_iter().chain(self.terms.report).collect();
         of_record.iter_mut().for_each(|report| self.options.apply_levels(report));
         of_record.retain(|report| !report.diagnostics.is_empty());
         of_record.extend(reports);

@@ -1,6 +1,7 @@
 //! `[text]`: display and limits of texts.
 
 use super::Setting;
+use crate::project::settings::reading::inside;
 
 pub(super) const TEXT: &[Setting] = &[
     Setting {
@@ -42,6 +43,15 @@ pub(super) const TEXT: &[Setting] = &[
         default: "no limit",
         example: "0.8",
         read: |value, to| to.settings.options.text_limits.shortest_seconds = value.positive(&mut to.diagnostics),
+    },
+    Setting {
+        name: "terms",
+        flat_name: "",
+        about: "CSV file of terms, with a column for each locale and a row for each term. lipz reports translations that \
+            lack the translation of a term.",
+        default: "none",
+        example: "\"terms.csv\"",
+        read: |value, to| to.settings.terms = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
         name: "locales",

@@ -1,0 +1,98 @@
+//! The punctuation at the end of a translation.
+
+use lipz_file::locale::language;
+use lipz_file::text::display;
+
+/// Languages that end sentences without a sign.
+const WITHOUT_SIGNS: [&str; 4] = ["th", "lo", "km", "my"];
+
+pub(super) const HELP: &str = "end both texts in the same way, or allow `end-punctuation` for these files";
+
+/// Returns a message about the end of a translation that differs from that of its source, or is doubled.
+pub(super) fn difference(source: &str, locale: &str, translation: &str) -> Option<String> {
+    let (source, translation) = (display(source).text, display(translation).text);
+    let doubled = ["..", "!!", "??", "。。", ",,"].into_iter().find(|doubled| is_doubled(&translation, doubled));
+    if let Some(doubled) = doubled.filter(|doubled| !is_doubled(&source, doubled)) {
+        return Some(format!("the translation ends with `{doubled}`"));
+    }
+    if WITHOUT_SIGNS.contains(&language(locale)) {
+        return None;
+    }
+    let (from, to) = (end(&source, ""), end(&translation, language(locale)));
+    (from != to).then(|| match (from, to) {
+        (Some(from), None) => format!("the translation lacks the `{from}` at the end"),
+        (None, Some(to)) => format!("the translation ends with `{to}`, but the source does not"),
+        (from, to) => {
+            let shown = |sign: Option<char>| sign.map(String::from).unwrap_or_default();
+            format!("the translation ends with `{}` instead of `{}`", shown(to), shown(from))
+        }
+    })
+}
+
+/// Whether a text ends with a sign twice, but not more often.
+fn is_doubled(text: &str, doubled: &str) -> bool {
+    let inner = trimmed(text);
+    let sign = doubled.chars().next().unwrap_or_default();
+    inner.strip_suffix(doubled).is_some_and(|rest| !rest.ends_with(sign))
+}
+
+/// Returns the sign at the end of a text, as in English; `None` for a letter or a digit.
+fn end(text: &str, language: &str) -> Option<char> {
+    let text = trimmed(text);
+    if text.ends_with("...") {
+        return Some('…');
+    }
+    let last = text.chars().next_back()?;
+    match last {
+        '.' | '。' | '．' | '।' | '۔' | '｡' | '։' => Some('.'),
+        '!' | '！' | '՜' => Some('!'),
+        ';' | ';' if language == "el" => Some('?'),
+        '?' | '？' | '؟' | '՞' => Some('?'),
+        '…' | '⋯' => Some('…'),
+        ',' | '，' | '、' | '،' => Some(','),
+        ':' | '：' => Some(':'),
+        ';' | '；' | '؛' => Some(';'),
+        '-' | '–' | '—' => Some('—'),
+        _ => None,
+    }
+}
+
+/// Returns a text without closing quotes and brackets at its end, which each language writes in its own way.
+fn trimmed(text: &str) -> &str {
+    text.trim_end_matches(|character: char| {
+        character.is_whitespace()
+            || matches!(
+                character,
+                '"' | '\'' | '’' | '”' | '“' | '«' | '»' | '‹' | '›' | ')' | ']' | '」' | '』' | '）' | '*' | '_'
+            )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_are_compared_across_scripts() {
+        for (source, locale, translation) in [
+            ("Who goes there?", "ja-jp", "誰だ？"),
+            ("Who goes there?", "ar-sa", "من هناك؟"),
+            ("Who goes there?", "el-gr", "Ποιος είναι;"),
+            ("Wait...", "de-de", "Warte …"),
+            ("He said \"no.\"", "de-de", "Er sagte „nein.“"),
+            ("Stop!", "th-th", "หยุด"),
+            ("Otto", "de-de", "Otto"),
+            ("Go {to: amy}", "de-de", "Geh {to: amy}"),
+        ] {
+            assert_eq!(difference(source, locale, translation), None, "{translation}");
+        }
+        for (source, translation, message) in [
+            ("Who goes there?", "Wer da", "the translation lacks the `?` at the end"),
+            ("Stop", "Halt!", "the translation ends with `!`, but the source does not"),
+            ("Stop.", "Halt!", "the translation ends with `!` instead of `.`"),
+            ("Stop.", "Halt..", "the translation ends with `..`"),
+        ] {
+            assert_eq!(difference(source, "de-de", translation).as_deref(), Some(message));
+        }
+    }
+}

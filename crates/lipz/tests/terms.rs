@@ -1,0 +1,48 @@
+//! Terms of a project, and the punctuation at the ends of translations.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod support;
+
+use support::{Scene, lipz};
+
+const SETTINGS: &str =
+    "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n\n[text]\nterms = \"terms.csv\"\n";
+
+fn scene(german: &str) -> Scene {
+    let scene = Scene::new();
+    scene.write("lipz.toml", SETTINGS);
+    scene.write("terms.csv", "en-us,de-de,fr\nlighthouse,Leuchtturm|Leuchtfeuer,phare\n");
+    let clip = format!("{{ \"text_en-us\": \"To the lighthouse!\", \"text_de-de\": \"{german}\" }}");
+    scene.write("voices/mara.lipz", clip);
+    scene
+}
+
+#[test]
+fn translations_use_the_terms_of_the_project() {
+    for right in ["Zum Leuchtturm!", "Zu den Leuchtfeuern!"] {
+        assert_eq!(lipz(scene(right).path(), ["check", "--quiet"]).stderr, "", "{right}");
+    }
+    let mut wrong = scene("Zum Feuerturm!");
+    wrong.expect("LZ1922-term-missing", &["check", "--quiet"]);
+    // The next check reads a changed table, also with a cache.
+    let cached = ["check", "--quiet", "--cache", "check.cache"];
+    assert!(lipz(wrong.path(), cached).stderr.contains("LZ1922"));
+    wrong.write("terms.csv", "en-us,de-de\nlighthouse,Feuerturm\n");
+    assert_eq!(lipz(wrong.path(), cached).stderr, "");
+    wrong.write("terms.csv", "en-us,de-de\nlighthouse,Leuchtturm\n");
+    assert!(lipz(wrong.path(), cached).stderr.contains("LZ1922"));
+    wrong.write("terms.csv", "note,de-de\nlighthouse,Leuchtturm\n");
+    wrong.expect("LZ1901-exchange-syntax-terms", &["check", "--quiet"]);
+    wrong.write("lipz.toml", SETTINGS.replace("terms.csv", "missing.csv"));
+    let missing = lipz(wrong.path(), ["check", "--quiet"]);
+    assert!(missing.code != 0 && missing.stderr.contains("missing.csv"), "{missing:?}");
+    wrong.finish(2);
+}
+
+#[test]
+fn ends_of_texts_are_compared_on_request() {
+    let mut scene = scene("Zum Leuchtturm");
+    assert_eq!(lipz(scene.path(), ["check", "--quiet"]).stderr, "");
+    scene.expect("LZ1923-end-punctuation", &["check", "--quiet", "--warn", "end-punctuation"]);
+    scene.finish(1);
+}
