@@ -1,0 +1,8 @@
+#pragma once
+
+#include "UObject/Object.h"
+
+class UMorphTarget : public UObject
+{
+	STUB_CLASS(UMorphTarget, UObject)
+};

@@ -1,0 +1,8 @@
+#pragma once
+
+#include "CoreMinimal.h"
+
+class FFeedbackContext : public FOutputDevice
+{
+};
+extern FFeedbackContext* GWarn;
