@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Compiles the plugin with each compiler, as Unreal would, against stubs of the engine, and runs its tests with the C
+# library, also with sanitizers. Needs g++ or clang++, and python3.
+# LIPZ_CAPI is the folder that `cargo xtask capi` has written; by default target/capi.
+set -euo pipefail
+plugin=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$plugin/../.." && pwd)
+tests=$plugin/test
+capi=${LIPZ_CAPI:-${CARGO_TARGET_DIR:-$root/target}/capi}
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+if [ ! -f "$capi/lib/liblipz.a" ]; then
+    echo "no C library in $capi: run \`cargo xtask capi\`, or set LIPZ_CAPI" >&2
+    exit 1
+fi
+
+mkdir "$out/generated" "$out/guide"
+python3 "$tests/pages.py" "$root/docs/guides/unreal.md" "$out/guide"
+python3 "$tests/header_tool.py" "$out/generated" "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h "$out/guide/Talker.h"
+python3 -m json.tool "$plugin/Lipz.uplugin" >/dev/null
+
+# Unreal compiles without exceptions and run-time types, and with these warnings.
+options=(-std=c++20 -Wall -Wextra -Werror -Wshadow -Wundef -fno-exceptions -fno-rtti -g
+    -I "$tests/stubs" -isystem "$capi/include" -I "$out/generated" -I "$out/guide"
+    -I "$plugin/Source/Lipz/Public" -I "$plugin/Source/Lipz/Private" -I "$plugin/Source/LipzEditor/Public"
+    -DEXPECTED_OF_GUIDE="\"$out/guide/expected.txt\"")
+product=("$plugin"/Source/*/Private/*.cpp "$out/guide/Talker.cpp")
+compilers=0
+for compiler in g++ clang++; do
+    command -v "$compiler" >/dev/null || continue
+    compilers=$((compilers + 1))
+    # Each header alone, and all sources of a module as one.
+    for header in "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h; do
+        echo "#include \"$header\"" | "$compiler" "${options[@]}" -fsyntax-only -x c++ -
+    done
+    printf '#include "%s"\n' "$plugin"/Source/Lipz/Private/*.cpp | "$compiler" "${options[@]}" -fsyntax-only -x c++ -
+    for flags in "-O2" "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all"; do
+        objects=$out/$compiler${flags//[^a-z]/}
+        mkdir "$objects"
+        read -ra flag <<<"$flags"
+        # As many at a time as there are processors.
+        printf '%s\0' "${product[@]}" "$tests"/stubs/*.cpp "$tests"/tests/*.cpp | xargs -0 -P "$(nproc)" -I {} sh -c \
+            'file=$1; shift; "$@" -c "$file" -o "'"$objects"'/$(basename "$file" .cpp).o"' sh {} "$compiler" "${options[@]}" "${flag[@]}"
+        "$compiler" "${flag[@]}" "$objects"/*.o "$capi/lib/liblipz.a" -o "$objects/unreal"
+        echo "== $compiler $flags"
+        "$objects/unreal" "$root"
+    done
+done
+[ "$compilers" -gt 0 ] || { echo "no compiler" >&2; exit 1; }
