@@ -54,5 +54,5 @@ void TestHandlers()
 		Stage.Tick(1.0);
 		Stage.Player->Stop();
 	};
-	EXPECT_SAME(PlayedWith("sees otto", Remove).substr(0, 44), "feels neutral; \"Guten Abend, Otto.\"; sees ott");
+	EXPECT_SAME(PlayedWith("sees otto", Remove).substr(0, 45), "feels neutral; \"Guten Abend, Otto.\"; sees ott");
 }

@@ -63,5 +63,5 @@ void TestImports()
 	EXPECT(ULipzBank::LoadBankFile(Small, Error) != nullptr);
 	File.Write(Good, 10);
 	EXPECT(ULipzBank::LoadBankFile(Path, Error) == nullptr);
-	EXPECT_SAME(Error.Utf8(), "the file is shorter than the header of a bank (file 0, byte 0)");
+	EXPECT_SAME(Error.Utf8(), "the file is shorter than the header of a bank (file 0, byte 10)");
 }
