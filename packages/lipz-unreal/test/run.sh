@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Compiles the plugin with each compiler, as Unreal would, against stubs of the engine, and runs its tests with the C
-# library, also with sanitizers. Needs g++ or clang++, and python3.
+# library, also with sanitizers. Needs g++ or clang++, and python3. If mcs is
+# installed, compiles the build rules too.
 # LIPZ_CAPI is the folder that `cargo xtask capi` has written; by default target/capi.
 set -euo pipefail
 plugin=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -18,6 +19,9 @@ mkdir "$out/generated" "$out/guide"
 python3 "$tests/pages.py" "$root/docs/guides/unreal.md" "$out/guide"
 python3 "$tests/header_tool.py" "$out/generated" "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h "$out/guide/Talker.h"
 python3 -m json.tool "$plugin/Lipz.uplugin" >/dev/null
+if command -v mcs >/dev/null; then
+    mcs -warnaserror -target:library -out:"$out/rules.dll" "$plugin"/Source/*/*.Build.cs "$tests/stubs/UnrealBuildTool.cs"
+fi
 
 # Unreal compiles without exceptions and run-time types, and with these warnings.
 options=(-std=c++20 -Wall -Wextra -Werror -Wshadow -Wundef -fno-exceptions -fno-rtti -g
@@ -30,11 +34,13 @@ for compiler in g++ clang++; do
     command -v "$compiler" >/dev/null || continue
     compilers=$((compilers + 1))
     # Each header alone, and all sources of a module as one.
-    for header in "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h; do
-        echo "#include \"$header\"" | "$compiler" "${options[@]}" -fsyntax-only -x c++ -
-    done
+    printf '%s\0' "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h | xargs -0 -P "$(nproc)" -I {} \
+        "$compiler" "${options[@]}" -fsyntax-only -x c++ -include {} /dev/null
     printf '#include "%s"\n' "$plugin"/Source/Lipz/Private/*.cpp | "$compiler" "${options[@]}" -fsyntax-only -x c++ -
-    for flags in "-O2" "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all"; do
+    # The sanitizers of one compiler are enough.
+    builds=("-O0")
+    [ "$compilers" -gt 1 ] || builds=("-O2" "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all")
+    for flags in "${builds[@]}"; do
         objects=$out/$compiler${flags//[^a-z]/}
         mkdir "$objects"
         read -ra flag <<<"$flags"

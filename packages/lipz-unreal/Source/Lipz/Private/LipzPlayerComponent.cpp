@@ -75,7 +75,11 @@ bool ULipzPlayerComponent::Start(const FString& Key, EClock NewClock)
 
 bool ULipzPlayerComponent::PlayAudio(USoundBase* Sound)
 {
-	PlayingAudio = Audio != nullptr ? Audio.Get() : GetOwner() != nullptr ? GetOwner()->FindComponentByClass<UAudioComponent>() : nullptr;
+	PlayingAudio = AudioComponent;
+	if (PlayingAudio == nullptr && GetOwner() != nullptr)
+	{
+		PlayingAudio = GetOwner()->FindComponentByClass<UAudioComponent>();
+	}
 	if (PlayingAudio == nullptr)
 	{
 		UE_LOG(LogLipz, Warning, TEXT("%s: the actor has no audio component, so no recording plays"), *GetPathName());

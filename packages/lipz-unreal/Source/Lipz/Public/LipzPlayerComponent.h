@@ -69,7 +69,7 @@ public:
 
 	/** The component that plays recordings. Empty: the first audio component of the actor. */
 	UPROPERTY(BlueprintReadWrite, Category = "Lipz")
-	TObjectPtr<UAudioComponent> Audio;
+	TObjectPtr<UAudioComponent> AudioComponent;
 
 	/** A string table (`lipz export texts unreal --by segment`), whose texts replace those of the bank. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Lipz|Subtitles")
