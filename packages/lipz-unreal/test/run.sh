@@ -24,7 +24,7 @@ if command -v mcs >/dev/null; then
 fi
 
 # Unreal compiles without exceptions and run-time types, and with these warnings.
-options=(-std=c++20 -Wall -Wextra -Werror -Wshadow -Wundef -fno-exceptions -fno-rtti -g
+options=(-std=c++20 -Wall -Wextra -Werror -Wshadow -Wundef -fno-exceptions -fno-rtti
     -I "$tests/stubs" -isystem "$capi/include" -I "$out/generated" -I "$out/guide"
     -I "$plugin/Source/Lipz/Public" -I "$plugin/Source/Lipz/Private" -I "$plugin/Source/LipzEditor/Public"
     -DEXPECTED_OF_GUIDE="\"$out/guide/expected.txt\"")
@@ -33,13 +33,15 @@ compilers=0
 for compiler in g++ clang++; do
     command -v "$compiler" >/dev/null || continue
     compilers=$((compilers + 1))
-    # Each header alone, and all sources of a module as one.
-    printf '%s\0' "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h | xargs -0 -P "$(nproc)" -I {} \
-        "$compiler" "${options[@]}" -fsyntax-only -x c++ -include {} /dev/null
-    printf '#include "%s"\n' "$plugin"/Source/Lipz/Private/*.cpp | "$compiler" "${options[@]}" -fsyntax-only -x c++ -
-    # The sanitizers of one compiler are enough.
+    # The sanitizers and the headers of one compiler are enough.
     builds=("-O0")
-    [ "$compilers" -gt 1 ] || builds=("-O2" "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all")
+    if [ "$compilers" -eq 1 ]; then
+        builds=("-O2" "-O0 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all")
+        # Each header alone, and all sources of a module as one, as Unreal may do.
+        printf '%s\0' "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h | xargs -0 -P "$(nproc)" -I {} \
+            "$compiler" "${options[@]}" -fsyntax-only -x c++ -include {} /dev/null
+        printf '#include "%s"\n' "$plugin"/Source/Lipz/Private/*.cpp | "$compiler" "${options[@]}" -fsyntax-only -x c++ -
+    fi
     for flags in "${builds[@]}"; do
         objects=$out/$compiler${flags//[^a-z]/}
         mkdir "$objects"
