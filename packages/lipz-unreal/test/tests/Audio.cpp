@@ -42,6 +42,24 @@ static void TestToTheEnd()
 	EXPECT(!Stage.Audio->OnAudioPlaybackPercentNative.IsBound());
 }
 
+/** A recording that ends before its clip, and a handler of the last subtitle that starts the next clip. */
+static void TestShortRecording()
+{
+	FStage Stage("drama");
+	bool bIsNext = false;
+	Begin(Stage);
+	Hear(Stage, 0.05f);
+	Stage.Player->OnSubtitle.AddLambda([&](const FText& Text) {
+		if (Text.IsEmpty() && !std::exchange(bIsNext, true)) EXPECT(Stage.Player->Play(Evening));
+	});
+	Stage.Audio->Stop();
+	Stage.Tick(0.25);
+	EXPECT_SAME(Stage.Take(), "mara feels neutral; \"Guten Abend, Otto.\"; mara sees otto; mara points fog; \"\"");
+	EXPECT(Stage.Player->IsPlaying());
+	Stage.Tick(0.25);
+	EXPECT_SAME(Stage.Take(), "mara feels neutral; \"Guten Abend, Otto.\"");
+}
+
 static void TestPause()
 {
 	FStage Stage("drama", {"O", "S"});
@@ -152,6 +170,7 @@ static void TestWithoutAudio()
 void TestAudio()
 {
 	TestToTheEnd();
+	TestShortRecording();
 	TestPause();
 	TestLoops();
 	TestOtherAudio();

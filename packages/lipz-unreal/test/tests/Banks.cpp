@@ -52,9 +52,13 @@ static void TestFilesOnTop()
 	EXPECT(!Drama->AddFile(ReadFixture("split.de-de.lipztexts"), Error));
 	EXPECT_SAME(Error.Utf8(), "the texts belong to a bank with other clips (file 1, byte 24)");
 	ULipzBank* Small = OpenFixture("small");
+	EXPECT(!Small->AddFile(ReadFixture("redub.lipzbank"), Error));
+	EXPECT(!Small->AddFile({}, Error));
 	const int32 Before = Small->GetClipKeys(TEXT("")).Num();
 	EXPECT(Small->AddFile(ReadFixture("patch.lipzbank"), Error));
 	EXPECT(Small->GetClipKeys(TEXT("")).Num() == Before); // one is added, one is removed
+	EXPECT(Small->SetContents(ReadFixture("split.lipzbank"), Error) && Small->GetLocales().Num() == 0);
+	EXPECT(Small->AddFile(ReadFixture("split.de-de.lipztexts"), Error) && Small->GetLocales().Num() == 1);
 }
 
 void TestBanks()

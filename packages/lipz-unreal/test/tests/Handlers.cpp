@@ -26,8 +26,26 @@ static std::string PlayedWith(const std::string& At, const std::function<void(FS
 	return Stage.Take();
 }
 
+/** A handler of an event that Stop makes due, which starts the next clip. */
+static void TestNextClipAtStop()
+{
+	FStage Stage("drama");
+	int Starts = 0;
+	Stage.Player->OnEvent.AddLambda([&](const FLipzEvent& Event) {
+		if (Words(Event) == "sees otto" && Starts++ == 0) EXPECT(Stage.Player->Play(Evening));
+	});
+	Stage.Player->Play(Evening);
+	Stage.Tick(0.1);
+	Stage.Player->Stop();
+	EXPECT_SAME(Stage.Take(), "feels neutral; \"Guten Abend, Otto.\"; sees otto; points fog; \"\"");
+	EXPECT(Stage.Player->IsPlaying());
+	Stage.Tick(0.1);
+	EXPECT_SAME(Stage.Take(), "feels neutral; \"Guten Abend, Otto.\"");
+}
+
 void TestHandlers()
 {
+	TestNextClipAtStop();
 	const std::string Whole = "feels neutral; \"Guten Abend, Otto.\"; sees otto; \"Du bist spät dran,\"; points fog; \"\"; finished";
 	const auto Nothing = [](FStage&) {};
 	const auto Stop = [](FStage& Stage) { Stage.Player->Stop(); };
