@@ -122,11 +122,12 @@ static ELSEWHERE: [Step; 11] = [
         .slow("lipz-types, lipz-layout or lipz-bank"),
     Step::task("web"),
     Step::task("ports"),
-    Step { arguments: "ports godot blender", ..Step::task("engine-ports") }.slow("packages/lipz-godot or lipz-blender"),
     Step::task("web-engines").slow("packages/lipz-web, or its examples for engines"),
     Step::task("windows").slow("code for Windows, or a dependency"),
     Step::task("msrv"),
     Step::task("capi"),
+    Step { arguments: "ports godot blender unreal", ..Step::task("engine-ports") }
+        .slow("packages/lipz-godot, lipz-blender or lipz-unreal"),
     Step::task("instructions"),
 ];
 
