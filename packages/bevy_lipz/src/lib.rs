@@ -33,6 +33,8 @@ pub use face::{LipzFace, LipzShapes};
 pub use lipz_bank;
 pub use mouth::LipzMouth;
 pub use player::LipzPlayer;
+#[doc(hidden)]
+pub use player::PlayerState;
 pub use plugin::{LipzPlugin, LipzSystems};
 #[cfg(feature = "sprite")]
 pub use sprite::LipzSprite;

@@ -64,16 +64,16 @@ fn new_error(
 ) -> Option<LipzError> {
     let id = player.bank.id();
     if let Some(failure) = failed.iter().find(|failure| failure.id == id) {
-        player.reported = Some(id);
+        player.state.reported = Some(id);
         return Some(LipzError::of_load(&failure.error));
     }
     // The bank may have failed before the player was spawned.
-    if is_loaded || player.reported == Some(id) {
+    if is_loaded || player.state.reported == Some(id) {
         return None;
     }
     match server.load_state(id) {
         LoadState::Failed(error) => {
-            player.reported = Some::<AssetId<LipzBank>>(id);
+            player.state.reported = Some::<AssetId<LipzBank>>(id);
             Some(LipzError::of_load(&error))
         }
         _ => None,
@@ -83,12 +83,12 @@ fn new_error(
 impl LipzPlayer {
     /// Moves the line to the next rendered frame, this much later. Returns the mouth to draw.
     fn advance(&mut self, bank: &Bank<'_>, mut later: Duration, triggers: &mut Triggers<'_, '_, '_>) -> LipzMouth {
-        let request = self.request.take();
+        let request = self.state.request.take();
         if matches!(request, Some(Request::Start { .. }))
-            || self.line.as_ref().is_none_or(|line| line.is_outdated(self, bank))
+            || self.state.line.as_ref().is_none_or(|line| line.is_outdated(self, bank))
         {
             self.end(triggers);
-            self.line = Some(Line::start(self, bank, triggers));
+            self.state.line = Some(Line::start(self, bank, triggers));
             #[cfg(feature = "audio")]
             self.forget_recording();
             later = Duration::ZERO;
@@ -97,14 +97,14 @@ impl LipzPlayer {
             later = Duration::ZERO;
         }
         let reading = if self.is_paused { ClockReading::Waiting } else { self.clock_reading(later) };
-        let Some(line) = &mut self.line else { return LipzMouth::REST };
+        let Some(line) = &mut self.state.line else { return LipzMouth::REST };
         line.speak(&self.locale, bank, triggers);
         line.advance((bank, reading), request, &self.speaker, triggers)
     }
 
     /// Ends the line, if one plays.
     fn end(&mut self, triggers: &mut Triggers<'_, '_, '_>) {
-        if let Some(line) = &mut self.line {
+        if let Some(line) = &mut self.state.line {
             line.end(triggers);
         }
     }

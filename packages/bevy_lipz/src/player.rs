@@ -40,17 +40,21 @@ pub struct LipzPlayer {
     pub lead_frames: u8,
     /// Whether consonants are shown until viewers can read them. Counts from the start of the next line.
     pub holds_consonants: bool,
+    /// The progress of the line, for the methods. Public so that `LipzPlayer { .., ..default() }` is possible.
+    #[doc(hidden)]
     #[reflect(ignore)]
+    pub state: PlayerState,
+}
+
+/// The progress of a player.
+#[derive(Clone, Debug, Default)]
+pub struct PlayerState {
     pub(crate) request: Option<Request>,
-    #[reflect(ignore)]
     pub(crate) set_time: Option<Duration>,
     #[cfg(feature = "audio")]
-    #[reflect(ignore)]
     pub(crate) recording: Recording,
-    #[reflect(ignore)]
     pub(crate) line: Option<Line>,
     /// The bank whose error has been reported.
-    #[reflect(ignore)]
     pub(crate) reported: Option<AssetId<LipzBank>>,
 }
 
@@ -90,12 +94,7 @@ impl Default for LipzPlayer {
             is_paused: false,
             lead_frames: 0,
             holds_consonants: true,
-            request: None,
-            set_time: None,
-            #[cfg(feature = "audio")]
-            recording: Recording::default(),
-            line: None,
-            reported: None,
+            state: PlayerState::default(),
         }
     }
 }
@@ -138,13 +137,13 @@ impl LipzPlayer {
     /// Starts a clip from its beginning, also if it is the one that plays.
     pub fn play(&mut self, clip: impl Into<String>) {
         self.clip = clip.into();
-        self.request = Some(Request::Start { at: Duration::ZERO });
+        self.state.request = Some(Request::Start { at: Duration::ZERO });
     }
 
     /// Jumps to a time of the line, forward or back. Events before it are not triggered. Does nothing after the end.
     pub fn seek(&mut self, time: Duration) {
-        self.set_time = self.set_time.and(Some(time));
-        self.request = match self.request {
+        self.state.set_time = self.state.set_time.and(Some(time));
+        self.state.request = match self.state.request {
             Some(Request::Start { .. }) => Some(Request::Start { at: time }),
             _ => Some(Request::Seek { to: time }),
         };
@@ -152,38 +151,38 @@ impl LipzPlayer {
 
     /// Ends the line, and triggers its remaining events, so that lasting emotions take effect.
     pub fn skip(&mut self) {
-        self.request = Some(Request::Skip);
+        self.state.request = Some(Request::Skip);
     }
 
     /// Ends the line without its remaining events.
     pub fn stop(&mut self) {
-        self.request = Some(Request::Stop);
+        self.state.request = Some(Request::Stop);
     }
 
     /// Sets the time of [`LipzClock::Manual`]. The line starts with the first call.
     pub fn set_time(&mut self, time: Duration) {
-        self.set_time = Some(time);
+        self.state.set_time = Some(time);
     }
 
     /// Returns the time of the line; 0 before it and after it.
     pub fn time(&self) -> Duration {
-        self.line.as_ref().and_then(Line::time).unwrap_or_default()
+        self.state.line.as_ref().and_then(Line::time).unwrap_or_default()
     }
 
     /// Whether a line has started and not ended. True while it is paused.
     pub fn is_playing(&self) -> bool {
-        self.line.as_ref().is_some_and(|line| line.time().is_some())
+        self.state.line.as_ref().is_some_and(|line| line.time().is_some())
     }
 
     /// Returns the subtitle to show; empty if there is none.
     pub fn subtitle(&self) -> &str {
-        self.line.as_ref().map_or("", Line::subtitle)
+        self.state.line.as_ref().map_or("", Line::subtitle)
     }
 
     /// Returns the cursor of the line, for queries about the [state](Cursor::state) of characters; `None` before the
     /// line and after it.
     pub fn cursor(&self) -> Option<&Cursor> {
-        self.line.as_ref().and_then(Line::cursor)
+        self.state.line.as_ref().and_then(Line::cursor)
     }
 
     /// Returns the reading of the player's clock.
@@ -191,10 +190,10 @@ impl LipzPlayer {
         match self.clock {
             LipzClock::Game => ClockReading::Later(later),
             LipzClock::Manual => {
-                self.set_time.map_or(ClockReading::Waiting, |time| ClockReading::At { time, is_paused: false })
+                self.state.set_time.map_or(ClockReading::Waiting, |time| ClockReading::At { time, is_paused: false })
             }
             #[cfg(feature = "audio")]
-            LipzClock::Recording => self.recording.reading,
+            LipzClock::Recording => self.state.recording.reading,
         }
     }
 }
@@ -203,15 +202,16 @@ impl LipzPlayer {
 impl LipzPlayer {
     /// Takes the reading of the recording; `None` if there is no sink.
     pub(crate) fn hear(&mut self, reading: Option<ClockReading>) {
-        let had_sink = self.recording.has_sink;
+        let had_sink = self.state.recording.has_sink;
         let without = if had_sink { ClockReading::Ended } else { ClockReading::Waiting };
-        self.recording = Recording { reading: reading.unwrap_or(without), has_sink: had_sink || reading.is_some() };
+        self.state.recording =
+            Recording { reading: reading.unwrap_or(without), has_sink: had_sink || reading.is_some() };
     }
 
     /// Forgets the recording of the line before.
     pub(crate) fn forget_recording(&mut self) {
-        if self.recording.reading == ClockReading::Ended {
-            self.recording = Recording::default();
+        if self.state.recording.reading == ClockReading::Ended {
+            self.state.recording = Recording::default();
         }
     }
 }

@@ -74,7 +74,7 @@ pub(crate) fn move_faces(
         let shapes = shapes.bypass_change_detection();
         let parts = faces.of(entity).filter(|parts| !parts.player.is_paused);
         let shown = parts.as_ref().and_then(|FaceParts { player, bank, .. }| {
-            let line = player.line.as_ref()?;
+            let line = player.state.line.as_ref()?;
             Some((line.clip(bank.bank())?, line.time()?))
         });
         let (Some(FaceParts { face, player, mouth, bank }), Some((clip, time))) = (parts, shown) else {

@@ -59,7 +59,7 @@ fn the_mouth_shows_each_frame() {
         game.frame(FRAME);
         shown.push(game.mouth(entity).viseme);
     }
-    assert_eq!(shown, "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSSS");
+    assert_eq!(shown, "SOOOOSEEEFEESAASS---OOOSSSOO-------SOOUUUASSEELAAAS---AASSSS");
     assert_eq!(game.mouth(entity).openness.map(|openness| (openness * 100.0).round()), Some(33.0));
 }
 

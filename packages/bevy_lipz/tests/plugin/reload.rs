@@ -4,6 +4,7 @@ use crate::game::{FRAME, GOOD_EVENING, Game, assets, golden};
 use bevy::prelude::*;
 use bevy_lipz::prelude::*;
 use std::path::Path;
+use std::time::Duration;
 
 const FILE: &str = "lines.lipzbank";
 
@@ -26,6 +27,12 @@ fn replace(game: &mut Game, folder: &Path, bytes: &[u8]) {
     game.app.world().resource::<AssetServer>().reload(FILE);
 }
 
+/// Whether the version with this checksum is loaded.
+fn is_loaded(game: &Game, checksum: u64) -> bool {
+    let mut banks = game.app.world().resource::<Assets<LipzBank>>().iter();
+    banks.any(|(_, bank)| bank.bank().checksum() == checksum)
+}
+
 #[test]
 fn a_new_version_continues_at_the_same_time() {
     let folder = tempfile::tempdir().unwrap();
@@ -34,16 +41,17 @@ fn a_new_version_continues_at_the_same_time() {
     assert_eq!(time, FRAME * 12);
 
     // The same clip in a bank with more languages.
+    let drama = LipzBank::open(std::fs::read(golden("drama.lipzbank")).unwrap()).unwrap();
     replace(&mut game, folder.path(), &std::fs::read(golden("drama.lipzbank")).unwrap());
+    game.wait_until(|game| is_loaded(game, drama.bank().checksum()));
+    assert!(game.log().is_empty(), "{:?}", game.log());
     game.player(entity).locale = "fr-fr".to_owned();
-    game.wait_for("Bonsoir, Otto.");
+    game.frame(Duration::ZERO);
     assert_eq!(game.player(entity).time(), time);
     assert_eq!(game.mouth(entity).viseme, 'S');
     game.frames(200, FRAME);
     let log = game.take_log();
     let expected = [
-        "the bank does not contain texts in fr-fr, only in de-de, en-us",
-        "Good evening, Otto.",
         "Bonsoir, Otto.",
         "(mara sees otto)",
         "Tu es en retard,",
@@ -61,7 +69,7 @@ fn a_damaged_version_is_reported_and_the_old_one_plays_on() {
     let (mut game, entity) = speaking(folder.path());
     for _ in 0..2 {
         replace(&mut game, folder.path(), b"LPZB");
-        game.wait_for("the bank did not load: the file is shorter than the header of a bank");
+        game.wait_for("the bank did not load: the file is not a lipz bank");
         assert_eq!(game.take_log().len(), 1);
     }
     assert_eq!(game.player(entity).time(), FRAME * 12);
@@ -85,22 +93,12 @@ fn a_version_without_the_clip_ends_the_line() {
 fn a_version_with_the_missing_clip_starts_the_line() {
     let folder = tempfile::tempdir().unwrap();
     let (mut game, entity) = speaking(folder.path());
-    game.player(entity).play("act2/nell-steer");
-    game.frame(FRAME);
-    assert_eq!(game.take_log(), ["", "the bank does not contain the clip act2/nell-steer"]);
     let drama = std::fs::read(golden("drama.lipzbank")).unwrap();
     let opened = LipzBank::open(drama.clone()).unwrap();
     let key = opened.bank().clips_under("act2/").next().unwrap().key().to_owned();
     game.player(entity).play(key.clone());
     game.frame(FRAME);
-    assert_eq!(game.take_log(), [format!("the bank does not contain the clip {key}")]);
+    assert_eq!(game.take_log(), [String::new(), format!("the bank does not contain the clip {key}")]);
     replace(&mut game, folder.path(), &drama);
-    for _ in 0..2000 {
-        if game.player(entity).is_playing() {
-            return;
-        }
-        game.frame(FRAME);
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    panic!("the line has not started");
+    game.wait_until(|game| game.app.world().get::<LipzPlayer>(entity).unwrap().is_playing());
 }
