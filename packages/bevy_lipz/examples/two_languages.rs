@@ -28,14 +28,14 @@ pub fn app() -> App {
         .init_resource::<EndedLines>()
         .add_systems(Startup, spawn)
         .add_systems(Last, show_jaw)
-        .add_observer(|subtitle: On<'_, '_, LipzSubtitle>| println!("{}", subtitle.text))
-        .add_observer(|event: On<'_, '_, LipzEvent>| println!("({})", *event))
-        .add_observer(|failed: On<'_, '_, LipzFailed>| eprintln!("{}", failed.error))
+        .add_observer(|subtitle: On<LipzSubtitle>| println!("{}", subtitle.text))
+        .add_observer(|event: On<LipzEvent>| println!("({})", *event))
+        .add_observer(|failed: On<LipzFailed>| eprintln!("{}", failed.error))
         .add_observer(next_line);
     app
 }
 
-fn spawn(mut commands: Commands<'_, '_>, assets: Res<'_, AssetServer>, mut meshes: ResMut<'_, Assets<Mesh>>) {
+fn spawn(mut commands: Commands, assets: Res<AssetServer>, mut meshes: ResMut<Assets<Mesh>>) {
     let mut head = Mesh::new(PrimitiveTopology::TriangleList, RenderAssetUsages::default());
     head.set_morph_target_names(SHAPES.map(String::from).to_vec());
     let weights = MorphWeights::new(vec![0.0; SHAPES.len()], Some(meshes.add(head)));
@@ -46,10 +46,10 @@ fn spawn(mut commands: Commands<'_, '_>, assets: Res<'_, AssetServer>, mut meshe
 
 /// Starts the next line, or ends the example.
 fn next_line(
-    ended: On<'_, '_, LipzFinished>,
-    mut lines: ResMut<'_, EndedLines>,
-    mut players: Query<'_, '_, &mut LipzPlayer>,
-    mut exit: MessageWriter<'_, AppExit>,
+    ended: On<LipzFinished>,
+    mut lines: ResMut<EndedLines>,
+    mut players: Query<&mut LipzPlayer>,
+    mut exit: MessageWriter<AppExit>,
 ) {
     lines.0 += 1;
     match (LINES.get(lines.0), players.get_mut(ended.entity)) {
@@ -65,7 +65,7 @@ fn next_line(
 }
 
 /// Draws how far the jaw is open.
-fn show_jaw(models: Query<'_, '_, &MorphWeights, Changed<MorphWeights>>) {
+fn show_jaw(models: Query<&MorphWeights, Changed<MorphWeights>>) {
     for model in &models {
         let jaw = model.weights().first().copied().unwrap_or_default();
         println!("  {}", "#".repeat((0_u8..40).filter(|step| f32::from(*step) < jaw * 40.0).count()));

@@ -45,7 +45,7 @@ struct Playing {
 
 impl Line {
     /// Starts the line that `player` asks for.
-    pub(crate) fn start(player: &LipzPlayer, bank: &Bank<'_>, triggers: &mut Triggers<'_, '_, '_>) -> Line {
+    pub(crate) fn start(player: &LipzPlayer, bank: &Bank<'_>, triggers: &mut Triggers) -> Line {
         let clip = find(bank, &player.clip, &player.voice);
         let cursor = clip.as_ref().and_then(|clip| Some((clip, Cursor::new(clip)?)));
         let progress = match cursor {
@@ -72,7 +72,7 @@ impl Line {
         (bank, reading): (&Bank<'_>, ClockReading),
         request: Option<Request>,
         speaker: &str,
-        triggers: &mut Triggers<'_, '_, '_>,
+        triggers: &mut Triggers,
     ) -> LipzMouth {
         self.renew(bank, speaker, triggers);
         let Progress::Playing(playing) = &mut self.progress else { return LipzMouth::REST };
@@ -88,8 +88,10 @@ impl Line {
                 triggers.finish();
                 return LipzMouth::REST;
             }
-            Some(Request::Seek { to } | Request::Start { at: to }) => playing.seek(&clip, to),
-            None => {}
+            Some(Request::Seek { to }) => playing.seek(&clip, to),
+            // At its start, a line waits for its clock.
+            Some(Request::Start { at }) if !at.is_zero() => playing.seek(&clip, at),
+            Some(Request::Start { .. }) | None => {}
         }
         let is_resting = playing.follow(&clip, reading, |due| triggers.segments(due, speaker));
         if playing.cursor.is_over() {
@@ -102,7 +104,7 @@ impl Line {
     }
 
     /// Continues in a new version of the bank.
-    fn renew(&mut self, bank: &Bank<'_>, speaker: &str, triggers: &mut Triggers<'_, '_, '_>) {
+    fn renew(&mut self, bank: &Bank<'_>, speaker: &str, triggers: &mut Triggers) {
         if self.checksum == bank.checksum() {
             return;
         }
@@ -119,7 +121,7 @@ impl Line {
     }
 
     /// Shows subtitles in this language from now on.
-    pub(crate) fn speak(&mut self, tag: &str, bank: &Bank<'_>, triggers: &mut Triggers<'_, '_, '_>) {
+    pub(crate) fn speak(&mut self, tag: &str, bank: &Bank<'_>, triggers: &mut Triggers) {
         let Progress::Playing(playing) = &mut self.progress else { return };
         if playing.tag == tag {
             return;
@@ -130,7 +132,7 @@ impl Line {
         self.report_locale(bank, triggers);
     }
 
-    fn report_locale(&self, bank: &Bank<'_>, triggers: &mut Triggers<'_, '_, '_>) {
+    fn report_locale(&self, bank: &Bank<'_>, triggers: &mut Triggers) {
         let Progress::Playing(Playing { tag, .. }) = &self.progress else { return };
         if !tag.is_empty() && bank.locale(tag).is_none() {
             let known = bank.locales().map(|locale| bank.locale_tag(locale).to_owned()).collect();
@@ -139,7 +141,7 @@ impl Line {
     }
 
     /// Ends the line and its subtitle.
-    pub(crate) fn end(&mut self, triggers: &mut Triggers<'_, '_, '_>) {
+    pub(crate) fn end(&mut self, triggers: &mut Triggers) {
         if !self.subtitle().is_empty() {
             triggers.subtitle("", false);
         }
@@ -215,7 +217,7 @@ impl Playing {
     }
 
     /// Triggers the subtitle, if it has changed.
-    fn show_subtitle(&mut self, clip: &Clip<'_>, triggers: &mut Triggers<'_, '_, '_>) {
+    fn show_subtitle(&mut self, clip: &Clip<'_>, triggers: &mut Triggers) {
         let segment = self.cursor.segment(clip);
         let index = segment.as_ref().map(lipz_bank::Segment::index);
         if index == self.segment {

@@ -19,10 +19,10 @@ use std::time::Duration;
 
 /// Moves all players to the time of this rendered frame.
 pub(crate) fn play(
-    mut commands: Commands<'_, '_>,
-    (time, banks, server): (Res<'_, Time>, Res<'_, Assets<LipzBank>>, Res<'_, AssetServer>),
-    mut failures: MessageReader<'_, '_, AssetLoadFailedEvent<LipzBank>>,
-    mut players: Query<'_, '_, (Entity, &mut LipzPlayer, &mut LipzMouth)>,
+    mut commands: Commands,
+    (time, banks, server): (Res<Time>, Res<Assets<LipzBank>>, Res<AssetServer>),
+    mut failures: MessageReader<AssetLoadFailedEvent<LipzBank>>,
+    mut players: Query<(Entity, &mut LipzPlayer, &mut LipzMouth)>,
 ) {
     let failed: Vec<_> = failures.read().collect();
     for (entity, mut player, mut mouth) in &mut players {
@@ -45,9 +45,9 @@ pub(crate) fn play(
 
 /// Ends the line of a player that is removed.
 pub(crate) fn end_removed(
-    removed: On<'_, '_, Remove, LipzPlayer>,
-    mut commands: Commands<'_, '_>,
-    mut players: Query<'_, '_, (&mut LipzPlayer, &mut LipzMouth)>,
+    removed: On<Remove, LipzPlayer>,
+    mut commands: Commands,
+    mut players: Query<(&mut LipzPlayer, &mut LipzMouth)>,
 ) {
     if let Ok((mut player, mut mouth)) = players.get_mut(removed.entity) {
         player.end(&mut Triggers { commands: &mut commands, entity: removed.entity });
@@ -82,7 +82,7 @@ fn new_error(
 
 impl LipzPlayer {
     /// Moves the line to the next rendered frame, this much later. Returns the mouth to draw.
-    fn advance(&mut self, bank: &Bank<'_>, mut later: Duration, triggers: &mut Triggers<'_, '_, '_>) -> LipzMouth {
+    fn advance(&mut self, bank: &Bank<'_>, mut later: Duration, triggers: &mut Triggers) -> LipzMouth {
         let request = self.state.request.take();
         if matches!(request, Some(Request::Start { .. }))
             || self.state.line.as_ref().is_none_or(|line| line.is_outdated(self, bank))
@@ -103,7 +103,7 @@ impl LipzPlayer {
     }
 
     /// Ends the line, if one plays.
-    fn end(&mut self, triggers: &mut Triggers<'_, '_, '_>) {
+    fn end(&mut self, triggers: &mut Triggers) {
         if let Some(line) = &mut self.state.line {
             line.end(triggers);
         }

@@ -44,9 +44,9 @@ impl Default for LipzSprite {
 
 /// Sets the pictures of all sprites.
 pub(crate) fn show_sprites(
-    mouths: Query<'_, '_, &LipzMouth>,
-    parents: Query<'_, '_, &ChildOf>,
-    mut sprites: Query<'_, '_, (Entity, &LipzSprite, &mut Sprite)>,
+    mouths: Query<&LipzMouth>,
+    parents: Query<&ChildOf>,
+    mut sprites: Query<(Entity, &LipzSprite, &mut Sprite)>,
 ) {
     for (entity, lipz, mut sprite) in &mut sprites {
         let player = lipz.player.or_else(|| nearest(entity, &parents, |entity| mouths.contains(entity)));

@@ -43,9 +43,9 @@ impl Faces<'_, '_> {
 
 /// Recognises the morph targets of new models, and again when the bank or the face has changed.
 pub(crate) fn find_shapes(
-    mut commands: Commands<'_, '_>,
-    (faces, meshes): (Faces<'_, '_>, Option<Res<'_, Assets<Mesh>>>),
-    models: Query<'_, '_, (Entity, &MorphWeights, Option<&LipzShapes>)>,
+    mut commands: Commands,
+    (faces, meshes): (Faces, Option<Res<Assets<Mesh>>>),
+    models: Query<(Entity, &MorphWeights, Option<&LipzShapes>)>,
 ) {
     let Some(meshes) = meshes else { return };
     for (entity, weights, shapes) in &models {
@@ -66,10 +66,7 @@ pub(crate) fn find_shapes(
 }
 
 /// Sets the weights of all recognised morph targets.
-pub(crate) fn move_faces(
-    faces: Faces<'_, '_>,
-    mut models: Query<'_, '_, (Entity, &mut MorphWeights, &mut LipzShapes)>,
-) {
+pub(crate) fn move_faces(faces: Faces, mut models: Query<(Entity, &mut MorphWeights, &mut LipzShapes)>) {
     for (entity, mut weights, mut shapes) in &mut models {
         let shapes = shapes.bypass_change_detection();
         let parts = faces.of(entity).filter(|parts| !parts.player.is_paused);
@@ -102,7 +99,7 @@ fn who<'a>(speaker: &'a str, character: &'a str) -> (Who<'a>, bool) {
 }
 
 /// Sets one weight. An equal one does not count as changed, so that it is not uploaded again.
-fn set(weights: &mut Mut<'_, MorphWeights>, shape: usize, weight: f32) {
+fn set(weights: &mut Mut<MorphWeights>, shape: usize, weight: f32) {
     if weights.weights().get(shape).is_some_and(|old| *old != weight)
         && let Some(place) = weights.weights_mut().get_mut(shape)
     {

@@ -68,7 +68,7 @@ fn an_observer_of_the_player() {
     game.app
         .world_mut()
         .entity_mut(entity)
-        .observe(|failed: On<'_, '_, LipzFailed>, mut errors: ResMut<'_, Errors>| errors.0.push(failed.error.clone()));
+        .observe(|failed: On<LipzFailed>, mut errors: ResMut<Errors>| errors.0.push(failed.error.clone()));
     game.frame(FRAME);
     assert_eq!(game.app.world().resource::<Errors>().0, [LipzError::NoClip { key: "none".to_owned() }]);
 }

@@ -17,12 +17,12 @@ pub(crate) struct Log(pub(crate) Vec<String>);
 /// Adds the observers that write the log.
 pub(crate) fn logged(app: &mut App) {
     app.init_resource::<Log>()
-        .add_observer(|subtitle: On<'_, '_, LipzSubtitle>, mut log: ResMut<'_, Log>| {
+        .add_observer(|subtitle: On<LipzSubtitle>, mut log: ResMut<Log>| {
             log.0.push(format!("{}{}", subtitle.text, if subtitle.is_fallback { " (fallback)" } else { "" }));
         })
-        .add_observer(|event: On<'_, '_, LipzEvent>, mut log: ResMut<'_, Log>| log.0.push(format!("({})", *event)))
-        .add_observer(|_: On<'_, '_, LipzFinished>, mut log: ResMut<'_, Log>| log.0.push("finished".to_owned()))
-        .add_observer(|failed: On<'_, '_, LipzFailed>, mut log: ResMut<'_, Log>| log.0.push(failed.error.to_string()));
+        .add_observer(|event: On<LipzEvent>, mut log: ResMut<Log>| log.0.push(format!("({})", *event)))
+        .add_observer(|_: On<LipzFinished>, mut log: ResMut<Log>| log.0.push("finished".to_owned()))
+        .add_observer(|failed: On<LipzFailed>, mut log: ResMut<Log>| log.0.push(failed.error.to_string()));
 }
 
 /// An app with the plugin.

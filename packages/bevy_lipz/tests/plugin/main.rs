@@ -1,4 +1,5 @@
 //! The plugin in an app without a window.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 mod face;
 mod failures;

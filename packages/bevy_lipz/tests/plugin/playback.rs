@@ -179,7 +179,7 @@ fn segments_have_event_strings() {
     use crate::game::Log;
     use bevy::prelude::*;
     let (mut game, _) = Game::act1(mara);
-    game.app.add_observer(|segment: On<'_, '_, LipzSegment>, mut log: ResMut<'_, Log>| {
+    game.app.add_observer(|segment: On<LipzSegment>, mut log: ResMut<Log>| {
         log.0.push(format!("{} {}", segment.segment, segment.event));
     });
     game.frames(2, Duration::from_secs(60));

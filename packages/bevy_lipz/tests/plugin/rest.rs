@@ -47,6 +47,20 @@ fn while_paused() {
     assert_ne!(game.mouth(entity), LipzMouth::REST);
 }
 
+/// A line that starts while the player is paused triggers nothing before it continues.
+#[test]
+fn before_a_paused_line() {
+    let (mut game, entity) = speaking();
+    let mut player = game.player(entity);
+    player.is_paused = true;
+    player.play("act1/otto-twenty-years");
+    game.frames(5, FRAME);
+    assert_eq!(game.take_log(), [""]);
+    game.player(entity).is_paused = false;
+    game.frame(FRAME);
+    assert_eq!(game.log(), ["(mara feels sad)", "Es ist seit zwanzig Jahren unterwegs."]);
+}
+
 #[test]
 fn after_the_player_was_removed() {
     let (mut game, entity) = speaking();

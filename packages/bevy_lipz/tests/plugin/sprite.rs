@@ -43,7 +43,7 @@ fn an_equal_picture_is_not_a_change() {
     let (mut game, entity) = Game::act1(|player| player);
     game.app.init_resource::<Changes>().add_systems(
         Last,
-        |sprites: Query<'_, '_, (), Changed<Sprite>>, mut changes: ResMut<'_, Changes>| {
+        |sprites: Query<(), Changed<Sprite>>, mut changes: ResMut<Changes>| {
             changes.0 += u32::try_from(sprites.iter().count()).unwrap();
         },
     );
