@@ -12,7 +12,7 @@ use bevy_lipz::prelude::*;
 use std::time::Duration;
 
 /// Spawns a model with morph targets of these names below an entity.
-fn model(game: &mut Game, parent: Entity, names: &[&str]) -> Entity {
+pub(crate) fn model(game: &mut Game, parent: Entity, names: &[&str]) -> Entity {
     let mut mesh = Mesh::new(PrimitiveTopology::TriangleList, RenderAssetUsages::default());
     mesh.set_morph_target_names(names.iter().map(|name| (*name).to_owned()).collect());
     let mesh = game.app.world_mut().resource_mut::<Assets<Mesh>>().add(mesh);

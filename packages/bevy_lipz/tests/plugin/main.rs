@@ -8,4 +8,5 @@ mod playback;
 mod readme;
 mod reload;
 mod rest;
+mod speed;
 mod sprite;

@@ -1,5 +1,8 @@
-//! The output in the README, and the example of the package.
+//! The programs of the README and of the guide with their output, and the example of the package.
 
+#[allow(dead_code)]
+#[path = "guide.rs"]
+mod guide;
 #[allow(dead_code, unreachable_pub)]
 #[path = "../../examples/two_languages.rs"]
 mod two_languages;
@@ -9,22 +12,38 @@ use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
 use bevy_lipz::prelude::*;
 
-/// The README's program is a doctest. Its output is that of the log.
-#[test]
-fn the_readme_shows_the_output_of_its_program() {
-    let readme = include_str!("../../README.md");
-    let block = |kind: &str| readme.split(kind).nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    let (program, output) = (block("```rust\n"), block("```text\n"));
-    let literals: Vec<_> = program.split('"').skip(1).step_by(2).collect();
-    assert_eq!(literals[..4], ["act1.lipzbank", "act1/mara-good-evening", "mara", "de-de"]);
+/// Returns the program of a page, and its output.
+fn blocks(page: &str) -> (&str, &str) {
+    let block = |kind: &str| page.split(kind).nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    (block("```rust\n"), block("```text\n"))
+}
 
+/// Plays the line of a program, and compares the log with the output that the page shows.
+fn compare(page: &str) {
+    let (program, output) = blocks(page);
+    let literals: Vec<_> = program.split('"').skip(1).step_by(2).collect();
+    assert!(literals[0].ends_with(".lipzbank"), "{literals:?}");
     let mut game = Game::new(&assets());
-    let bank = game.app.world().resource::<AssetServer>().load(literals[0]);
+    let bank = game.app.world().resource::<AssetServer>().load("act1.lipzbank");
     game.app.world_mut().spawn(LipzPlayer::new(bank, literals[1]).with_speaker(literals[2]).with_locale(literals[3]));
     game.wait_for("(");
     game.frames(200, FRAME);
     let shown: Vec<_> = game.log().iter().filter(|entry| *entry != "finished").map(String::as_str).collect();
     assert_eq!(shown.join("\n") + "\n", output);
+}
+
+/// The program of the README is a doctest.
+#[test]
+fn the_readme_shows_the_output_of_its_program() {
+    compare(include_str!("../../README.md"));
+}
+
+#[test]
+fn the_guide_shows_the_output_of_its_program() {
+    let guide = include_str!("../../../../docs/guides/bevy.md");
+    compare(guide);
+    let (_, compiled) = include_str!("guide.rs").split_once("\n\n").unwrap();
+    assert_eq!(compiled, blocks(guide).0);
 }
 
 #[test]
