@@ -63,6 +63,19 @@ fn a_new_version_continues_at_the_same_time() {
     assert_eq!(log, expected);
 }
 
+/// Languages are numbers of one version. The player looks its own up again.
+#[test]
+fn a_new_version_keeps_the_language() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut game, _) = speaking(folder.path());
+    let drama = std::fs::read(golden("drama.lipzbank")).unwrap();
+    replace(&mut game, folder.path(), &drama);
+    let drama = LipzBank::open(drama).unwrap();
+    game.wait_until(|game| is_loaded(game, drama.bank().checksum()));
+    game.frames(30, FRAME);
+    assert_eq!(game.take_log(), ["(mara sees otto)", "Du bist spät dran,"]);
+}
+
 #[test]
 fn a_damaged_version_is_reported_and_the_old_one_plays_on() {
     let folder = tempfile::tempdir().unwrap();
