@@ -36,6 +36,8 @@ struct Playing {
     clip: ClipId,
     cursor: Cursor,
     time: Duration,
+    /// Whether the clock stands still or has not started, so that the mouth rests.
+    is_resting: bool,
     tag: String,
     locale: Option<Locale>,
     /// The segment of the subtitle.
@@ -93,14 +95,14 @@ impl Line {
             Some(Request::Start { at }) if !at.is_zero() => playing.seek(&clip, at),
             Some(Request::Start { .. }) | None => {}
         }
-        let is_resting = playing.follow(&clip, reading, |due| triggers.segments(due, speaker));
+        playing.is_resting = playing.follow(&clip, reading, |due| triggers.segments(due, speaker));
         if playing.cursor.is_over() {
             self.end(triggers);
             triggers.finish();
             return LipzMouth::REST;
         }
         playing.show_subtitle(&clip, triggers);
-        if is_resting { LipzMouth::REST } else { playing.mouth(&clip) }
+        if playing.is_resting { LipzMouth::REST } else { playing.mouth(&clip) }
     }
 
     /// Continues in a new version of the bank.
@@ -160,10 +162,11 @@ impl Line {
         self.playing().map_or("", |playing| &playing.subtitle)
     }
 
-    /// Returns the clip that plays.
+    /// Returns the clip and the time that a face shows; `None` if it rests.
     #[cfg(feature = "face")]
-    pub(crate) fn clip<'a>(&self, bank: &'a Bank<'_>) -> Option<Clip<'a>> {
-        bank.clip(self.playing()?.clip).map(|clip| clip.or_fps(DEFAULT_FPS))
+    pub(crate) fn pose<'a>(&self, bank: &'a Bank<'_>) -> Option<(Clip<'a>, Duration)> {
+        let playing = self.playing().filter(|playing| !playing.is_resting)?;
+        Some((bank.clip(playing.clip)?.or_fps(DEFAULT_FPS), playing.time))
     }
 
     fn playing(&self) -> Option<&Playing> {
@@ -183,6 +186,7 @@ impl Playing {
             clip: clip.id(),
             cursor: cursor.with_hold(hold).with_lead(lead).with_speaker(bank.event_name(&player.speaker)),
             time: Duration::ZERO,
+            is_resting: true,
             tag: player.locale.clone(),
             locale: locale(bank, &player.locale),
             segment: None,

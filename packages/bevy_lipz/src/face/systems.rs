@@ -69,11 +69,9 @@ pub(crate) fn find_shapes(
 pub(crate) fn move_faces(faces: Faces, mut models: Query<(Entity, &mut MorphWeights, &mut LipzShapes)>) {
     for (entity, mut weights, mut shapes) in &mut models {
         let shapes = shapes.bypass_change_detection();
-        let parts = faces.of(entity).filter(|parts| !parts.player.is_paused);
-        let shown = parts.as_ref().and_then(|FaceParts { player, bank, .. }| {
-            let line = player.state.line.as_ref()?;
-            Some((line.clip(bank.bank())?, line.time()?))
-        });
+        let parts = faces.of(entity);
+        let shown =
+            parts.as_ref().and_then(|FaceParts { player, bank, .. }| player.state.line.as_ref()?.pose(bank.bank()));
         let (Some(FaceParts { face, player, mouth, bank }), Some((clip, time))) = (parts, shown) else {
             if !shapes.is_resting {
                 shapes.is_resting = true;

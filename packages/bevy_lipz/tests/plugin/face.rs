@@ -73,6 +73,19 @@ fn morph_targets_follow_the_rig() {
     assert_eq!(weights(&game, head), [0.0; 5]);
 }
 
+/// A line whose clock has not started is not shown.
+#[test]
+fn a_face_rests_before_its_clock_starts() {
+    let (mut game, entity) = Game::act1(|player| player.with_clock(LipzClock::Manual));
+    game.app.world_mut().entity_mut(entity).insert(LipzFace::default());
+    let head = model(&mut game, entity, &["jawOpen", "mouthFunnel"]);
+    game.frames(3, FRAME);
+    assert_eq!(weights(&game, head), [0.0; 2]);
+    game.player(entity).set_time(Duration::ZERO);
+    game.frame(FRAME);
+    assert_ne!(weights(&game, head), [0.0; 2]);
+}
+
 #[test]
 fn a_different_character_listens() {
     let key = "act1/otto-twenty-years";
