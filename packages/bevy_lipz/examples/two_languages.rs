@@ -3,11 +3,13 @@
 //!
 //! There is no window, so that the example runs anywhere. In a game, the `MorphWeights` come with a glTF scene.
 
+use bevy::app::ScheduleRunnerPlugin;
 use bevy::asset::RenderAssetUsages;
 use bevy::mesh::PrimitiveTopology;
 use bevy::mesh::morph::MorphWeights;
 use bevy::prelude::*;
 use bevy_lipz::prelude::*;
+use std::time::Duration;
 
 /// The lines: clip, speaker, language of the subtitles.
 const LINES: [(&str, &str, &str); 2] =
@@ -23,7 +25,8 @@ struct EndedLines(usize);
 /// Returns the example, which ends after the lines.
 pub fn app() -> App {
     let mut app = App::new();
-    app.add_plugins((MinimalPlugins, AssetPlugin::default(), LipzPlugin))
+    let frames = ScheduleRunnerPlugin::run_loop(Duration::from_millis(33));
+    app.add_plugins((MinimalPlugins.set(frames), AssetPlugin::default(), LipzPlugin))
         .init_asset::<Mesh>()
         .init_resource::<EndedLines>()
         .add_systems(Startup, spawn)
