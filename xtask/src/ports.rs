@@ -26,6 +26,8 @@ enum Port {
     Python,
     /// Ren'Py; in the engine, if Debian's package is installed
     Renpy,
+    /// Bevy, which is built without its renderer
+    Bevy,
     /// Unreal, with stubs of the engine and the libraries of `cargo xtask capi`
     Unreal,
     /// Blender, as the Python package `bpy`
@@ -45,6 +47,7 @@ impl Port {
             Port::Lua => &["packages/lipz-lua/test/all.sh"],
             Port::Python => &["python3", "-m", "unittest", "discover", "-s", "packages/lipz-python/test"],
             Port::Renpy => &["python3", "-m", "unittest", "discover", "-s", "packages/lipz-renpy/test"],
+            Port::Bevy => &["packages/bevy_lipz/test.sh"],
             Port::Unreal => &["packages/lipz-unreal/test/run.sh"],
             Port::Blender => &["python3", "-m", "unittest", "discover", "-s", "packages/lipz-blender/test"],
             Port::Godot => &["node", "packages/lipz-godot/test/run.js", "target/godot"],
@@ -57,6 +60,7 @@ impl Port {
             Port::Unity => &["mcs", "mono"],
             Port::Lua => &["luajit"],
             Port::Python | Port::Renpy | Port::Blender => &["python3"],
+            Port::Bevy => &["bash"],
             Port::Unreal => &["g++", "clang++", "python3"],
             Port::Godot => &["npm", "chromium"],
         }
