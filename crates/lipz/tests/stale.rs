@@ -132,7 +132,7 @@ fn translations_of_which_nothing_is_known() {
     assert!(!hint(&[]), "there is other work to do");
     fs::remove_file(folder.join("voices/broken.lipz")).unwrap();
     assert!(lipz(folder, ["coverage"]).stdout.contains(unknown));
-    assert!(lipz(folder, ["coverage", "--as", "csv"]).stdout.contains(",0,0,2,5,0\r\n"));
+    assert!(lipz(folder, ["coverage", "--as", "csv"]).stdout.contains(",0,0,2,5,0,0,0,0,0,0,0\r\n"));
     let json: serde_json::Value =
         serde_json::from_str(&lipz(folder, ["coverage", "--output-format", "json"]).stdout).unwrap();
     let german = json.as_array().unwrap().iter().find(|locale| locale["locale"] == "de-de").unwrap();
