@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import signal
 import subprocess
 import tempfile
 import threading
@@ -119,7 +118,8 @@ def _wait(process: subprocess.Popen[bytes], terminal: _Terminal | None, cancel: 
             break
         except subprocess.TimeoutExpired:
             if cancel is not None and cancel.is_set() and not is_cancelled:
-                process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
+                # A program that was started in the background may ignore SIGINT.
+                process.terminate()
                 is_cancelled = True
     if terminal:
         terminal.read()
