@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(levels.severity(Code::ByteOrderMark), None);
         assert_eq!(levels.severity(Code::ForeignCode), Some(Severity::Error));
         let lowered: Vec<Code> = Code::ALL.iter().copied().filter(|code| levels.lowers(*code)).collect();
-        assert_eq!(lowered, [Code::ByteOrderMark, Code::SegmentCount, Code::OtherEvents]);
+        assert_eq!(lowered, [Code::ByteOrderMark, Code::SegmentCount, Code::OtherEvents, Code::EndPunctuation]);
     }
 
     #[test]
