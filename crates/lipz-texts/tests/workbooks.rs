@@ -135,11 +135,14 @@ fn open_document_spreadsheets_are_read_like_others() {
     let cover = table(&[row(&[cell("Lighthouse")])]);
     let read = incoming(Format::of_extension("ods").unwrap(), &ods(&(cover + &table(&rows))));
     assert_eq!(texts(&read), [("a", "Guten  Tag,\nOtto.\nJa."), ("b", ""), ("c", "42"), ("d", "")]);
-    let expected =
-        ["a date", "an error"].map(|what| format!("the cell contains {what}, not a text, and is not imported"));
+    let expected = [
+        "comments on cells are not imported",
+        "the cell contains a date, not a text, and is not imported",
+        "the cell contains an error, not a text, and is not imported",
+    ];
     assert_eq!(messages(&read), expected);
     // Positions count the rows of the sheet.
-    let start = read.diagnostics[0].primary.as_ref().unwrap().span.range().start;
+    let start = read.diagnostics[1].primary.as_ref().unwrap().span.range().start;
     assert_eq!(read.text[..start].matches('\n').count() + 1, 5);
 }
 

@@ -337,7 +337,7 @@ fn comments_of_translators_are_kept_and_come_back() {
         };
         with_comment("Formal or not?");
         let imported = import(folder, &[name]);
-        assert!(imported.stdout.contains("comments of translators on 1 clip recorded"), "{format}: {imported:?}");
+        assert!(imported.stdout.contains("comments of translators on 1 clip updated"), "{format}: {imported:?}");
         let exported = |count: usize| {
             fs::remove_file(folder.join(name)).unwrap();
             export(folder, format, name);

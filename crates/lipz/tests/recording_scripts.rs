@@ -132,7 +132,7 @@ fn pick_ups_are_lines_without_a_current_recording() {
     assert_eq!(states("recorded").len(), 1);
     assert_eq!(lipz(scene.path(), ["sync", "--quiet", "--allow", "warnings"]).code, 0);
     let none = export(&scene, &["csv", "-o", "-", "--locale", "de-de", "--state", "stale"]);
-    assert!(none.code == 2 && none.stderr.contains("no line is to be recorded"), "{none:?}");
+    assert!(none.code == 2 && none.stderr.contains("no line is in the state stale"), "{none:?}");
     let text = fs::read_to_string(scene.path().join("voices/act1/mara-hello.lipz")).unwrap();
     scene.write("voices/act1/mara-hello.lipz", text.replace("Hallo", "Servus"));
     assert_eq!(states("stale")[0][9], "the text has changed");
@@ -192,20 +192,20 @@ fn takes_that_cannot_be_found_are_reported() {
     scene.write("takes/mara-hello_1.wav", voice(SECOND, 1));
     scene.write("takes/late/mara-hello-take1.wav", voice(SECOND, 2));
     scene.write("script.csv", choose("3"));
-    scene.expect("LZ1918-missing-take", &run);
+    scene.expect("LZ1918-unusable-take", &run);
     scene.write("script.csv", choose("1"));
-    scene.expect("LZ1918-missing-take-ambiguous", &run);
+    scene.expect("LZ1918-unusable-take-ambiguous", &run);
     scene.write("script.csv", choose("late/mara-hello-take1"));
     assert_eq!(lipz(scene.path(), run).code, 0);
     scene.write(
         "script.csv",
         format!("{}{}", choose("late/mara-hello-take1"), choose("mara-hello_1.wav").lines().nth(1).unwrap()),
     );
-    scene.expect("LZ1918-missing-take-twice", &run);
+    scene.expect("LZ1918-unusable-take-twice", &run);
     let path = scene.path().join("rec/de/act1/mara-hello.flac");
     fs::rename(scene.path().join("rec/de/act1/mara-hello.wav"), path).unwrap();
     scene.write("script.csv", choose("mara-hello_1.wav"));
-    scene.expect("LZ1918-missing-take-format", &run);
+    scene.expect("LZ1918-unusable-take-format", &run);
     scene.finish(4);
 }
 

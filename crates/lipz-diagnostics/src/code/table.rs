@@ -221,7 +221,7 @@ codes! {
     OutdatedRecording "LZ1915" "outdated-recording" Warning "a recording is older than its text"
     MarkupDiffers "LZ1916" "markup-differs" Warning "a translation and its source have different markup"
     OddCharacters "LZ1917" "odd-characters" Warning "a text has damaged or invisible characters, or letters of a different script"
-    MissingTake "LZ1918" "missing-take" Error "a chosen take is missing, or several files may be meant"
+    UnusableTake "LZ1918" "unusable-take" Error "a chosen take cannot be copied"
     LineWithoutClip "LZ1919" "line-without-clip" Warning "a line of the script has no clip"
     ClipWithoutLine "LZ1920" "clip-without-line" Warning "a clip has no line in the script"
     LineDiffers "LZ1921" "line-differs" Warning "a clip and its line in the script have different texts"

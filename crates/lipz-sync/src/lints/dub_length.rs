@@ -21,9 +21,9 @@ pub(super) fn check(settings: &Settings, recordings: &Recordings, (original, ori
             // The lints of the dub report it.
             Err(_) => continue,
         };
-        let (lasts, start, end) = (seconds(length_us), *allowed.start() as f64 / 1e6, seconds(*allowed.end()));
-        let message = format!("the dub in {locale} lasts {lasts}, but {start:.3} to {end} are allowed");
-        let (key, lasts, status) = (escape::quoted(original), seconds(original_us), status.name());
+        let (lasts, start, end) = (seconds(length_us), seconds(*allowed.start()), seconds(*allowed.end()));
+        let message = format!("the dub in {locale} lasts {lasts}, but {start} to {end} are allowed");
+        let (key, lasts, status) = (escape::quoted(original), seconds(original_us), status.label());
         let note = format!("the original {key} lasts {lasts}, and its sync status is {status}");
         let help = "record the line again, shorten its translation, or change its sync status in [dubs]";
         let found = Diagnostic::new(Code::DubLength, message).note(note).help(help);

@@ -44,8 +44,13 @@ impl Recordings {
     pub fn discover_with_reports(settings: &Settings) -> (Recordings, Vec<Report>) {
         match &settings.audio.folder {
             Some(folder) => Recordings::at(RecordingPlaces::new(settings), folder),
-            None => Default::default(),
+            None => (Recordings::planned(settings), Vec::new()),
         }
+    }
+
+    /// Returns the places of a project's recordings, as if none existed yet.
+    pub fn planned(settings: &Settings) -> Recordings {
+        Recordings { places: RecordingPlaces::new(settings), ..Recordings::default() }
     }
 
     /// Returns the recordings in `folder` and below, whose paths are keys. Links are followed.

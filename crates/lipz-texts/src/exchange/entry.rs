@@ -55,8 +55,8 @@ pub struct Entry {
 pub struct ChosenTake {
     /// The key of the clip, and its position in the file.
     pub key: Arc<Words>,
-    /// The spoken locale; `None` if the script has only source texts.
-    pub locale: Option<Arc<str>>,
+    /// The locales of the columns with translations, one of which is spoken; none if the script has only source texts.
+    pub locales: Arc<[Arc<str>]>,
     /// The number of the take, or the name of its file.
     pub name: Words,
 }
@@ -88,6 +88,8 @@ pub struct ReadOptions {
     pub known: Vec<String>,
     /// Whether locales may be any BCP 47 tag, rather than only `ll-cc`.
     pub has_extended_locales: bool,
+    /// Whether only the chosen takes of recording scripts are wanted, and no texts.
+    pub wants_takes: bool,
 }
 
 /// The reason why a tag is not a locale of a project.
@@ -139,9 +141,17 @@ impl ReadOptions {
         ReadOptions { has_extended_locales, ..self }
     }
 
+    /// Sets whether only the chosen takes of recording scripts are wanted.
+    #[must_use]
+    pub fn takes(self, wants_takes: bool) -> ReadOptions {
+        ReadOptions { wants_takes, ..self }
+    }
+
     /// Whether the texts of a locale are wanted.
     pub(crate) fn wants(&self, locale: &str) -> bool {
-        locale != self.source_locale && (self.wanted.is_empty() || self.wanted.iter().any(|wanted| wanted == locale))
+        !self.wants_takes
+            && locale != self.source_locale
+            && (self.wanted.is_empty() || self.wanted.iter().any(|wanted| wanted == locale))
     }
 
     /// Returns the locale for a tag in a file: `de_DE`, `de-DE`, or `de` if only one locale is German.

@@ -16,8 +16,8 @@ pub use options::Merge;
 pub use renamed::follow_renamed_clips;
 pub use results::{ConfirmedTranslations, Counts, MergedFile, TranslatorComments};
 
-use crate::exchange::Entry;
 use crate::exchange::clip_texts::{strings, trimmed};
+use crate::exchange::{Entry, Mark};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::Document;
 use lipz_file::format::Style;
@@ -102,10 +102,14 @@ impl Merge<'_> {
     }
 }
 
-/// Returns the comments of the entries, each once.
+/// Returns the comments of the entries, each once. If some copies of a file have changed comments, only theirs count.
 fn comments(locale: &str, entries: &[&Entry]) -> TranslatorComments {
     let exported = entries.iter().find_map(|entry| entry.comments_mark);
+    let is_changed =
+        |entry: &&&Entry| entry.comments_mark.is_none_or(|mark| mark != Mark::of_comments(&entry.comments));
+    let has_changed = entries.iter().any(|entry| is_changed(&entry) && entry.comments_mark.is_some());
+    let entries = entries.iter().filter(|entry| !has_changed || is_changed(entry));
     let (mut lines, mut known) = (Vec::new(), BTreeSet::new());
-    lines.extend(entries.iter().flat_map(|entry| &entry.comments).filter(|line| known.insert(*line)).cloned());
+    lines.extend(entries.flat_map(|entry| &entry.comments).filter(|line| known.insert(*line)).cloned());
     TranslatorComments { locale: locale.to_owned(), lines, exported }
 }

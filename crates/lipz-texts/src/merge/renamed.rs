@@ -3,40 +3,91 @@
 use super::keys::is_foreign;
 use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::joined;
-use crate::exchange::{Entry, Words};
-use lipz_diagnostics::{Code, Diagnostic, escape};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use crate::exchange::{ClipTexts, Entry, Mark, Words};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+
+/// The most clips with one source text that are compared. A text that is this frequent identifies no clip.
+const MOST_ALIKE: usize = 64;
 
 /// Gives entries of renamed clips the new keys, and reports each of these clips, with the number of the file.
 ///
-/// A clip counts as renamed if lipz has exported the entry, no clip has its key, and its source text is that of exactly
-/// one clip that the entries do not name. `sources` are the keys of clips and the source texts of their segments.
+/// A clip counts as renamed if lipz has exported its entries, no clip has its key, and exactly one clip that the entries
+/// do not name has the same source text and the translation of the export. `clips` are the keys and texts of all clips.
 pub fn follow_renamed_clips(
     entries: &mut [Entry],
     keys: &BTreeSet<&str>,
-    sources: &[(String, Vec<String>)],
+    source_locale: &str,
+    clips: &[(String, ClipTexts)],
 ) -> Vec<(usize, Diagnostic)> {
     let named: BTreeSet<&str> = entries.iter().map(|entry| entry.key.text.as_str()).collect();
-    let mut by_source: HashMap<(Option<usize>, String), Option<&str>> = HashMap::new();
-    for (key, segments) in sources.iter().filter(|(key, _)| !named.contains(key.as_str())) {
-        let parts = (1..).zip(segments).map(|(number, text)| (Some(number), text.clone()));
-        for part in parts.chain([(None, joined(segments))]) {
-            by_source.entry(part).and_modify(|known| *known = None).or_insert(Some(key));
+    let index = SourceIndex::new(clips.iter().filter(|(key, _)| !named.contains(key.as_str())), source_locale);
+    let mut by_key: BTreeMap<(usize, String), OldClip<'_>> = BTreeMap::new();
+    for entry in entries.iter().filter(|entry| entry.mark.is_some() && is_foreign(entry, keys)) {
+        let alike = index.alike(entry);
+        by_key
+            .entry((entry.file, entry.key.text.clone()))
+            .and_modify(|old| old.new.retain(|key| alike.contains(key)))
+            .or_insert(OldClip { span: entry.key.span, new: alike });
+    }
+    let mut taken = HashSet::new();
+    let mut renamed: HashMap<(usize, String), &str> = HashMap::new();
+    let mut found = Vec::new();
+    for ((file, old), OldClip { span, new }) in by_key {
+        let ([new], Some(shown)) = (new.as_slice(), Some(escape::quoted(&old))) else { continue };
+        if !taken.insert((file, *new)) {
+            continue;
+        }
+        let message = format!("the clip {shown} is now {}, which has the same texts", escape::quoted(new));
+        let help = "its translations are imported; export the texts again, so that the file has the new key";
+        found.push((file, Diagnostic::at(Code::UnknownTextKey, span, message).help(help)));
+        renamed.insert((file, old), new);
+    }
+    for entry in entries.iter_mut() {
+        if let Some(new) = renamed.get(&(entry.file, entry.key.text.clone())) {
+            entry.key = Words { text: (*new).to_owned(), span: entry.key.span }.into();
         }
     }
-    let mut renamed: BTreeMap<(usize, String), (&str, lipz_diagnostics::Span)> = BTreeMap::new();
-    for entry in entries.iter_mut().filter(|entry| entry.mark.is_some() && is_foreign(entry, keys)) {
-        let Some(source) = &entry.source else { continue };
-        let place = (entry.segment, joined(&trimmed(&source.text)));
-        let Some(new) = by_source.get(&place).copied().flatten() else { continue };
-        renamed.entry((entry.file, entry.key.text.clone())).or_insert((new, entry.key.span));
-        entry.key = Words { text: new.to_owned(), span: entry.key.span }.into();
+    found
+}
+
+/// A clip that the project does not have, and the clips that it may be now.
+struct OldClip<'c> {
+    span: Span,
+    new: Vec<&'c str>,
+}
+
+/// Clips by the source text of a segment, or of the whole clip.
+struct SourceIndex<'c> {
+    by_source: HashMap<(Option<usize>, String), Vec<&'c (String, ClipTexts)>>,
+}
+
+impl<'c> SourceIndex<'c> {
+    fn new(clips: impl Iterator<Item = &'c (String, ClipTexts)>, source_locale: &str) -> SourceIndex<'c> {
+        let mut by_source: HashMap<(Option<usize>, String), Vec<&(String, ClipTexts)>> = HashMap::new();
+        for clip in clips {
+            let Some(segments) = clip.1.get(source_locale) else { continue };
+            let parts = (1..).zip(segments).map(|(number, text)| (Some(number), text.clone()));
+            for part in parts.chain([(None, joined(segments))]) {
+                by_source.entry(part).or_default().push(clip);
+            }
+        }
+        SourceIndex { by_source }
     }
-    let report = |((file, old), (new, span)): ((usize, String), (&str, lipz_diagnostics::Span))| {
-        let (old, new) = (escape::quoted(&old), escape::quoted(new));
-        let message = format!("the clip {old} is now {new}, which has the same source text");
-        let help = "its translations are imported; export the texts again, so that the file has the new key";
-        (file, Diagnostic::at(Code::UnknownTextKey, span, message).help(help))
-    };
-    renamed.into_iter().map(report).collect()
+
+    /// Returns the keys of the clips that have the source text of an entry, and its translation at the export.
+    fn alike(&self, entry: &Entry) -> Vec<&'c str> {
+        let Some(source) = &entry.source else { return Vec::new() };
+        let place = (entry.segment, joined(&trimmed(&source.text)));
+        let clips = self.by_source.get(&place).filter(|clips| clips.len() <= MOST_ALIKE);
+        let has_translation = |clip: &&&(String, ClipTexts)| {
+            let own = clip.1.get(&*entry.locale).map_or(&[][..], Vec::as_slice);
+            let text = match entry.segment {
+                Some(number) => own.get(number.saturating_sub(1)).cloned().unwrap_or_default(),
+                None => joined(own),
+            };
+            Some(Mark::of(&text)) == entry.mark
+        };
+        clips.into_iter().flatten().filter(has_translation).map(|(key, _)| key.as_str()).collect()
+    }
 }

@@ -14,8 +14,8 @@ pub struct CharacterCues {
     pub words: usize,
     /// The number of sessions.
     pub sessions: usize,
-    /// The total length of the originals, in microseconds.
-    pub original_us: u64,
+    /// The total length of the originals whose length is known, in microseconds; `None` if that of none is.
+    pub original_us: Option<u64>,
 }
 
 impl RecordingScript {
@@ -28,7 +28,10 @@ impl RecordingScript {
             cues.lines += 1;
             cues.words += line.word_count();
             cues.sessions = cues.sessions.max(line.session);
-            cues.original_us += line.original_us.unwrap_or(0);
+            cues.original_us = match (cues.original_us, line.original_us) {
+                (Some(sum), Some(own)) => Some(sum + own),
+                (sum, own) => sum.or(own),
+            };
         }
         all.into_values().collect()
     }

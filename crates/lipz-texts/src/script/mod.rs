@@ -35,8 +35,8 @@ pub struct ScriptLine {
     pub session: usize,
     /// The length of the original, in microseconds, if it is known.
     pub original_us: Option<u64>,
-    /// The name of the sync status: `lip-sync`.
-    pub sync_status: &'static str,
+    /// The sync status: `lip-sync`; empty for an original.
+    pub sync_status: String,
     /// The allowed lengths of the recording, in microseconds; `None` for any length.
     pub allowed_us: Option<RangeInclusive<u64>>,
     /// The path of the recording.
@@ -85,5 +85,14 @@ impl RecordingScript {
 
 /// Returns microseconds as seconds with two decimals, as in a script.
 fn seconds(us: u64) -> String {
-    format!("{:.2}", us as f64 / 1e6)
+    hundredths((us + 5_000) / 10_000)
+}
+
+/// Returns a range of lengths that is inside the allowed one: `1.90 to 2.10`.
+fn seconds_within(range: &RangeInclusive<u64>) -> String {
+    format!("{} to {}", hundredths(range.start().div_ceil(10_000)), hundredths(range.end() / 10_000))
+}
+
+fn hundredths(count: u64) -> String {
+    format!("{}.{:02}", count / 100, count % 100)
 }

@@ -36,12 +36,12 @@ impl RecordingScript {
             let _ = writeln!(
                 out,
                 "<tr><th>{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-                 <td class=\"n\">{} s</td></tr>",
+                 <td class=\"n\">{}</td></tr>",
                 named(&cues.character),
                 cues.lines,
                 cues.words,
                 cues.sessions,
-                seconds(cues.original_us)
+                cues.original_us.map(|us| format!("{} s", seconds(us))).unwrap_or_default()
             );
         }
         out.push_str("</table></div>\n");
@@ -100,9 +100,9 @@ impl ScriptLine {
     }
 }
 
-/// Returns a text without `{meta}`, as actors speak it.
+/// Returns a text without `{meta}` and line breaks, as actors speak it.
 fn shown(text: &str) -> String {
-    display(text).text.trim().to_owned()
+    display(text).text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn named(character: &str) -> String {

@@ -1,6 +1,6 @@
 //! The script as a table, whose rows `lipz import texts` and `lipz import recordings` read.
 
-use super::{RecordingScript, ScriptLine, seconds};
+use super::{RecordingScript, ScriptLine, seconds, seconds_within};
 use crate::exchange::Mark;
 use crate::exchange::model::joined;
 use crate::formats::csv::{COMMENT, LOCK, TAKE};
@@ -50,7 +50,7 @@ impl ScriptLine {
             self.character.clone(),
             self.scene().to_owned(),
             self.direction(),
-            self.sync_status.to_owned(),
+            self.sync_status.clone(),
             self.original_us.map(seconds).unwrap_or_default(),
             self.allowed(),
             self.reason.clone().unwrap_or_default(),
@@ -74,8 +74,7 @@ impl ScriptLine {
 
     /// Returns the allowed lengths in seconds: `1.90 to 2.10`; empty for any length.
     pub(super) fn allowed(&self) -> String {
-        let range = self.allowed_us.as_ref();
-        range.map(|range| format!("{} to {}", seconds(*range.start()), seconds(*range.end()))).unwrap_or_default()
+        self.allowed_us.as_ref().map(seconds_within).unwrap_or_default()
     }
 
     /// Returns directions for the actor: the events, the `{meta}` of the source text, and the note.

@@ -23,7 +23,7 @@ impl RecordingScript {
         table(sheet, &self.rows())?;
         self.set_widths(sheet)?;
         let cues = self.cues().into_iter().map(|cues| {
-            let seconds = seconds(cues.original_us);
+            let seconds = cues.original_us.map(seconds).unwrap_or_default();
             vec![cues.character, cues.lines.to_string(), cues.words.to_string(), cues.sessions.to_string(), seconds]
         });
         let head = CUES.map(str::to_owned).to_vec();

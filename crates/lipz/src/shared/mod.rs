@@ -32,3 +32,4 @@ pub(crate) mod text_formats;
 pub(crate) mod text_record;
 pub(crate) mod translations;
 pub(crate) mod values;
+pub(crate) mod voices;

@@ -3,7 +3,7 @@
 use crate::reporter::{Abort, Reporter};
 use lipz_compiler::{Compiler, Input, Options};
 use lipz_file::locale::text_name;
-use lipz_texts::texts_of;
+use lipz_texts::{ClipTexts, texts_of};
 use std::collections::BTreeSet;
 
 /// Returns the locale that the texts are translated from.
@@ -29,12 +29,12 @@ pub(crate) fn locales_of(inputs: &[Input], options: &Options, source_locale: &st
     all.into_iter().filter(|locale| locale != source_locale).collect()
 }
 
-/// Returns the keys of clips, and the source texts of their segments.
-pub(crate) fn sources_of(inputs: &[Input], options: &Options, source_locale: &str) -> Vec<(String, Vec<String>)> {
+/// Returns the keys and texts of clips.
+pub(crate) fn texts_of_clips(inputs: &[Input], options: &Options) -> Vec<(String, ClipTexts)> {
     let each = Compiler::new(options.clone()).each_file(inputs, |_, bytes| {
         let document = lipz_file::parse(bytes).document.unwrap_or_default();
-        texts_of(&document, options.get_default_locale()).remove(source_locale)
+        texts_of(&document, options.get_default_locale())
     });
     let pairs = inputs.iter().zip(each);
-    pairs.filter_map(|(input, texts)| Some((input.key.clone(), texts.ok()??))).collect()
+    pairs.filter_map(|(input, texts)| Some((input.key.clone(), texts.ok()?))).collect()
 }

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
 /// The rules of pattern matching: `*` and `?` match no slash, `**` matches any folders, and letters are case-sensitive.
-const MATCHING: MatchOptions =
+pub(crate) const MATCHING: MatchOptions =
     MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: false };
 
 /// Levels of lints for the files that a pattern matches; see [`Options::file_levels`].

@@ -10,12 +10,25 @@ use toml::de::DeValue;
 const NAMED: [SyncStatus; 3] =
     [SyncStatus::LipSync, SyncStatus::TimeConstrained(SyncStatus::TIME_CONSTRAINED_PERCENT), SyncStatus::VoiceOver];
 
+const OTHERWISE: &str = "write \"lip-sync\", \"time-constrained\", \"voice-over\" for any length, or a whole number of percent from 1 to 100";
+
 impl SettingsReader<'_> {
     /// Reads the sync status of the lines whose keys match `pattern`: its name, or a number of percent.
     pub(super) fn sync_status(&mut self, pattern: &str, value: &NamedValue<'_>) {
         let status = match value.node.get_ref() {
-            DeValue::Integer(_) => value.count(&mut self.diagnostics).map(SyncStatus::TimeConstrained),
-            _ => self.named_status(value),
+            DeValue::String(_) => self.named_status(value),
+            DeValue::Integer(integer) => {
+                let percent = u32::from_str_radix(integer.as_str(), integer.radix()).ok();
+                let percent = percent.filter(|percent| (1..=100).contains(percent));
+                if percent.is_none() {
+                    self.refuse(value, "is not a percentage from 1 to 100", OTHERWISE);
+                }
+                percent.map(SyncStatus::TimeConstrained)
+            }
+            _ => {
+                self.refuse(value, "is not a sync status", OTHERWISE);
+                None
+            }
         };
         let Some(status) = status else { return };
         let statuses: &mut SyncStatuses = &mut self.settings.audio.sync_statuses;
@@ -31,8 +44,7 @@ impl SettingsReader<'_> {
         let found = NAMED.into_iter().find(|status| status.name() == text);
         if found.is_none() {
             let near = nearest(text, NAMED.map(SyncStatus::name));
-            let otherwise = "write \"lip-sync\", \"time-constrained\", \"voice-over\", or a number of percent";
-            value.refuse_unknown::<()>("is not a sync status", near, otherwise, &mut self.diagnostics);
+            value.refuse_unknown::<()>("is not a sync status", near, OTHERWISE, &mut self.diagnostics);
         }
         found
     }

@@ -88,7 +88,10 @@ impl<'t> SettingsReader<'t> {
                 }
             }
             Content::Map(map) => {
-                for (key, node) in entries {
+                // The parser sorts entries by name, but the last of several patterns applies.
+                let mut in_order: Vec<_> = entries.iter().collect();
+                in_order.sort_by_key(|(key, _)| key.span().start);
+                for (key, node) in in_order {
                     let name = dotted(table.name, key.get_ref());
                     (map.read)(key.get_ref(), &NamedValue { name, key: key.span(), node }, self);
                 }

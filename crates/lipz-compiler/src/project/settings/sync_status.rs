@@ -1,13 +1,11 @@
 //! The sync status of lines: how far the length of a dub may differ from that of its original.
 
-use glob::{MatchOptions, Pattern, PatternError};
+use crate::project::options::MATCHING;
+use glob::{Pattern, PatternError};
 use std::ops::RangeInclusive;
 
-/// The rules of pattern matching: `*` and `?` match no slash, and `**` matches any folders.
-const MATCHING: MatchOptions =
-    MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: false };
-
-/// How closely a dub must follow the time of its original, in the terms of recording studios.
+/// How closely a dub must follow the time of its original, in the terms of recording studios ("Surviving Audio
+/// Localization", Gamasutra, 2007). Studios agree on percentages for each project; these are the defaults of lipz.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum SyncStatus {
     /// The speaker's mouth is visible: within [5 percent](SyncStatus::LIP_SYNC_PERCENT).
@@ -32,6 +30,16 @@ impl SyncStatus {
             SyncStatus::LipSync => "lip-sync",
             SyncStatus::TimeConstrained(_) => "time-constrained",
             SyncStatus::VoiceOver => "voice-over",
+        }
+    }
+
+    /// Returns the name with the percentage, unless that is the default: `time-constrained (3 %)`.
+    pub fn label(self) -> String {
+        match self {
+            SyncStatus::TimeConstrained(percent) if percent != SyncStatus::TIME_CONSTRAINED_PERCENT => {
+                format!("{} ({percent} %)", self.name())
+            }
+            _ => self.name().to_owned(),
         }
     }
 
@@ -60,6 +68,7 @@ impl SyncStatus {
 /// The sync statuses of a project's lines, by patterns of the keys of their originals.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct SyncStatuses {
+    /// In the order of the file.
     patterns: Vec<(Pattern, SyncStatus)>,
 }
 

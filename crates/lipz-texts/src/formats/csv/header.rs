@@ -21,6 +21,8 @@ pub(super) struct CsvHeader {
     pub(super) dialect: CsvDialect,
     /// The columns of wanted translations, sorted by the first cell of each.
     texts: Vec<TranslationColumn>,
+    /// The locales of all columns with translations.
+    locales: Arc<[Arc<str>]>,
     /// The columns of the marks of locales.
     marks: HashMap<Arc<str>, usize>,
 }
@@ -45,7 +47,7 @@ impl CsvHeader {
         let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
         let (mut found, mut has_target) = (Vec::new(), false);
         for (at, column) in columns(&names, options).into_iter().enumerate() {
-            if let Err(why) = &column {
+            if let (Err(why), false) = (&column, options.wants_takes) {
                 has_target |= *why == NoColumn::Target;
                 let name = escape::quoted(names.get(at).copied().unwrap_or_default());
                 let (note, help) = match why {
@@ -72,7 +74,24 @@ impl CsvHeader {
             diagnostics.push(missing("the keys of clips", "name it `key`"));
             return None;
         };
-        if !found.iter().any(|column| matches!(column, CsvColumn::Text | CsvColumn::Locale(_) | CsvColumn::Take)) {
+        if options.wants_takes {
+            let takes: Vec<usize> =
+                (0..).zip(&found).filter(|(_, column)| **column == CsvColumn::Take).map(|(at, _)| at).collect();
+            match takes.as_slice() {
+                [_] => {}
+                [] => {
+                    let help = "name it `take`, or choose the takes in a script of `lipz export recording-script`";
+                    diagnostics.push(missing("the chosen takes", help));
+                    return None;
+                }
+                [_, second, ..] => {
+                    let found =
+                        Diagnostic::at(Code::ExchangeSyntax, row.span(*second), "a second column has the name `take`");
+                    diagnostics.push(found.help("delete or rename one of the two"));
+                    return None;
+                }
+            }
+        } else if !found.iter().any(|column| matches!(column, CsvColumn::Text | CsvColumn::Locale(_))) {
             let help = match has_target {
                 true => "name the locale of the column `target` with `--locale`, as in de-de",
                 false => "name each column after its locale, as in de-de",
@@ -117,6 +136,11 @@ impl CsvHeader {
         });
         let mut texts: Vec<TranslationColumn> = texts.collect();
         texts.sort_by_key(|column| column.first);
+        let locales = columns.iter().filter_map(|column| match column {
+            CsvColumn::Locale(locale) if **locale != *options.source_locale => Some(Arc::clone(locale)),
+            _ => None,
+        });
+        let locales = locales.collect();
         CsvHeader {
             key,
             source: find(&CsvColumn::Source),
@@ -127,6 +151,7 @@ impl CsvHeader {
             take: find(&CsvColumn::Take),
             dialect,
             texts,
+            locales,
             marks,
             columns,
         }
@@ -140,7 +165,8 @@ impl CsvHeader {
     /// Whether an import reads the cells of a column.
     pub(super) fn is_read(&self, at: usize, options: &ReadOptions) -> bool {
         match self.columns.get(at) {
-            None | Some(CsvColumn::Other) => false,
+            Some(column) if options.wants_takes => matches!(column, CsvColumn::Key | CsvColumn::Take),
+            None | Some(CsvColumn::Other | CsvColumn::Take) => false,
             Some(
                 CsvColumn::Locale(locale)
                 | CsvColumn::Mark(locale)
@@ -151,9 +177,9 @@ impl CsvHeader {
         }
     }
 
-    /// Returns the locale of the first column of translations.
-    pub(super) fn first_locale(&self) -> Option<Arc<str>> {
-        self.texts.first()?.locale.clone()
+    /// Returns the locales of all columns with translations.
+    pub(super) fn locales(&self) -> &Arc<[Arc<str>]> {
+        &self.locales
     }
 
     /// Returns the columns of translations that may have content in a row with so many cells. Iterating over all

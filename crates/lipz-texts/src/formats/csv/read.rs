@@ -93,11 +93,13 @@ pub(crate) struct CsvTable<'o> {
     titles: Vec<Span>,
     /// The reasons why the first row is not a header.
     first: Vec<Diagnostic>,
+    /// Whether the reason why no row is a header has been reported.
+    is_refused: bool,
 }
 
 impl<'o> CsvTable<'o> {
     pub(crate) fn new(options: &'o ReadOptions) -> CsvTable<'o> {
-        CsvTable { options, header: None, above: 0, titles: Vec::new(), first: Vec::new() }
+        CsvTable { options, header: None, above: 0, titles: Vec::new(), first: Vec::new(), is_refused: false }
     }
 
     /// Whether the columns are known.
@@ -150,6 +152,7 @@ impl<'o> CsvTable<'o> {
         if CsvHeader::names_keys(&names, self.options) {
             self.first.clear();
             incoming.diagnostics.append(&mut found);
+            self.is_refused = true;
             return false;
         }
         if self.above == 0 {
@@ -162,12 +165,16 @@ impl<'o> CsvTable<'o> {
         let goes_on = self.above <= MOST_ROWS_ABOVE;
         if !goes_on {
             incoming.diagnostics.append(&mut self.first);
+            self.is_refused = true;
         }
         goes_on
     }
 
     /// Reports the rows above the header.
     fn rows_above(&self) -> Option<Diagnostic> {
+        if self.options.wants_takes {
+            return None; // a title of the script
+        }
         let message = match self.titles.len() {
             1 => "the row above the header is not imported".to_owned(),
             count => format!("{count} rows above the header are not imported"),
@@ -177,7 +184,7 @@ impl<'o> CsvTable<'o> {
 
     /// Reports a table without a header.
     pub(crate) fn finish(&mut self, incoming: &mut IncomingFile) {
-        if self.header.is_some() {
+        if self.header.is_some() || self.is_refused {
             return;
         }
         if !self.first.is_empty() {

@@ -46,6 +46,9 @@ impl CsvRow {
     /// compared.
     pub(super) fn entries(&self, header: &CsvHeader, options: &ReadOptions, incoming: &mut IncomingFile) {
         let key = self.words(header.key);
+        if options.wants_takes {
+            return self.take(key, header, incoming);
+        }
         if key.text.is_empty() {
             if self.cells.iter().any(|cell| !cell.is_empty()) {
                 let message = "the row has no key and is not imported";
@@ -66,9 +69,6 @@ impl CsvRow {
         let own = if is_of_yarn { key.text.strip_prefix(YARN_LINE).unwrap_or(&key.text) } else { &key.text };
         let (id, segment) = entry::id(own);
         let key = Arc::new(Words { text: id.to_owned(), span: key.span });
-        if let Some(name) = header.take.map(|at| self.words(at)).filter(|take| !take.text.trim().is_empty()) {
-            incoming.takes.push(ChosenTake { key: Arc::clone(&key), locale: header.first_locale(), name });
-        }
         let entry = |column: &TranslationColumn| {
             // These do not include columns of other locales, but rows may have any locale.
             let locale = column.locale.clone().or_else(|| row_locale.clone().filter(|locale| options.wants(locale)))?;
@@ -79,6 +79,7 @@ impl CsvRow {
             }
             let state = if is_outdated { Some(State::Initial) } else { state };
             let [comments, comments_mark] = column.comments;
+            let has_comments = comments.is_some();
             let comments = comments.and_then(|at| self.cells.get(at)).into_iter().flat_map(|cell| cell.lines());
             Some(Entry {
                 key: Arc::clone(&key),
@@ -90,7 +91,8 @@ impl CsvRow {
                 text,
                 mark: self.mark(header.mark(column, &locale)),
                 comments: comments.map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect(),
-                comments_mark: self.mark(comments_mark),
+                // Without their column, no comment was deleted.
+                comments_mark: comments_mark.filter(|_| has_comments).and_then(|at| self.mark(Some(at))),
                 locale,
                 is_of_table: true,
                 ..Entry::default()
@@ -105,6 +107,20 @@ impl CsvRow {
         }
         // Columns were sorted by their marks, which may come before the texts.
         incoming.entries[before..].sort_by_key(|entry| entry.text.span);
+    }
+
+    /// Adds the chosen take of a row.
+    fn take(&self, key: Words, header: &CsvHeader, incoming: &mut IncomingFile) {
+        let Some(name) = header.take.map(|at| self.words(at)).filter(|take| !take.text.trim().is_empty()) else {
+            return;
+        };
+        if key.text.trim().is_empty() {
+            let message = "the row has a take, but no key";
+            let found = Diagnostic::at(Code::ExchangeSyntax, name.span, message);
+            incoming.diagnostics.push(found.help("write the key of the clip, or delete the take"));
+            return;
+        }
+        incoming.takes.push(ChosenTake { key: key.into(), locales: Arc::clone(header.locales()), name });
     }
 
     /// Returns the locale of the row, if a column states it.

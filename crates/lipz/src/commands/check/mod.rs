@@ -231,7 +231,11 @@ pub(crate) fn check_files(project: &Project, inputs: &[Input]) -> Vec<Report> {
             reports.extend(opened.found(checked.linted, checked.marked).reports);
             reports
         }
-        Err(_) => compiler.check(inputs).reports,
+        Err(report) => {
+            let mut reports = compiler.check(inputs).reports;
+            reports.push(report);
+            reports
+        }
     };
     lipz_diagnostics::reports::sort(&mut reports);
     reports

@@ -14,6 +14,7 @@ use lipz_texts::{Collect, Unit};
 pub(super) struct UnitFiles<'a> {
     pub(super) settings: &'a Settings,
     pub(super) record: &'a RecordFile,
+    pub(super) recordings: &'a Recordings,
     pub(super) is_quiet: bool,
 }
 
@@ -31,7 +32,7 @@ impl UnitFiles<'_> {
         (source_locale, locales): (&str, &[String]),
         reports: &mut Vec<Report>,
     ) -> Vec<Unit> {
-        let UnitFiles { settings, record, is_quiet } = *self;
+        let UnitFiles { settings, record, recordings, is_quiet } = *self;
         let options = &settings.options;
         // Files in one locale have its limits.
         let limits = match locales {
@@ -44,8 +45,6 @@ impl UnitFiles<'_> {
             .default_locale(options.get_default_locale().map(str::to_owned))
             .default_rate(options.get_default_fps().map(formats::rate))
             .limits(on_screen, limits.get_characters_per_second());
-        let (recordings, unread) = Recordings::discover_with_reports(settings);
-        reports.extend(unread);
         let bar = console::progress_bar(inputs.len(), is_quiet);
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
         let results = compiler.each_file(inputs, |input, bytes| {

@@ -2,7 +2,7 @@
 
 use crate::reporter::{CommandResult, Reporter};
 use crate::shared::input_file::{read, unreadable};
-use crate::shared::output_file;
+use crate::shared::{output_file, stdio};
 use crate::{Abort, Outcome, console};
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Diagnostic, Report};
@@ -16,6 +16,10 @@ pub(super) type VersionPaths = [PathBuf; 3];
 
 /// Merges the versions into `output`. `name` is the path of the file in the project.
 pub(super) fn run(versions: &VersionPaths, output: &Path, name: &Path, reporter: &mut Reporter) -> CommandResult {
+    if stdio::is_meant(output) {
+        let tip = "name our version, as in a merge driver of Git, or a new file";
+        return Err(reporter.usage("a merged Lipz file cannot go to standard output", tip));
+    }
     let [_, ours, _] = versions;
     let is_same =
         |other: &Path| matches!((ours.canonicalize(), other.canonicalize()), (Ok(one), Ok(other)) if one == other);

@@ -64,8 +64,8 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) -> Res
         Some(mut part) => Styles::read(&mut part)?,
         None => Styles::default(),
     };
-    let has_comments = parts.has_cell_comments();
     let mut all = Sheets::new(options);
+    all.has_comments = parts.has_cell_comments();
     for Sheet { name, path } in sheets {
         let mut part = parts.part(&path)?.ok_or("it has no sheet")?;
         let read_row = |part: &mut PartReader<'_, '_>, text: &mut String| {
@@ -73,13 +73,7 @@ fn rows(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) -> Res
         };
         all.add(name, |sheet| sheet_rows(&mut part, sheet, read_row))?;
     }
-    all.finish(incoming)?;
-    if has_comments {
-        let message = "comments on cells are not imported";
-        let help = "write comments into the column for them, such as `comment de-de`";
-        incoming.diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
-    }
-    Ok(())
+    all.finish(incoming)
 }
 
 /// Reads the rows of a sheet, one by one, until they are not needed.

@@ -21,21 +21,28 @@ pub(super) fn rows(
     while let Some(step) = part.next()? {
         if step == XmlStep::Start && part.name() == "table" {
             let name = part.attribute("name").unwrap_or_default();
-            sheets.add(name, |sheet| sheet_rows(part, sheet, most_bytes))?;
+            let mut has_comments = false;
+            sheets.add(name, |sheet| sheet_rows(part, sheet, most_bytes, &mut has_comments))?;
+            sheets.has_comments |= has_comments;
         }
     }
     sheets.finish(incoming)
 }
 
 /// Reads the rows of the table that has just begun.
-fn sheet_rows(part: &mut PartReader<'_, '_>, sheet: &mut SheetTable<'_>, most_bytes: u64) -> Result<(), Refusal> {
+fn sheet_rows(
+    part: &mut PartReader<'_, '_>,
+    sheet: &mut SheetTable<'_>,
+    most_bytes: u64,
+    has_comments: &mut bool,
+) -> Result<(), Refusal> {
     // Rows may be in groups.
     let (mut depth, mut line, mut is_needed) = (1_usize, 0_usize, true);
     while depth > 0 {
         match part.next()? {
             Some(XmlStep::Start) if part.name() == "table-row" => {
                 let repeats = repeats(part, "number-rows-repeated");
-                let row = row(part, most_bytes)?;
+                let row = row(part, most_bytes, has_comments)?;
                 let is_empty = row.iter().all(|cell| cell.text.is_empty() && cell.other_form.is_none());
                 let copies = if is_empty { 0 } else { repeats };
                 for number in line..line.saturating_add(copies) {
@@ -72,7 +79,7 @@ struct OdsCell {
 }
 
 /// Reads the row that has just begun, without the empty cells at its end.
-fn row(part: &mut PartReader<'_, '_>, most_bytes: u64) -> Result<Vec<OdsCell>, Refusal> {
+fn row(part: &mut PartReader<'_, '_>, most_bytes: u64, has_comments: &mut bool) -> Result<Vec<OdsCell>, Refusal> {
     let mut row = Vec::new();
     // Sheets end with thousands of empty cells.
     let (mut empty, mut bytes) = (0_usize, 0_u64);
@@ -80,7 +87,7 @@ fn row(part: &mut PartReader<'_, '_>, most_bytes: u64) -> Result<Vec<OdsCell>, R
         match step {
             XmlStep::Start if matches!(part.name(), "table-cell" | "covered-table-cell") => {
                 let repeats = repeats(part, "number-columns-repeated");
-                let cell = cell(part)?;
+                let cell = cell(part, has_comments)?;
                 if cell.text.is_empty() && cell.other_form.is_none() {
                     empty = empty.saturating_add(repeats);
                     continue;
@@ -106,7 +113,7 @@ fn row(part: &mut PartReader<'_, '_>, most_bytes: u64) -> Result<Vec<OdsCell>, R
 }
 
 /// Reads the cell that has just begun. A number has its stored value, other content the text that the sheet shows.
-fn cell(part: &mut PartReader<'_, '_>) -> Result<OdsCell, Refusal> {
+fn cell(part: &mut PartReader<'_, '_>, has_comments: &mut bool) -> Result<OdsCell, Refusal> {
     let kinds: Vec<String> = part.attributes("value-type").collect();
     let value = part.attribute("value");
     let other_form = match kinds.first().map(String::as_str) {
@@ -131,8 +138,11 @@ fn cell(part: &mut PartReader<'_, '_>) -> Result<OdsCell, Refusal> {
                 paragraphs += 1;
                 add_paragraph(part, &mut text)?;
             }
-            // A comment on the cell, or a picture.
-            XmlStep::Start => part.skip()?,
+            XmlStep::Start => {
+                // The others are pictures.
+                *has_comments |= part.name() == "annotation";
+                part.skip()?;
+            }
             XmlStep::End => break,
             XmlStep::Text | XmlStep::Other => {}
         }

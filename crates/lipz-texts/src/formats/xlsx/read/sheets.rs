@@ -14,11 +14,13 @@ pub(super) struct Sheets<'o> {
     first: Option<IncomingFile>,
     /// The names of other sheets with a table.
     others: Vec<String>,
+    /// Whether cells have comments.
+    pub(super) has_comments: bool,
 }
 
 impl<'o> Sheets<'o> {
     pub(super) fn new(options: &'o ReadOptions) -> Sheets<'o> {
-        Sheets { options, table: None, first: None, others: Vec::new() }
+        Sheets { options, table: None, first: None, others: Vec::new(), has_comments: false }
     }
 
     /// Adds a sheet, whose rows `read` passes on. After the first sheet with a table, only the header is needed.
@@ -44,6 +46,11 @@ impl<'o> Sheets<'o> {
     /// Returns the content of the first sheet with a table, or the problems of the first sheet.
     pub(super) fn finish(self, incoming: &mut IncomingFile) -> Result<(), Refusal> {
         *incoming = self.table.or(self.first).ok_or("it has no sheet")?;
+        if self.has_comments && !self.options.wants_takes {
+            let message = "comments on cells are not imported";
+            let help = "write comments into the column for them, such as `comment de-de`";
+            incoming.diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
+        }
         if self.others.is_empty() {
             return Ok(());
         }

@@ -1,12 +1,13 @@
 //! The lines of a recording script: their recordings, lengths and reasons to record them.
 
 use crate::shared::characters::{Spellings, first_in_key};
+use crate::shared::voices::originals;
 use clap::ValueEnum;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Input, Voices};
 use lipz_diagnostics::Report;
 use lipz_sync::{FileFacts, Recordings, SyncRecord, record_place, unapproved_with_reports};
-use lipz_texts::{ScriptLine, Unit};
+use lipz_texts::{ScriptLine, Translation, Unit};
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
@@ -23,15 +24,22 @@ pub(super) enum LineState {
     Recorded,
 }
 
+impl LineState {
+    /// Returns the name on the command line.
+    pub(super) fn name(&self) -> Option<String> {
+        self.to_possible_value().map(|value| value.get_name().to_owned())
+    }
+}
+
 /// The recordings of a project in one voice.
 pub(super) struct Lines<'s> {
     settings: &'s Settings,
     /// The spoken locale; `None` for that of the originals.
     locale: Option<&'s str>,
     voices: Voices,
-    recordings: Recordings,
-    /// The keys of all clips.
-    keys: HashSet<&'s str>,
+    recordings: &'s Recordings,
+    /// The keys of the clips that are not dubs.
+    originals: HashSet<&'s str>,
     /// The characters of the project.
     characters: Spellings,
     /// The keys of clips whose recording is older than its text.
@@ -39,48 +47,53 @@ pub(super) struct Lines<'s> {
 }
 
 impl<'s> Lines<'s> {
-    /// Finds the recordings of the voice, and compares them with the sync record.
+    /// Returns the number of originals.
+    pub(super) fn count(&self) -> usize {
+        self.originals.len()
+    }
+
+    /// Compares the recordings of the voice with the sync record.
     pub(super) fn new(
         settings: &'s Settings,
         inputs: &'s [Input],
         locale: Option<&'s str>,
+        recordings: &'s Recordings,
         reports: &mut Vec<Report>,
     ) -> Lines<'s> {
-        let (recordings, unread) = Recordings::discover_with_reports(settings);
-        reports.extend(unread);
         let voices = settings.voices();
         let mut stale = BTreeSet::new();
         match SyncRecord::read(&record_place(settings)) {
+            // Nothing is recorded yet.
+            Ok(_) if recordings.iter().next().is_none() => {}
             Ok(record) => {
                 let spoken = locale.or(voices.original.as_deref());
                 let is_meant = |key: &str, _: Option<&str>| voices.locale_of(key) == spoken;
                 let (unapproved, unread) = unapproved_with_reports(settings, inputs, &record, &is_meant, &|| ());
                 stale.extend(unapproved.into_iter().filter(|recording| recording.is_outdated).map(|one| one.key));
-                reports.extend(unread);
+                // Some of them were reported when the recordings were searched for.
+                reports.extend(unread.into_iter().filter(|report| !reports.contains(report)).collect::<Vec<_>>());
             }
             Err(report) => reports.push(report),
         }
-        let keys = inputs.iter().map(|input| input.key.as_str()).collect();
+        let originals = originals(inputs, &voices).into_iter().map(|input| input.key.as_str()).collect();
         let mut characters = Spellings::default();
         for name in settings.options.get_known_names().get_characters().into_iter().flatten() {
             characters.of(name);
         }
-        Lines { settings, locale, voices, recordings, keys, characters, stale }
+        Lines { settings, locale, voices, recordings, originals, characters, stale }
     }
 
-    /// Returns the lines of the originals among the units that are in one of these states, or all.
-    pub(super) fn of(&self, units: Vec<Unit>, states: &[LineState], reports: &mut Vec<Report>) -> Vec<ScriptLine> {
-        let is_original = |unit: &Unit| self.voices.original_of(&unit.key, |key| self.keys.contains(key)).is_none();
+    /// Returns the lines of the originals among the units, each with the state of its recording.
+    pub(super) fn of(&self, units: Vec<Unit>, reports: &mut Vec<Report>) -> Vec<(LineState, ScriptLine)> {
         let mut characters = self.characters.clone();
         for name in units.iter().flat_map(|unit| &unit.segments).filter_map(|segment| segment.speaker.as_deref()) {
             characters.of(name);
         }
         let names = characters.by_words();
-        let lines = units.into_iter().filter(is_original).filter_map(|unit| {
-            let character =
-                speakers(&unit, &characters).or_else(|| first_in_key(&unit.key, &names)).unwrap_or_default();
-            let (state, line) = self.line(unit, character, reports);
-            (states.is_empty() || states.contains(&state)).then_some(line)
+        let originals = units.into_iter().filter(|unit| self.originals.contains(unit.key.as_str()));
+        let lines = originals.map(|unit| {
+            let character = speakers(&unit, &characters).or_else(|| first_in_key(&unit.key, &names));
+            self.line(unit, character.unwrap_or_default(), reports)
         });
         lines.collect()
     }
@@ -106,13 +119,16 @@ impl<'s> Lines<'s> {
             _ => None,
         });
         let (state, reason) = match (recorded, is_too) {
+            (None, _) if unit.translations.first().is_some_and(Translation::is_empty) => {
+                (LineState::Missing, Some("not translated".to_owned()))
+            }
             (None, _) => (LineState::Missing, Some("not recorded".to_owned())),
             _ if self.stale.contains(key) => (LineState::Stale, Some("the text has changed".to_owned())),
             (Some(us), Some(how)) => (LineState::Length, Some(format!("{how} ({:.2} s)", us as f64 / 1e6))),
             _ => (LineState::Recorded, None),
         };
         let recording = self.recordings.place(key);
-        let sync_status = if self.locale.is_some() { status.name() } else { "" };
+        let sync_status = if self.locale.is_some() { status.label() } else { String::new() };
         (state, ScriptLine { unit, character, session: 1, original_us, sync_status, allowed_us, recording, reason })
     }
 }

@@ -5,20 +5,20 @@ mod lines;
 use crate::commands::Run;
 use crate::commands::export::units::UnitFiles;
 use crate::console;
-use crate::reporter::{Abort, CommandResult, Reporter};
+use crate::reporter::{CommandResult, Reporter};
 use crate::shared::inputs::find_all;
 use crate::shared::output_file::{OVERWRITE, in_the_way, may_write, refuse_source, write_all};
 use crate::shared::sources::Sources;
 use crate::shared::stdin_file::StdinFile;
 use crate::shared::stdio;
 use crate::shared::text_record::RecordFile;
-use crate::shared::translations::source_locale;
 use crate::shared::values::{parse_locale, refuse_locales};
+use crate::shared::voices::{original_locale, recordings, refuse_unknown_voice};
 use clap::{Args, ValueEnum};
 use lines::{LineState, Lines};
 use lipz_compiler::settings::Settings;
 use lipz_diagnostics::{Code, Report, escape, reports::have_errors};
-use lipz_texts::RecordingScript;
+use lipz_texts::{RecordingScript, ScriptLine, Translation};
 use std::path::{Path, PathBuf};
 
 /// Export the lines of each character as a script for recording them.
@@ -49,7 +49,7 @@ pub(crate) struct ExportRecordingScript {
     #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
     locale: Option<String>,
 
-    /// Only lines whose recording is in one of these states: missing,stale
+    /// Only lines whose recording is in one of these states, such as missing,stale,length
     #[arg(long, value_enum, value_name = "STATES", value_delimiter = ',')]
     state: Vec<LineState>,
 
@@ -86,31 +86,50 @@ impl Run for ExportRecordingScript {
         let options = &settings.options;
         refuse_locales(self.locale.iter().map(String::as_str), options, reporter)?;
         let (inputs, mut reports) = find_all(settings, reporter)?;
-        let original = settings.voices().original;
-        let source_locale = source_locale(original.as_ref(), options, reporter)?;
+        let source_locale = original_locale(settings, reporter)?;
         let locale = self.locale.as_ref().filter(|locale| **locale != source_locale).cloned();
-        self.refuse_unknown_voice(locale.as_deref(), settings, reporter)?;
+        refuse_unknown_voice(locale.as_deref(), settings, reporter)?;
+        if self.output.is_dir() {
+            let message = format!("`{}` is a folder", console::path(&self.output));
+            return Err(reporter.usage(message, "name the file of the script"));
+        }
         let (record, odd_lines) = RecordFile::open(&project, &inputs).map_err(|report| reporter.fail(report))?;
         reports.extend(odd_lines);
         let locales: Vec<String> = locale.iter().cloned().collect();
-        let files = UnitFiles { settings, record: &record, is_quiet: self.sources.is_quiet() };
+        let (recordings, unread) = recordings(settings);
+        reports.extend(unread);
+        let is_quiet = self.sources.is_quiet();
+        let files = UnitFiles { settings, record: &record, recordings: &recordings, is_quiet };
         let units = files.units(&inputs, (&source_locale, &locales), &mut reports);
-        let lines = Lines::new(settings, &inputs, locale.as_deref(), &mut reports);
+        let lines = Lines::new(settings, &inputs, locale.as_deref(), &recordings, &mut reports);
+        let of_originals = lines.of(units, &mut reports);
+        let without_text = lines.count() - of_originals.len();
+        let is_meant = |state: &LineState| self.state.is_empty() || self.state.contains(state);
         let mut script = RecordingScript {
             title: title(settings),
             source_locale,
             locale: locale.clone(),
-            lines: lines.of(units, &self.state, &mut reports),
+            lines: of_originals.into_iter().filter(|(state, _)| is_meant(state)).map(|(_, line)| line).collect(),
         };
         script.arrange(self.session_lines.map(|most| most as usize));
         if script.lines.is_empty() && !have_errors(&reports) {
-            let message =
-                if self.state.is_empty() { "no clip has a text to record" } else { "no line is to be recorded" };
+            let states: Vec<String> = self.state.iter().filter_map(LineState::name).collect();
+            let message = match states.as_slice() {
+                [] => "no clip has a text to record".to_owned(),
+                states => format!("no line is in the state {}", states.join(" or ")),
+            };
             return Err(
                 reporter.usage(message, "see the progress of the recordings with `lipz coverage --show voices`")
             );
         }
-        self.deliver(&script, reports, reporter)
+        let left_out = match without_text {
+            0 => String::new(),
+            count => {
+                let clips = console::counted(count, "clip");
+                format!("; left out {clips} without a text in {}", escape::text(&script.source_locale))
+            }
+        };
+        self.deliver(&script, &left_out, reports, reporter)
     }
 }
 
@@ -121,21 +140,14 @@ fn title(settings: &Settings) -> String {
 }
 
 impl ExportRecordingScript {
-    /// Refuses a locale without a pattern in [voices], because its recordings would have no paths.
-    fn refuse_unknown_voice(
-        &self,
-        locale: Option<&str>,
-        settings: &Settings,
-        reporter: &mut Reporter,
-    ) -> Result<(), Abort> {
-        let Some(locale) = locale.filter(|locale| !settings.audio.voices.contains_key(*locale)) else { return Ok(()) };
-        let message = format!("the project has no voice in {}", escape::text(locale));
-        let tip = format!("add it to [voices] of lipz.toml: {locale} = \"{locale}/{{key}}\"");
-        Err(reporter.usage(message, &tip))
-    }
-
     /// Writes the script, and prints a summary.
-    fn deliver(&self, script: &RecordingScript, mut reports: Vec<Report>, reporter: &mut Reporter) -> CommandResult {
+    fn deliver(
+        &self,
+        script: &RecordingScript,
+        left_out: &str,
+        mut reports: Vec<Report>,
+        reporter: &mut Reporter,
+    ) -> CommandResult {
         let name = console::path(&self.output);
         let bytes = match self.script_format {
             ScriptFormatArgument::Csv => Ok(script.csv()),
@@ -161,8 +173,13 @@ impl ExportRecordingScript {
         let written = write_all(file, &mut reports);
         let cues = script.cues();
         let words = cues.iter().map(|cues| cues.words).sum();
+        let is_untranslated = |line: &&ScriptLine| line.unit.translations.first().is_some_and(Translation::is_empty);
+        let untranslated = match script.lines.iter().filter(is_untranslated).count() {
+            0 => String::new(),
+            count => format!("; {} without a translation", console::counted(count, "line")),
+        };
         let summary = format!(
-            "{} with {} for {} written into {name}\n",
+            "{} with {} for {} written into {name}{untranslated}{left_out}\n",
             console::counted(script.lines.len(), "line"),
             console::counted(words, "word"),
             console::counted(cues.len(), "character")

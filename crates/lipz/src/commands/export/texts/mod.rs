@@ -15,10 +15,11 @@ use crate::shared::text_formats::TextFormatArgument;
 use crate::shared::text_record::RecordFile;
 use crate::shared::translations::{locales_of, source_locale};
 use crate::shared::values::{parse_locale, refuse_locales};
+use crate::shared::voices::recordings;
 use clap::{Args, ValueEnum};
 use deliver::deliver;
 use lipz_compiler::{Input, Voices};
-use lipz_diagnostics::Report;
+use lipz_diagnostics::{Report, escape};
 use lipz_texts::{Division, Exchange, Progress, Shape, Unit, WriteOptions, WriteResult, write};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -81,6 +82,18 @@ impl ExportTexts {
     /// Whether the file goes to standard output.
     pub(super) fn is_printed(&self) -> bool {
         stdio::is_meant(&self.output)
+    }
+
+    /// Refuses a namespace that Unreal or an import could not read.
+    fn refuse_namespace(&self, reporter: &mut Reporter) -> Result<(), Abort> {
+        let Some(name) = &self.namespace else { return Ok(()) };
+        if !name.is_empty() && name.trim().is_empty() || name.contains(|c: char| c == '\\' || c.is_control()) {
+            let message = format!("{} cannot be a namespace", escape::quoted(name));
+            return Err(
+                reporter.usage(message, "write the name of the string table, without backslashes and line breaks")
+            );
+        }
+        Ok(())
     }
 
     /// Refuses flags that have no effect for the format.
@@ -235,6 +248,7 @@ impl Run for ExportTexts {
 fn run(arguments: &ExportTexts, reporter: &mut Reporter) -> CommandResult {
     refuse_source(&arguments.output, reporter)?;
     arguments.refuse_idle_flags(reporter)?;
+    arguments.refuse_namespace(reporter)?;
     arguments.stdin.apply(arguments.sources.paths(), reporter)?;
     let project = arguments.sources.project(reporter)?;
     let options = &project.settings.options;
@@ -259,7 +273,10 @@ fn run(arguments: &ExportTexts, reporter: &mut Reporter) -> CommandResult {
         }
         Err(report) => return Err(reporter.fail(report)),
     };
-    let files = UnitFiles { settings: &project.settings, record: &record, is_quiet: arguments.sources.is_quiet() };
+    let (recordings, unread) = recordings(&project.settings);
+    reports.extend(unread);
+    let is_quiet = arguments.sources.is_quiet();
+    let files = UnitFiles { settings: &project.settings, record: &record, recordings: &recordings, is_quiet };
     let units = files.units(&inputs, (&source_locale, &locales), &mut reports);
     let left_out = LeftOut::count(&inputs, &units, &project.settings.voices());
     let mut exchange = Exchange { source_locale, locales, units };

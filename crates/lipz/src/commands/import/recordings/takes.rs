@@ -1,18 +1,38 @@
 //! The files of takes, found by number or by name.
 
 use crate::console;
-use lipz_compiler::settings::sound_rank;
-use lipz_diagnostics::escape;
+use lipz_compiler::key::folded;
+use lipz_compiler::settings::without_extension;
+use lipz_diagnostics::{DiagnosticsError, escape};
+use lipz_sync::Recordings;
+use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
-/// Words before the number of a take in the name of its file.
+/// Words before the number of a take.
 const TAKE_WORDS: [&str; 3] = ["take", "tk", "t"];
 
-/// The sound files below a folder, sorted by path.
+/// The most takes of a line that a message names.
+const NAMED: usize = 5;
+
+/// The sound files below a folder, and the lines that they are takes of.
 pub(super) struct TakeFiles {
     folder: PathBuf,
-    paths: Vec<PathBuf>,
+    files: Vec<TakeFile>,
+    /// By the name and number of a take: the indices of its files.
+    by_number: HashMap<(String, u32), Vec<usize>>,
+    /// By the last part of a path: the indices of files.
+    by_name: HashMap<String, Vec<usize>>,
+    /// By the last part of a key: the folders of all clips with it.
+    scenes: HashMap<String, BTreeSet<String>>,
+}
+
+/// A sound file.
+struct TakeFile {
+    path: PathBuf,
+    /// The path below the folder, as it is shown.
+    shown: String,
+    /// The same without extension, for comparison.
+    name: String,
 }
 
 /// The reason why a take was not found.
@@ -22,77 +42,163 @@ pub(super) struct NoTake {
 }
 
 impl TakeFiles {
-    /// Finds all sound files below a folder.
-    pub(super) fn below(folder: &Path) -> io::Result<TakeFiles> {
-        let (mut paths, mut folders) = (Vec::new(), vec![folder.to_owned()]);
-        while let Some(folder) = folders.pop() {
-            for entry in fs::read_dir(folder)? {
-                let entry = entry?;
-                // Links are not followed, so that they cannot lead into a circle.
-                match entry.file_type()? {
-                    kind if kind.is_dir() => folders.push(entry.path()),
-                    kind if kind.is_file() && sound_rank(&entry.path()).is_some() => paths.push(entry.path()),
-                    _ => {}
-                }
+    /// Finds all sound files below a folder. `keys` are those of all clips.
+    pub(super) fn below<'k>(
+        folder: &Path,
+        keys: impl IntoIterator<Item = &'k str>,
+    ) -> Result<TakeFiles, DiagnosticsError> {
+        let found = Recordings::below(folder)?;
+        let file = |(name, path): (&str, &Path)| TakeFile {
+            path: path.to_owned(),
+            shown: path.strip_prefix(folder).unwrap_or(path).to_string_lossy().replace('\\', "/"),
+            name: folded(name),
+        };
+        let mut files = TakeFiles {
+            folder: folder.to_owned(),
+            files: found.iter().map(file).collect(),
+            by_number: HashMap::new(),
+            by_name: HashMap::new(),
+            scenes: HashMap::new(),
+        };
+        for (at, file) in files.files.iter().enumerate() {
+            let stem = last(&file.name);
+            files.by_name.entry(stem.to_owned()).or_default().push(at);
+            if let Some((line, number)) = take_of(stem) {
+                files.by_number.entry((line.to_owned(), number)).or_default().push(at);
             }
         }
-        paths.sort_unstable();
-        Ok(TakeFiles { folder: folder.to_owned(), paths })
+        for key in keys.into_iter().map(folded) {
+            files.scenes.entry(last(&key).to_owned()).or_default().insert(scene(&key).to_owned());
+        }
+        Ok(files)
     }
 
-    /// Returns the file of a clip's take: `take` is its number, or the name or path of a file.
-    pub(super) fn find(&self, take: &str, key: &str) -> Result<PathBuf, NoTake> {
-        let number = take.trim_end_matches(".0").parse::<u32>().ok();
-        let line = key.rsplit('/').next().unwrap_or(key);
-        let found: Vec<&PathBuf> = match number {
-            Some(number) => self.paths.iter().filter(|path| is_take(path, line, number)).collect(),
-            None => self.paths.iter().filter(|path| self.is_named(path, take)).collect(),
+    /// Returns the file of a clip's take: `cell` is its number, or the name or path of a file.
+    pub(super) fn find(&self, cell: &str, key: &str) -> Result<PathBuf, NoTake> {
+        let (compared, number) = (folded(key), number_in(cell));
+        let found: Vec<&TakeFile> = match number {
+            Some(number) => self.of_number(last(&compared), number, scene(&compared)),
+            None => self.named(cell),
         };
-        // Lines in different folders may have the same name.
-        let scene = key.rsplit_once('/').map(|(scene, _)| scene);
-        let of_scene: Vec<&PathBuf> = found.iter().filter(|path| self.is_in(path, scene)).copied().collect();
         let what = match number {
             Some(number) => format!("take {number} of {}", escape::quoted(key)),
-            None => format!("the take {} of {}", escape::quoted(take), escape::quoted(key)),
+            None => format!("the take {} of {}", escape::quoted(cell), escape::quoted(key)),
         };
-        match (found.as_slice(), of_scene.as_slice()) {
-            ([only], _) | (_, [only]) => Ok((*only).clone()),
-            ([], _) => Err(NoTake {
-                message: format!("{what} is missing in {}", console::path(&self.folder)),
-                help: format!(
-                    "name the file `{}_{take}`, with the extension of a recording, or write the name of the file into the cell",
-                    escape::text(line)
-                ),
+        let folder = console::path(&self.folder);
+        match found.as_slice() {
+            [only] => Ok(only.path.clone()),
+            [] => Err(NoTake {
+                message: format!("{what} is missing in {folder}"),
+                help: self.help_for(key, number, &folder),
             }),
-            ([first, second, ..], _) => Err(NoTake {
-                message: format!("{what} may be `{}` or `{}`", console::path(first), console::path(second)),
-                help: "write the path of the file into the cell".to_owned(),
+            several => Err(NoTake {
+                message: format!("{what} may be {}", listed(several)),
+                help: format!("write the path of the file below {folder} into the cell"),
             }),
         }
     }
 
-    /// Whether a path, or the end of it, has this name, with or without extension.
-    fn is_named(&self, path: &Path, name: &str) -> bool {
-        let below = path.strip_prefix(&self.folder).unwrap_or(path);
-        let name = Path::new(name);
-        below.ends_with(name) || below.with_extension("").ends_with(name)
+    /// Returns the files of a take. Those in the folder of the line's scene come first, and those in the folder of a
+    /// different line with the same name do not count.
+    fn of_number(&self, line: &str, number: u32, own: &str) -> Vec<&TakeFile> {
+        let found = self.by_number.get(&(line.to_owned(), number)).into_iter().flatten();
+        let found: Vec<&TakeFile> = found.filter_map(|at| self.files.get(*at)).collect();
+        let of_scene: Vec<&TakeFile> = found.iter().filter(|file| file.is_in(own)).copied().collect();
+        if !of_scene.is_empty() {
+            return of_scene;
+        }
+        let others = || self.scenes.get(line).into_iter().flatten().filter(|scene| *scene != own);
+        found.into_iter().filter(|file| !others().any(|scene| file.is_in(scene))).collect()
     }
 
-    /// Whether a path is in the folder of a scene.
-    fn is_in(&self, path: &Path, scene: Option<&str>) -> bool {
-        let folder = path.strip_prefix(&self.folder).unwrap_or(path).parent();
-        scene.zip(folder).is_some_and(|(scene, folder)| folder.ends_with(scene))
+    /// Returns the files whose path below the folder, or the end of it, is this name, with or without extension.
+    fn named(&self, cell: &str) -> Vec<&TakeFile> {
+        let slashed = cell.replace('\\', "/");
+        let name = folded(without_extension(slashed.trim_start_matches("./")));
+        let at = self.by_name.get(last(&name)).into_iter().flatten();
+        let files: Vec<&TakeFile> = at.filter_map(|at| self.files.get(*at)).collect();
+        if let Some(exact) = files.iter().find(|file| file.name == name) {
+            return vec![*exact];
+        }
+        let is_end = |file: &&TakeFile| file.name.strip_suffix(&name).is_some_and(|rest| rest.ends_with('/'));
+        files.into_iter().filter(is_end).collect()
+    }
+
+    /// Returns the help for a missing take of a line.
+    fn help_for(&self, key: &str, number: Option<u32>, folder: &str) -> String {
+        let line = folded(last(key));
+        let is_of_line = |file: &&TakeFile| take_of(last(&file.name)).is_some_and(|(name, _)| name == line);
+        let known: Vec<&TakeFile> = self.files.iter().filter(is_of_line).collect();
+        match number {
+            _ if !known.is_empty() => format!("the folder has these takes of the line: {}", listed(&known)),
+            Some(number) => {
+                let name = escape::text(last(key));
+                format!(
+                    "name the file `{name}_{number}`, with the extension of a recording, or write its name into the cell"
+                )
+            }
+            None => format!("copy the file into {folder}, or correct the cell"),
+        }
     }
 }
 
-/// Whether a file is the take of a line with this number: `mayor_3.wav`, `mayor-take03.wav`.
-fn is_take(path: &Path, line: &str, number: u32) -> bool {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy().to_lowercase();
-    let Some(rest) = stem.strip_prefix(&line.to_lowercase()) else { return false };
-    let is_separator = |character: char| matches!(character, '_' | '-' | ' ' | '.' | '(' | ')');
-    let rest = rest.trim_matches(is_separator);
-    let digits = TAKE_WORDS.iter().find_map(|word| rest.strip_prefix(word)).unwrap_or(rest);
-    digits.trim_start_matches(is_separator).parse() == Ok(number)
+impl TakeFile {
+    /// Whether the file is in the folder of a scene.
+    fn is_in(&self, scene: &str) -> bool {
+        let folder = self::scene(&self.name);
+        !scene.is_empty() && folder.strip_suffix(scene).is_some_and(|rest| rest.is_empty() || rest.ends_with('/'))
+    }
+}
+
+/// Returns the first few paths for a message.
+fn listed(files: &[&TakeFile]) -> String {
+    let names: Vec<String> = files.iter().take(NAMED).map(|file| format!("`{}`", escape::text(&file.shown))).collect();
+    match files.len().saturating_sub(NAMED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names.join(", ")),
+    }
+}
+
+/// Returns the last part of a path or key.
+fn last(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or(path)
+}
+
+/// Returns the folder of a path or key; empty if it has none.
+fn scene(path: &str) -> &str {
+    path.rsplit_once('/').map_or("", |(folder, _)| folder)
+}
+
+fn is_separator(character: char) -> bool {
+    matches!(character, '_' | '-' | ' ' | '.' | '(' | ')' | '#')
+}
+
+/// Returns the line and the number of a take from the name of its file, in lower case: `mayor_3`, `mayor-take03`. A
+/// number without a separator belongs to the name of the line: `line12`.
+fn take_of(stem: &str) -> Option<(&str, u32)> {
+    let stem = stem.trim_end_matches(is_separator);
+    let before = stem.trim_end_matches(|digit: char| digit.is_ascii_digit());
+    let number = stem.get(before.len()..)?.parse().ok()?;
+    let rest = before.trim_end_matches(is_separator);
+    let ends_in_separator = |text: &str| text.ends_with(is_separator);
+    let with_word = TAKE_WORDS.iter().find_map(|word| rest.strip_suffix(word).filter(|line| ends_in_separator(line)));
+    let line = match with_word {
+        Some(line) => line,
+        None => Some(before).filter(|before| ends_in_separator(before))?,
+    };
+    Some((line.trim_end_matches(is_separator), number))
+}
+
+/// Returns the number of a take that a cell states: `3`, `3.0`, `take 3`, `#3`.
+fn number_in(cell: &str) -> Option<u32> {
+    let cell = cell.trim().to_lowercase();
+    let cell = cell.strip_suffix(".0").unwrap_or(&cell);
+    let rest = TAKE_WORDS.iter().find_map(|word| cell.strip_prefix(word)).unwrap_or(cell);
+    let rest = rest.trim_start_matches(is_separator);
+    let is_number = !rest.is_empty() && rest.bytes().all(|digit| digit.is_ascii_digit());
+    // A negative number is a mistake.
+    let is_negative = cell.starts_with('-');
+    if is_number && !is_negative { rest.parse().ok() } else { None }
 }
 
 #[cfg(test)]
@@ -100,15 +206,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn takes_are_found_by_number_in_all_usual_names() {
-        for name in
-            ["mayor_3.wav", "Mayor-take03.flac", "mayor 3.ogg", "mayor.t3.wav", "mayor (3).mp3", "mayor_tk-3.wav"]
-        {
-            assert!(is_take(Path::new(name), "mayor", 3), "{name}");
-            assert!(!is_take(Path::new(name), "mayor", 13), "{name}");
+    fn files_are_takes_of_lines_in_all_usual_names() {
+        for stem in ["mayor_3", "mayor-take03", "mayor 3", "mayor.t3", "mayor (3)", "mayor_tk-3", "mayor #3"] {
+            assert_eq!(take_of(stem), Some(("mayor", 3)), "{stem}");
         }
-        for name in ["mayor.wav", "mayor_x3.wav", "major_3.wav", "mayor-2-3.wav"] {
-            assert!(!is_take(Path::new(name), "mayor", 3), "{name}");
+        assert_eq!(take_of("line_12"), Some(("line", 12)), "not take 2 of `line_1`");
+        assert_eq!(take_of("line_1_2"), Some(("line_1", 2)));
+        for stem in ["mayor", "mayor3", "intake3", "mayor_x", "3"] {
+            assert_eq!(take_of(stem), None, "{stem}");
+        }
+    }
+
+    #[test]
+    fn cells_state_numbers_in_several_ways() {
+        for cell in ["3", " 3 ", "3.0", "03", "take 3", "Take3", "T3", "#3"] {
+            assert_eq!(number_in(cell), Some(3), "{cell}");
+        }
+        for cell in ["-3", "3.5", "mayor_3", "3/4", "", "t", "99999999999"] {
+            assert_eq!(number_in(cell), None, "{cell}");
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::shared::run_flags::QuietFlag;
 use crate::shared::settings_file::{Project, SettingsFile};
 use crate::shared::stdin_file::StdinFile;
 use crate::shared::text_record::RecordFile;
-use crate::shared::translations::{locales_of, source_locale, sources_of};
+use crate::shared::translations::{locales_of, source_locale, texts_of_clips};
 use crate::shared::values::{parse_locale, refuse_locales};
 use clap::{Args, ValueEnum};
 use lipz_compiler::{Compiler, Content, Input};
@@ -137,8 +137,8 @@ fn run(arguments: &ImportTexts, reporter: &mut Reporter) -> CommandResult {
     let mut entries = std::mem::take(&mut incoming.entries);
     resolve_keys(&mut entries, &keys);
     if entries.iter().any(|entry| !keys.contains(entry.key.text.as_str())) {
-        let sources = sources_of(&inputs, options, &source_locale);
-        incoming.found.extend(follow_renamed_clips(&mut entries, &keys, &sources));
+        let clips = texts_of_clips(&inputs, options);
+        incoming.found.extend(follow_renamed_clips(&mut entries, &keys, &source_locale, &clips));
     }
     let by_text = arguments.by_text.then(|| TextTranslations::new(&entries, &keys));
     let (by_text, found) =
@@ -218,7 +218,10 @@ impl ImportTexts {
             }
         }
         reports.extend(unwritten);
-        let (placed, others) = new_problems(project, changed, translations.entries().chain(&used));
+        let (placed, others) = match self.check {
+            true => new_problems(project, changed, translations.entries().chain(&used)),
+            false => (Vec::new(), Vec::new()),
+        };
         // The merge has reported some of them.
         let place = |(file, found): &(usize, Diagnostic)| {
             (*file, found.code, found.primary.as_ref().map(|label| label.span), found.message.clone())
@@ -264,7 +267,7 @@ fn remember(mut file: RecordFile, source_locale: &str, clips: &[ToRecord]) -> Re
     let mut message = String::new();
     if commented > 0 {
         let clips = console::counted(commented, "clip");
-        message = format!("comments of translators on {clips} recorded in {}\n", file.shown());
+        message = format!("comments of translators on {clips} updated in {}\n", file.shown());
     }
     if is_written && !file.exists() {
         message += &file.introduction();

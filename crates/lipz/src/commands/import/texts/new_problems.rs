@@ -2,18 +2,19 @@
 
 use crate::commands::check::check_files;
 use crate::shared::settings_file::Project;
+use crate::shared::translations::texts_of_clips;
 use lipz_compiler::{Content, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, Span};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Value, text};
-use lipz_texts::Entry;
+use lipz_texts::{ClipTexts, Entry, texts_of};
 use std::collections::HashMap;
 
 /// The problems, each with the number of its file, and the reports about other parts of the clips.
 type NewProblems = (Vec<(usize, Diagnostic)>, Vec<Report>);
 
-/// Returns the problems of clips after an import that they do not have before it. Each changed clip comes with its new
-/// text.
+/// Returns the problems of clips after an import: all those of texts that the import changes, and those of other parts that
+/// the clips do not have before it. Each changed clip comes with its new text.
 pub(super) fn new_problems<'e>(
     project: &Project,
     changed: Vec<(Input, String)>,
@@ -27,6 +28,7 @@ pub(super) fn new_problems<'e>(
     });
     let after: Vec<Input> = after.collect();
     let mut known: HashMap<(String, Code, String), usize> = HashMap::new();
+    let texts = texts_of_clips(&before, &project.settings.options).into_iter().collect();
     for report in check_files(project, &before) {
         for old in report.diagnostics {
             *known.entry((report.source.path.clone(), old.code, old.message)).or_default() += 1;
@@ -36,13 +38,18 @@ pub(super) fn new_problems<'e>(
     let (mut placed, mut others) = (Vec::new(), Vec::new());
     for mut report in check_files(project, &after) {
         let path = report.source.path.clone();
-        report.diagnostics.retain(|new| !is_known(&mut known, &path, new));
         let key = keys.get(&path).map_or("", String::as_str);
         let bytes = report.source.text.as_bytes();
         let document = lipz_file::parse(bytes).document.unwrap_or_default();
         let default_locale = project.settings.options.get_default_locale();
+        let now = texts_of(&document, default_locale);
         report.diagnostics.retain(|new| {
             let place = new.primary.as_ref().and_then(|label| text_place(&document, label.span, default_locale));
+            let is_changed = place.as_ref().is_some_and(|place| segment_of(&texts, key, place) != segment(&now, place));
+            // The import will record the source texts.
+            if new.code == Code::StaleTranslation || !is_changed && is_known(&mut known, &path, new) {
+                return false;
+            }
             let entry = place.and_then(|(locale, segment)| entry_of(by_key.get(key)?, &locale, segment));
             if let Some(entry) = entry {
                 placed.push((entry.file, at_entry(new, entry, &path)));
@@ -56,12 +63,18 @@ pub(super) fn new_problems<'e>(
 
 /// Takes a problem from those before the import, if it is one of them.
 fn is_known(known: &mut HashMap<(String, Code, String), usize>, path: &str, new: &Diagnostic) -> bool {
-    // The import will record the source texts.
-    if new.code == Code::StaleTranslation {
-        return true;
-    }
     let count = known.get_mut(&(path.to_owned(), new.code, new.message.clone()));
     count.filter(|count| **count > 0).map(|count| *count -= 1).is_some()
+}
+
+/// Returns a segment of a clip before the import.
+fn segment_of<'t>(clips: &'t HashMap<String, ClipTexts>, key: &str, place: &(String, usize)) -> Option<&'t String> {
+    segment(clips.get(key)?, place)
+}
+
+/// Returns the segment with this locale and this number, from 1.
+fn segment<'t>(texts: &'t ClipTexts, (locale, number): &(String, usize)) -> Option<&'t String> {
+    texts.get(locale)?.get(number.saturating_sub(1))
 }
 
 fn by_key<'e>(entries: impl Iterator<Item = &'e Entry>) -> HashMap<&'e str, Vec<&'e Entry>> {
