@@ -31,7 +31,7 @@ init -100 python in lipz:
             raise Exception("lipz: `game/%s` is missing. Write it with `lipz pack -o game/%s`." % (bank_file, bank_file))
         from lipz_reader import Bank
         with renpy.file(bank_file) as file:
-            return Bank(file.read())
+            return Bank(file.read()).verify_checksum()
 
     def clip():
         """Returns the clip of the voice that plays, or None."""

@@ -1,6 +1,7 @@
 """The damaged banks of fixtures/banks/damaged.txt. Damage never causes anything but the documented error."""
 
 import os
+import tempfile
 import unittest
 
 import fixtures
@@ -175,6 +176,21 @@ class Damaged(unittest.TestCase):
         for name in names:
             with self.subTest(name), self.assertRaises(BankError):
                 open_bank(os.path.join(folder, name))
+
+    def test_damage_inside_a_file_is_an_error_of_open_bank(self):
+        names = ("split.lipzbank", "split.de-de.lipztexts", "split.en-us.lipztexts")
+        for damaged in names:
+            with self.subTest(damaged), tempfile.TemporaryDirectory() as folder:
+                paths = [os.path.join(folder, name) for name in names]
+                for name, path in zip(names, paths):
+                    data = bytearray(fixtures.bank_bytes(name))
+                    # The last byte is one of the contents, which only the checksum covers.
+                    data[-1] ^= 1 if name == damaged else 0
+                    with open(path, "wb") as file:
+                        file.write(data)
+                with self.assertRaises(BankError) as caught:
+                    open_bank(*paths)
+                self.assertEqual((caught.exception.kind, caught.exception.offset_bytes), ("Checksum", 8))
 
     def test_errors_have_codes(self):
         with self.assertRaises(BankError) as caught:

@@ -127,6 +127,19 @@ class WithStandIns(unittest.TestCase):
         self.engine.store._preferences.language = "german"
         self.assertEqual(lipz.clip().key, "de/aye")
 
+    def test_a_damaged_bank_is_an_error(self):
+        with open(game.BANK, "rb") as file:
+            data = bytearray(file.read())
+        # A byte inside, which only the checksum covers.
+        data[-1] ^= 1
+        with tempfile.TemporaryDirectory() as folder:
+            self.engine.files["dialogue.lipzbank"] = path = os.path.join(folder, "damaged.lipzbank")
+            with open(path, "wb") as file:
+                file.write(data)
+            with self.assertRaises(reader.BankError) as caught:
+                self.engine.run()
+        self.assertEqual(caught.exception.kind, "Checksum")
+
     def test_a_missing_bank_is_explained(self):
         self.engine.files.clear()
         with self.assertRaisesRegex(Exception, "lipz pack -o game/dialogue.lipzbank"):

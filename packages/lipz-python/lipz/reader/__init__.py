@@ -69,7 +69,7 @@ def open_bank(path: str, *texts: str) -> Bank:
     Raises BankError if a file is not a bank or is damaged, and OSError if it cannot be read.
     """
     bank = Bank(_read(path)).verify_checksum()
-    return bank.with_texts(*map(_read, texts)) if texts else bank
+    return bank.with_texts(*map(_read, texts), verify_checksums=True) if texts else bank
 
 
 def _read(path: str) -> bytes:

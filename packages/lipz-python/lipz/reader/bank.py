@@ -6,7 +6,6 @@ import struct
 
 from .articulation import DEFAULT_ARTICULATION, ArticulationProfile, profiles_in
 from .babble import DEFAULT_BABBLE, Babble, babbles_in
-from .checksum import checksum_of
 from .clip import Clip
 from .curves import CurveTable
 from .errors import BankError
@@ -84,24 +83,26 @@ class Bank:
 
         Raises BankError if the file was changed or damaged.
         """
-        if checksum_of(self._file.view) != self._file.checksum:
-            raise BankError("Checksum", 8)
+        self._file.verify_checksum()
         return self
 
-    def with_texts(self, *files: Buffer) -> Bank:
+    def with_texts(self, *files: Buffer, verify_checksums: bool = False) -> Bank:
         """Returns the bank with the texts of these text banks instead of its own texts.
 
-        Raises BankError if a file is damaged or belongs to different clips.
+        Checks the header and the directory of each file, and with `verify_checksums` also its checksum. Raises
+        BankError if a file is damaged or belongs to different clips.
         """
         bank = Bank(self._file.view)
-        bank._texts = [self._texts_in(data) for data in files]
+        bank._texts = [self._texts_in(data, verify_checksums) for data in files]
         return bank
 
-    def _texts_in(self, data: Buffer) -> LocaleTable:
+    def _texts_in(self, data: Buffer, verifies_checksum: bool) -> LocaleTable:
         file = File(data)
         sections = file.find(REQUIRED_OF_TEXTS if file.has_texts_only else REQUIRED)
         if file.fingerprint != self.fingerprint:
             raise BankError("OtherClips", 24)
+        if verifies_checksum:
+            file.verify_checksum()
         return LocaleTable(sections, max(len(self.starts) - 1, 0))
 
     @property

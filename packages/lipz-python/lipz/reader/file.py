@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 
+from .checksum import checksum_of
 from .errors import BankError
 
 MAGIC = b"\x89LPZ\r\n\x1a\n"
@@ -64,6 +65,14 @@ class File:
     def has_texts_only(self) -> bool:
         """Whether the file starts like a text bank."""
         return bool(self.directory) and self.directory[0][0] == b"NAME"
+
+    def verify_checksum(self) -> None:
+        """Compares the checksum with the bytes.
+
+        Raises BankError if the file was changed or damaged.
+        """
+        if checksum_of(self.view) != self.checksum:
+            raise BankError("Checksum", 8)
 
     def find(self, required: tuple[tuple[bytes, int], ...]) -> dict[bytes, memoryview]:
         """Returns the contents of the required sections, which must be in this order, with the others between them.
