@@ -9,8 +9,10 @@ namespace Lipz
         private byte[] bytes;
 
         /// <summary>Makes an asset from the bytes of a text bank, for example of a download.</summary>
+        /// <exception cref="BankException">The bytes are not a text bank, or they are damaged.</exception>
         public static LipzTexts From(byte[] bytes)
         {
+            Bank.VerifyTexts(bytes);
             var asset = CreateInstance<LipzTexts>();
             asset.bytes = bytes;
             return asset;

@@ -24,19 +24,26 @@ namespace Lipz.UnityTests
             split.Add(texts);
             Stage.Equal("de-de", split.Bank.Locales[0].Tag);
 
+            CheckDamaged(new LipzBankImporter(), Stage.PathOf(fixtures, "small"));
+            CheckDamaged(new LipzTextsImporter(), textsPath);
+            Stage.Equal("TextsOnly", Import(new LipzBankImporter(), textsPath).Errors[0].Split('(')[1].Split(' ')[0]);
+            return count + " banks, 1 text bank, 3 errors";
+        }
+
+        /// <summary>A byte inside the file has changed, which only the checksum covers.</summary>
+        private static void CheckDamaged(ScriptedImporter importer, string path)
+        {
             string damaged = Path.GetTempFileName();
-            byte[] bytes = File.ReadAllBytes(Stage.PathOf(fixtures, "small"));
+            byte[] bytes = File.ReadAllBytes(path);
             bytes[bytes.Length - 1] ^= 1;
             File.WriteAllBytes(damaged, bytes);
-            AssetImportContext bad = Import(new LipzBankImporter(), damaged);
+            AssetImportContext bad = Import(importer, damaged);
             File.Delete(damaged);
             Stage.Equal(true, bad.mainObject == null);
             Stage.Equal(
                 damaged + ": the checksum does not match: the file was changed or damaged (Checksum at byte 8); "
                     + "copy the file again, or pack it again",
                 bad.Errors[0]);
-            Stage.Equal("TextsOnly", Import(new LipzBankImporter(), textsPath).Errors[0].Split('(')[1].Split(' ')[0]);
-            return count + " banks, 1 text bank, 2 errors";
         }
 
         private static AssetImportContext Import(ScriptedImporter importer, string path)

@@ -69,7 +69,22 @@ namespace Lipz
             file.VerifyChecksum();
         }
 
-        /// <summary>Adds the locales of a text bank (<c>.lipztexts</c>) that was packed with this bank.</summary>
+        /// <summary>
+        /// Checks the header and the directory of a text bank (<c>.lipztexts</c>), and compares its checksum with all
+        /// bytes.
+        /// </summary>
+        /// <exception cref="BankException">The bytes are not a text bank, or they are damaged.</exception>
+        public static void VerifyTexts(byte[] bytes)
+        {
+            var texts = new BankFile(bytes);
+            texts.CheckDirectory();
+            texts.VerifyChecksum();
+        }
+
+        /// <summary>
+        /// Adds the locales of a text bank (<c>.lipztexts</c>) that was packed with this bank. Checks its header and
+        /// its directory; for files that were downloaded, call <see cref="VerifyTexts"/> first.
+        /// </summary>
         /// <exception cref="BankException">The bytes are not its texts, or they are damaged.</exception>
         public void OpenTexts(byte[] bytes)
         {
