@@ -11,7 +11,7 @@ pub enum LipzError {
     /// The bank did not load: its file is missing or damaged. If an earlier version is loaded, it continues to play.
     Bank {
         /// The reason, such as "the checksum does not match: the file was changed or damaged (bank error 12, at byte
-        /// 16)".
+        /// 8)".
         reason: String,
     },
     /// The bank does not contain the clip.

@@ -134,7 +134,9 @@ impl LipzPlayer {
         self
     }
 
-    /// Starts a clip from its beginning, also if it is the one that plays.
+    /// Starts a clip from its beginning, also if it is the one that plays. Discards a [`skip`](LipzPlayer::skip) in the
+    /// same rendered frame. To skip a line and then start the next one, call `play` when
+    /// [`LipzFinished`](crate::LipzFinished) is triggered.
     pub fn play(&mut self, clip: impl Into<String>) {
         self.clip = clip.into();
         self.state.request = Some(Request::Start { at: Duration::ZERO });
@@ -149,7 +151,9 @@ impl LipzPlayer {
         };
     }
 
-    /// Ends the line, and triggers its remaining events, so that lasting emotions take effect.
+    /// Ends the line in the next rendered frame, and triggers its remaining events, so that lasting emotions take
+    /// effect. A [`play`](LipzPlayer::play), [`seek`](LipzPlayer::seek) or [`stop`](LipzPlayer::stop) before that
+    /// discards the call.
     pub fn skip(&mut self) {
         self.state.request = Some(Request::Skip);
     }
@@ -174,7 +178,7 @@ impl LipzPlayer {
         self.state.line.as_ref().is_some_and(|line| line.time().is_some())
     }
 
-    /// Returns the subtitle to show; empty if there is none.
+    /// Returns the subtitle to show, which may be empty.
     pub fn subtitle(&self) -> &str {
         self.state.line.as_ref().map_or("", Line::subtitle)
     }
@@ -200,7 +204,7 @@ impl LipzPlayer {
 
 #[cfg(feature = "audio")]
 impl LipzPlayer {
-    /// Takes the reading of the recording; `None` if there is no sink.
+    /// Takes the reading of the recording; `None` without a sink.
     pub(crate) fn hear(&mut self, reading: Option<ClockReading>) {
         let had_sink = self.state.recording.has_sink;
         let without = if had_sink { ClockReading::Ended } else { ClockReading::Waiting };
