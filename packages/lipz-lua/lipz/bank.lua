@@ -35,7 +35,8 @@ function Bank.open(data)
   return bank
 end
 
---- Opens a text bank, the texts of more locales, from its bytes. Returns the bank, or nil and an error.
+--- Opens a text bank, the texts of more locales, from its bytes. Checks the header and the directory. Returns the bank,
+-- or nil and an error.
 function Bank:open_texts(data)
   local opened, message, problem = file.open(data)
   if not opened then return nil, message, problem end

@@ -2,6 +2,7 @@
 -- with LuaJIT, and 2 or 3 seconds without, so check banks that were downloaded, not those that you ship.
 
 local bytes = require("lipz.bytes")
+local file = require("lipz.file")
 local refuse = require("lipz.error")
 local u64 = require("lipz.u64")
 local Bank = require("lipz.bank")
@@ -65,13 +66,24 @@ local function checksum(data, first)
   return fold(high, low, 32)
 end
 
+local function is_intact(whole)
+  local high, low = checksum(whole.data, FIRST)
+  return bytes.u32(whole, CHECKSUM_OFFSET) == low and bytes.u32(whole, CHECKSUM_OFFSET + 4) == high
+end
+
 --- Compares the checksum in the header with the bytes. Returns the bank, or nil and an error if the file is damaged.
 function Bank:verify_checksum()
-  local high, low = checksum(self.whole.data, FIRST)
-  if bytes.u32(self.whole, CHECKSUM_OFFSET) == low and bytes.u32(self.whole, CHECKSUM_OFFSET + 4) == high then
-    return self
-  end
-  return refuse("Checksum", CHECKSUM_OFFSET)
+  if not is_intact(self.whole) then return refuse("Checksum", CHECKSUM_OFFSET) end
+  return self
+end
+
+--- Compares the checksum of a text bank, a string, with its bytes. Returns the bank, or nil and an error if the text
+-- bank is damaged. Then open it with `open_texts`, which checks its header and its directory.
+function Bank:verify_texts(data)
+  local opened, message, problem = file.open(data)
+  if not opened then return nil, message, problem end
+  if not is_intact(opened.whole) then return refuse("Checksum", CHECKSUM_OFFSET) end
+  return self
 end
 
 return checksum

@@ -129,7 +129,7 @@ end
 
 --- Returns the segment of a frame; nil outside the clip.
 function Clip:segment_of_frame(frame)
-  if not frame or frame >= self.frame_count then return nil end
+  if not frame or frame < 0 or frame >= self.frame_count then return nil end
   local starts, offset = self.bank.sections.STRT, self.frames_first + frame
   local low, high = 0, self.segment_count - 1
   while low < high do
@@ -144,25 +144,35 @@ end
 --- Returns the segment at a time; nil outside the clip.
 function Clip:segment_at(at) return self:segment_of_frame(self:frame_at(at)) end
 
---- Returns the first frame of a segment, and the frame after its last one.
+local function has_segment(clip, segment) return segment and segment >= 0 and segment < clip.segment_count end
+
+--- Returns the first frame of a segment, and the frame after its last one; 0 and 0 outside the clip.
 function Clip:segment_frames(segment)
+  if not has_segment(self, segment) then return 0, 0 end
   local at = (self.segments_first + segment) * 4
   local first, last = u32(self.bank.sections.STRT, at), u32(self.bank.sections.STRT, at + 4)
   if not last then return 0, 0 end
   return math.max(first - self.frames_first, 0), math.max(last - self.frames_first, 0)
 end
 
---- Returns the text of a segment in a locale of the bank, and whether it is from another locale; nil without a text.
+--- Returns the text of a segment in a locale of the bank, and whether it is from another locale; nil without a text,
+-- and outside the clip.
 function Clip:text(segment, locale)
-  if not segment or not locale then return nil end
+  if not locale or not has_segment(self, segment) then return nil end
   return texts.find(locale, self.segments_first, self.segments_first + segment)
 end
 
---- Returns the event string of a segment; nil if the clip has no events.
-function Clip:event(segment) return event.string(self.bank, self.segments_first + segment) end
+--- Returns the event string of a segment; nil without events, and outside the clip.
+function Clip:event(segment)
+  if not has_segment(self, segment) then return nil end
+  return event.string(self.bank, self.segments_first + segment)
+end
 
---- Returns the typed events of a segment, in order.
-function Clip:events(segment) return event.collect(self.bank, self.segments_first + segment, nil, {}) end
+--- Returns the typed events of a segment, in order; an empty list outside the clip.
+function Clip:events(segment)
+  if not has_segment(self, segment) then return {} end
+  return event.collect(self.bank, self.segments_first + segment, nil, {})
+end
 
 --- Returns the length in microseconds and the content hash (16 hexadecimal digits) of the recording that the clip was
 -- made for; nil if the bank does not have them.
