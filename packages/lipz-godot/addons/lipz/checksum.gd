@@ -2,6 +2,7 @@
 extends RefCounted
 ## The checksum of a bank: XXH64 of docs/reference/bank-format.md.
 
+const _OFFSET := 8
 const _FIRST := 16
 ## 0x9E3779B185EBCA87 and so on, as signed numbers.
 const _P1 := -7046029288634856825
@@ -20,6 +21,11 @@ static func _shifted(value: int, bits: int) -> int:
 
 static func _round(lane: int, word: int) -> int:
 	return _rotated(lane + word * _P2, 31) * _P1
+
+
+## Whether the contents of a file have the checksum in their header.
+static func is_intact(data: PackedByteArray) -> bool:
+	return of(data) == data.decode_s64(_OFFSET)
 
 
 ## Returns the checksum of the contents of a file.

@@ -3,7 +3,7 @@
 class_name LipzBank
 extends Resource
 ## A bank: visemes, subtitles and events of spoken lines ([i]clips[/i]). [code]load("res://voices.lipzbank")[/code]
-## returns it, or null for a damaged bank.
+## compares its checksum, and returns it, or null for a damaged bank.
 
 const Articulation := preload("articulation.gd")
 const Babble := preload("babble.gd")
@@ -27,8 +27,8 @@ var _default_articulation: Articulation
 var _default_face_profile: FaceProfile
 
 
-## Opens a bank from the contents of a file. If the file cannot be used, prints an error with the reason, and returns
-## null.
+## Opens a bank from the contents of a file. Checks its header and its directory; for files that were downloaded, call
+## [method verify_checksum] as well. If the file cannot be used, prints an error with the reason, and returns null.
 static func open(bytes: PackedByteArray) -> LipzBank:
 	var file := _opened(bytes)
 	if not file.problem.is_empty():
@@ -80,7 +80,8 @@ func _opened_texts(bytes: PackedByteArray) -> File:
 	return file
 
 
-## Adds the languages of a text bank (`.lipztexts`). If it cannot be used, prints an error and returns false.
+## Adds the languages of a text bank (`.lipztexts`). Checks its header and its directory. If it cannot be used, prints
+## an error and returns false.
 func open_texts(bytes: PackedByteArray) -> bool:
 	var file := _opened_texts(bytes)
 	if not file.problem.is_empty():
@@ -91,9 +92,15 @@ func open_texts(bytes: PackedByteArray) -> bool:
 
 
 ## Compares all bytes with the checksum. Returns false if the file was changed or damaged. It takes about a
-## millisecond for each 10 kB, so call it for files that were downloaded.
+## millisecond for each 10 kB. [method @GDScript.load] has already done it.
 func verify_checksum() -> bool:
-	return Checksum.of(_file.data) == _file.data.decode_s64(8)
+	return Checksum.is_intact(_file.data)
+
+
+## Compares all bytes of a text bank with its checksum. Returns false if the file was changed or damaged, or is not a
+## file of lipz. Call it for files that were downloaded, before [method open_texts].
+static func verify_texts(bytes: PackedByteArray) -> bool:
+	return File.new(bytes).problem.is_empty() and Checksum.is_intact(bytes)
 
 
 ## Returns the clip with a key, such as `act1/mara-good-evening`; null if there is none.
@@ -132,6 +139,19 @@ func locale(tag: String) -> LipzLocale:
 	for found in _locales:
 		if found.tag == tag:
 			return found
+	return null
+
+
+## Returns the language for a tag in any spelling, such as `de-de`, `de_DE` or `de`: the language with this tag, or the
+## first variant of the same language; null if the bank has neither.
+func nearest_locale(tag: String) -> LipzLocale:
+	var wanted := tag.to_lower().replace("_", "-")
+	var found := locale(wanted)
+	if found != null:
+		return found
+	for variant in _locales:
+		if variant.tag.get_slice("-", 0) == wanted.get_slice("-", 0):
+			return variant
 	return null
 
 

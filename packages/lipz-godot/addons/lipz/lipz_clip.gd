@@ -216,41 +216,47 @@ func segment_at(seconds: float) -> int:
 	return segment_of_frame(frame_at(seconds))
 
 
-## Returns the first frame of a segment, and the frame after its last one.
+## Whether the clip has a segment with this number.
+func has_segment(segment: int) -> bool:
+	return segment >= 0 and segment < segment_count
+
+
+## Returns the first frame of a segment, and the frame after its last one; 0 and 0 outside the clip.
 func segment_frames(segment: int) -> Vector2i:
 	if _starts.is_empty():
 		_read_starts()
-	if segment < 0 or segment + 1 >= _starts.size():
+	if not has_segment(segment) or segment + 1 >= _starts.size():
 		return Vector2i.ZERO
 	return Vector2i(maxi(_starts[segment] - _frames_first, 0), maxi(_starts[segment + 1] - _frames_first, 0))
 
 
-## Returns the text of a segment in a language; empty without a text.
+## Returns the text of a segment in a language; empty without a text, and outside the clip.
 func text(segment: int, locale: LipzLocale) -> String:
-	if segment < 0 or locale == null:
+	if not has_segment(segment) or locale == null:
 		return ""
 	return locale._text(_segments_first, _segments_first + segment)
 
 
 ## Whether a segment has a text in a language, which may be empty.
 func has_text(segment: int, locale: LipzLocale) -> bool:
-	return segment >= 0 and locale != null and locale._entry(_segments_first, _segments_first + segment) >= 0
+	return has_segment(segment) and locale != null and locale._entry(_segments_first, _segments_first + segment) >= 0
 
 
 ## Whether the text of a segment is from a different language.
 func is_fallback(segment: int, locale: LipzLocale) -> bool:
-	return segment >= 0 and locale != null and locale._is_fallback(_segments_first, _segments_first + segment)
+	return has_segment(segment) and locale != null and locale._is_fallback(_segments_first, _segments_first + segment)
 
 
-## Returns the event string of a segment; empty without events.
+## Returns the event string of a segment; empty without events, and outside the clip.
 func event(segment: int) -> String:
-	return bank._events.string_of(_segments_first + segment)
+	return bank._events.string_of(_segments_first + segment) if has_segment(segment) else ""
 
 
-## Returns the typed events of a segment, in order.
+## Returns the typed events of a segment, in order; an empty list outside the clip.
 func events(segment: int) -> Array[LipzEvent]:
 	var list: Array[LipzEvent] = []
-	bank._events.collect(_segments_first + segment, bank._events.NO_NAME, list)
+	if has_segment(segment):
+		bank._events.collect(_segments_first + segment, bank._events.NO_NAME, list)
 	return list
 
 

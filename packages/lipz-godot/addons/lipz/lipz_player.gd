@@ -14,7 +14,7 @@ signal segment_began(segment: int, event_string: String)
 signal subtitle_changed(text: String)
 ## Emitted when the viseme changes, one character; `-` is rest.
 signal viseme_changed(viseme: String)
-## Emitted when a clip has ended, and also when it was stopped.
+## Emitted when a clip has ended, and also when it was stopped. A receiver may play the next clip.
 signal finished
 
 enum Hold {
@@ -33,7 +33,8 @@ const _LONGEST_MIX_SECONDS := 0.1
 ## The [AudioStreamPlayer], [AudioStreamPlayer2D] or [AudioStreamPlayer3D] that plays the recordings. Without one,
 ## clips follow the time of the game.
 @export var audio: Node
-## The language of subtitles, such as `de-de`. If it is empty, that of the project or of the bank.
+## The language of subtitles, such as `de-de`, `de-DE` or `de`; empty for that of [TranslationServer]. If the bank
+## does not have it (see [method LipzBank.nearest_locale]), the player uses the default language of the bank.
 @export var locale := ""
 ## By how many frames visemes are ahead of the audio.
 @export_range(0, 2) var lead_frames := 0
@@ -48,6 +49,8 @@ var clip: LipzClip
 var speaker := ""
 var _cursor: LipzCursor
 var _locale: LipzLocale
+## The missing language that was reported last.
+var _reported_locale := ""
 var _time_ns := 0
 var _subtitle := ""
 var _viseme := LipzClip.REST
@@ -55,6 +58,9 @@ var _viseme := LipzClip.REST
 var _segment := _NONE
 var _place := _NONE
 var _mouth := _NONE
+## The segments that have begun and the events that are due, but were not emitted yet.
+var _begun_segments: Array[int] = []
+var _due_events: Array[LipzEvent] = []
 
 
 ## Plays a clip, with its recording if there is an audio player. The speaker is the character to whom events without a
@@ -94,12 +100,15 @@ func stop() -> void:
 	_end()
 
 
-## Ends the clip, and emits all remaining events, so that lasting states take effect.
+## Ends the clip, and emits all remaining events, so that lasting states take effect. If a receiver stops the clip or
+## plays the next one, the events after that are not emitted.
 func skip() -> void:
 	if clip == null:
 		return
-	_emit(_cursor.finish())
-	stop()
+	var playing := _cursor
+	_emit(playing.finish())
+	if _cursor == playing:
+		stop()
 
 
 ## Jumps to a time of the clip. Events before it are not emitted.
@@ -138,14 +147,12 @@ func state(character := "") -> Dictionary[String, String]:
 
 
 func _find_locale() -> LipzLocale:
-	var tag := locale if locale != "" else TranslationServer.get_locale().to_lower().replace("_", "-")
-	var found := bank.locale(tag)
-	if found == null and locale == "":
-		for other in bank.locales():
-			if other.tag.get_slice("-", 0) == tag.get_slice("-", 0):
-				return other
-		return bank.default_locale()
-	return found
+	var tag := locale if locale != "" else TranslationServer.get_locale()
+	var found := bank.nearest_locale(tag)
+	if found == null and locale not in ["", _reported_locale]:
+		_reported_locale = locale
+		push_warning("lipz: the bank does not have the language ", locale)
+	return found if found != null else bank.default_locale()
 
 
 func _process(delta: float) -> void:
@@ -168,24 +175,28 @@ func _audio_time() -> float:
 
 
 func _advance() -> void:
-	_emit(_cursor.advance_to_ns(_time_ns))
-	if clip == null: # a receiver of a signal has stopped it
-		return
-	if _cursor._mouth != _mouth:
-		_mouth = _cursor._mouth
-		_set_viseme(_cursor.viseme())
-	if _cursor._place != _place:
-		_place = _cursor._place
-		_show_segment(_cursor.segment())
-	if _cursor.is_over() and _time_ns >= Clock.of_seconds(clip.duration()):
+	# The receiver of any signal may end this clip, or play the next one.
+	var playing := _cursor
+	_emit(playing.advance_to_ns(_time_ns))
+	if _cursor == playing and playing._mouth != _mouth:
+		_mouth = playing._mouth
+		_set_viseme(playing.viseme())
+	if _cursor == playing and playing._place != _place:
+		_place = playing._place
+		_show_segment(playing.segment())
+	if _cursor == playing and playing.is_over() and _time_ns >= Clock.of_seconds(clip.duration()):
 		_end()
 
 
+## Emits segments and events in order, each once, also if a receiver skips the clip. [method _end] clears what is left.
 func _emit(events: Array[LipzEvent]) -> void:
-	var playing := _cursor
-	for segment in playing.due_segments.duplicate():
-		segment_began.emit(segment, playing.clip.event(segment))
-	for event in events:
+	_begun_segments.append_array(_cursor.due_segments)
+	_due_events.append_array(events)
+	while not _begun_segments.is_empty():
+		var segment: int = _begun_segments.pop_front()
+		segment_began.emit(segment, clip.event(segment))
+	while not _due_events.is_empty():
+		var event: LipzEvent = _due_events.pop_front()
 		event_fired.emit(event)
 
 
@@ -210,8 +221,11 @@ func _set_subtitle(text: String) -> void:
 func _end() -> void:
 	clip = null
 	_cursor = null
+	_begun_segments.clear()
+	_due_events.clear()
 	_set_viseme(LipzClip.REST)
-	_set_subtitle("")
+	if clip == null: # otherwise, a receiver has played the next clip
+		_set_subtitle("")
 	finished.emit()
 
 

@@ -5,6 +5,8 @@ const Cases := preload("cases.gd")
 const Damaged := preload("damaged.gd")
 const Dumps := preload("dumps.gd")
 const Nodes := preload("nodes.gd")
+const Outside := preload("outside.gd")
+const Players := preload("players.gd")
 const Speed := preload("speed.gd")
 
 
@@ -13,6 +15,8 @@ func _ready() -> void:
 	_report("cases", Cases.new().play())
 	_report("dumps", Dumps.new().compare_all())
 	_report("damaged banks", Damaged.new().open_all())
+	_report("outside", Outside.new().run())
+	_report("players", Players.new(self).run())
 	_report("speed", Speed.new().run())
 	var nodes := Nodes.new(self)
 	_report("nodes", nodes.run())
