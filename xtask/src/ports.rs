@@ -22,7 +22,7 @@ enum Port {
     Unity,
     /// Lua and LÖVE
     Lua,
-    /// Python
+    /// Python; with its types, if mypy is installed
     Python,
     /// Ren'Py; in the engine, if Debian's package is installed
     Renpy,
@@ -65,6 +65,11 @@ impl Port {
             Port::Godot => &["npm", "chromium"],
         }
     }
+
+    /// Whether `.ci/install` also brings what the tests would skip without, and not only `.ci/install --all`.
+    fn has_everyday_tools(self) -> bool {
+        matches!(self, Port::Unity | Port::Lua)
+    }
 }
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
@@ -76,6 +81,13 @@ pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
         }
         let [program, arguments @ ..] = port.command() else { continue };
         let mut test = Command::new(program);
+        if std::env::var_os("PYTHONPATH").is_none() {
+            test.env("PYTHONPATH", workspace_root().join("target/port-tools"));
+        }
+        let is_named = !settings.ports.is_empty();
+        if std::env::var_os("CI").is_some() && (is_named || port.has_everyday_tools()) {
+            test.env("LIPZ_TOOLS", "required");
+        }
         if *port == Port::Python {
             // Its functions run the command.
             test.env("LIPZ_PROGRAM", cargo::lipz()?);

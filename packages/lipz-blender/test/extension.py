@@ -6,6 +6,7 @@ import os
 import shutil
 import sys
 import tempfile
+import unittest
 import zipfile
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -31,6 +32,13 @@ except ImportError:
     # Without Blender, only the modules that do not need it.
     sys.modules[NAME] = type(sys)(NAME)
     sys.modules[NAME].__path__ = [os.path.join(FOLDER, NAME)]
+
+
+def skip(needs):
+    """Skips a test that needs a tool. Fails if LIPZ_TOOLS is set, because tools are then required."""
+    if "LIPZ_TOOLS" in os.environ:
+        raise AssertionError(f"needs {needs}, because LIPZ_TOOLS is set")
+    raise unittest.SkipTest(f"needs {needs}")
 
 
 def module(name):

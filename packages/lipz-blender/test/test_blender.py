@@ -17,10 +17,11 @@ CODES = list("AMOSWEFLU")
 ARKIT = ["jawOpen", "mouthClose", "mouthFunnel", "mouthPucker", "mouthSmileLeft", "mouthSmileRight", "browInnerUp"]
 
 
-@unittest.skipIf(bpy is None, "`bpy` is not installed")
 class InBlender(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        if bpy is None:
+            extension.skip("`bpy`")
         cls.extension = __import__(extension.NAME)
         cls.extension.register()
         cls.animate = extension.module("animate")

@@ -2,6 +2,7 @@
 
 import os
 import sys
+import unittest
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 FIXTURES = os.path.join(os.path.dirname(os.path.dirname(PACKAGE)), "fixtures")
@@ -29,6 +30,13 @@ def fnv(data):
     for byte in data:
         value = (value ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
     return value
+
+
+def skip(needs):
+    """Skips a test that needs a tool. Fails if LIPZ_TOOLS is set, because tools are then required."""
+    if "LIPZ_TOOLS" in os.environ:
+        raise AssertionError(f"needs {needs}, because LIPZ_TOOLS is set")
+    raise unittest.SkipTest(f"needs {needs}")
 
 
 def assert_same(test, name, found, expected):

@@ -36,8 +36,12 @@ STAND_IN = """\
 """
 
 
-@unittest.skipIf(PROGRAM is None, "the program is not built; set LIPZ_PROGRAM")
 class WithTheProgram(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if PROGRAM is None:
+            fixtures.skip("the program, built in `target` or named by LIPZ_PROGRAM")
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

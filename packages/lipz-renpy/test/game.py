@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import unittest
 import wave
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -27,3 +28,10 @@ def write(folder):
         with wave.open(os.path.join(game, "voice", f"{key}.ogg"), "wb") as sound:
             sound.setparams((1, 2, RATE_HZ, 0, "NONE", ""))
             sound.writeframes(bytes(2 * int(SECONDS * RATE_HZ)))
+
+
+def skip(needs):
+    """Skips a test that needs a tool. Fails if LIPZ_TOOLS is set, because tools are then required."""
+    if "LIPZ_TOOLS" in os.environ:
+        raise AssertionError(f"needs {needs}, because LIPZ_TOOLS is set")
+    raise unittest.SkipTest(f"needs {needs}")

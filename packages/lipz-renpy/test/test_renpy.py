@@ -146,8 +146,12 @@ class WithStandIns(unittest.TestCase):
             self.engine.run()
 
 
-@unittest.skipIf(RENPY is None or shutil.which("xvfb-run") is None, "Ren'Py is not installed")
 class InRenPy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if RENPY is None or shutil.which("xvfb-run") is None:
+            game.skip("Ren'Py and xvfb-run")
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Compiles the plugin with each compiler, as Unreal would, against stubs of the engine, and runs its tests with the C
-# library, also with sanitizers. Needs g++ or clang++, and python3. If mcs is
-# installed, compiles the build rules too.
+# library, also with sanitizers. Needs g++ or clang++, and python3. If mcs is installed, compiles the build rules too. If
+# LIPZ_TOOLS is set, all of them are required.
 # LIPZ_CAPI is the folder that `cargo xtask capi` has written; by default target/capi.
 set -euo pipefail
 plugin=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -14,6 +14,13 @@ if [ ! -f "$capi/lib/liblipz.a" ]; then
     echo "no C library in $capi: run \`cargo xtask capi\`, or set LIPZ_CAPI" >&2
     exit 1
 fi
+
+for needed in g++ clang++ mcs; do
+    if [ -n "${LIPZ_TOOLS:-}" ] && ! command -v "$needed" >/dev/null; then
+        echo "needs $needed" >&2
+        exit 1
+    fi
+done
 
 mkdir "$out/generated" "$out/guide"
 python3 "$tests/pages.py" "$root/docs/guides/unreal.md" "$out/guide"

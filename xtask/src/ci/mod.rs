@@ -126,8 +126,8 @@ static ELSEWHERE: [Step; 11] = [
     Step::task("windows").slow("code for Windows, or a dependency"),
     Step::task("msrv"),
     Step::task("capi"),
-    Step { arguments: "ports godot blender bevy unreal", ..Step::task("engine-ports") }
-        .slow("packages/bevy_lipz, lipz-blender, lipz-godot or lipz-unreal"),
+    Step { arguments: "ports godot blender bevy unreal renpy python", ..Step::task("engine-ports") }
+        .slow("packages/bevy_lipz, lipz-blender, lipz-godot, lipz-python, lipz-renpy or lipz-unreal"),
     Step::task("instructions"),
 ];
 
