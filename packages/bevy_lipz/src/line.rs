@@ -65,7 +65,17 @@ impl Line {
     /// Whether the player asks for a different line, or can now play this one.
     pub(crate) fn is_outdated(&self, player: &LipzPlayer, bank: &Bank<'_>) -> bool {
         let is_found = matches!(self.progress, Progress::Missing) && self.checksum != bank.checksum();
-        is_found || self.bank != player.bank.id() || self.key != player.clip
+        is_found || !self.is_wanted(player)
+    }
+
+    /// Whether the player asks for this line.
+    pub(crate) fn is_wanted(&self, player: &LipzPlayer) -> bool {
+        self.is_from(player.bank.id()) && self.key == player.clip
+    }
+
+    /// Whether the line is from this bank.
+    pub(crate) fn is_from(&self, bank: AssetId<LipzBank>) -> bool {
+        self.bank == bank
     }
 
     /// Moves the line to the next rendered frame. Returns the mouth to draw.
@@ -76,6 +86,10 @@ impl Line {
         speaker: &str,
         triggers: &mut Triggers,
     ) -> LipzMouth {
+        if request == Some(Request::Skip) {
+            self.skip(bank, speaker, triggers);
+            return LipzMouth::REST;
+        }
         self.renew(bank, speaker, triggers);
         let Progress::Playing(playing) = &mut self.progress else { return LipzMouth::REST };
         let Some(clip) = bank.clip(playing.clip).map(|clip| clip.or_fps(DEFAULT_FPS)) else { return LipzMouth::REST };
@@ -84,16 +98,10 @@ impl Line {
                 self.end(triggers);
                 return LipzMouth::REST;
             }
-            Some(Request::Skip) => {
-                triggers.segments(playing.cursor.finish(&clip), speaker);
-                self.end(triggers);
-                triggers.finish();
-                return LipzMouth::REST;
-            }
             Some(Request::Seek { to }) => playing.seek(&clip, to),
             // At its start, a line waits for its clock.
             Some(Request::Start { at }) if !at.is_zero() => playing.seek(&clip, at),
-            Some(Request::Start { .. }) | None => {}
+            Some(Request::Start { .. } | Request::Skip) | None => {}
         }
         playing.is_resting = playing.follow(&clip, reading, |due| triggers.segments(due, speaker));
         if playing.cursor.is_over() {
@@ -103,6 +111,16 @@ impl Line {
         }
         playing.show_subtitle(&clip, triggers);
         if playing.is_resting { LipzMouth::REST } else { playing.mouth(&clip) }
+    }
+
+    /// Ends the line, and triggers its remaining events.
+    pub(crate) fn skip(&mut self, bank: &Bank<'_>, speaker: &str, triggers: &mut Triggers) {
+        self.renew(bank, speaker, triggers);
+        let Progress::Playing(playing) = &mut self.progress else { return };
+        let Some(clip) = bank.clip(playing.clip).map(|clip| clip.or_fps(DEFAULT_FPS)) else { return };
+        triggers.segments(playing.cursor.finish(&clip), speaker);
+        self.end(triggers);
+        triggers.finish();
     }
 
     /// Continues in a new version of the bank.

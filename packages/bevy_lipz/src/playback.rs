@@ -83,8 +83,13 @@ fn new_error(
 impl LipzPlayer {
     /// Moves the line to the next rendered frame, this much later. Returns the mouth to draw.
     fn advance(&mut self, bank: &Bank<'_>, mut later: Duration, triggers: &mut Triggers) -> LipzMouth {
+        if let Some(speaker) = self.state.skipped.take()
+            && let Some(line) = self.state.line.as_mut().filter(|line| line.is_from(self.bank.id()))
+        {
+            line.skip(bank, &speaker, triggers);
+        }
         let request = self.state.request.take();
-        if matches!(request, Some(Request::Start { .. }))
+        if matches!(request, Some(Request::Start { .. } | Request::Skip))
             || self.state.line.as_ref().is_none_or(|line| line.is_outdated(self, bank))
         {
             self.end(triggers);

@@ -49,6 +49,8 @@ pub struct LipzPlayer {
 /// The progress of a player.
 #[derive(Clone, Debug, Default)]
 pub struct PlayerState {
+    /// The speaker of the line that plays, if it is skipped before the request.
+    pub(crate) skipped: Option<String>,
     pub(crate) request: Option<Request>,
     pub(crate) set_time: Option<Duration>,
     #[cfg(feature = "audio")]
@@ -61,8 +63,13 @@ pub struct PlayerState {
 /// An order of the program for the next rendered frame.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Request {
-    Start { at: Duration },
-    Seek { to: Duration },
+    Start {
+        at: Duration,
+    },
+    Seek {
+        to: Duration,
+    },
+    /// Starts and ends a line.
     Skip,
     Stop,
 }
@@ -134,9 +141,8 @@ impl LipzPlayer {
         self
     }
 
-    /// Starts a clip from its beginning, also if it is the one that plays. Discards a [`skip`](LipzPlayer::skip) in the
-    /// same rendered frame. To skip a line and then start the next one, call `play` when
-    /// [`LipzFinished`](crate::LipzFinished) is triggered.
+    /// Starts a clip from its beginning, also if it is the one that plays. The line before ends without its remaining
+    /// events, unless you call [`skip`](LipzPlayer::skip) first.
     pub fn play(&mut self, clip: impl Into<String>) {
         self.clip = clip.into();
         self.state.request = Some(Request::Start { at: Duration::ZERO });
@@ -152,10 +158,15 @@ impl LipzPlayer {
     }
 
     /// Ends the line in the next rendered frame, and triggers its remaining events, so that lasting emotions take
-    /// effect. A [`play`](LipzPlayer::play), [`seek`](LipzPlayer::seek) or [`stop`](LipzPlayer::stop) before that
-    /// discards the call.
+    /// effect. If you then call [`play`](LipzPlayer::play), these events come before those of the next line.
     pub fn skip(&mut self) {
-        self.state.request = Some(Request::Skip);
+        let has_started = self.state.line.as_ref().is_some_and(|line| line.is_wanted(self));
+        if has_started && !matches!(self.state.request, Some(Request::Start { .. } | Request::Skip)) {
+            self.state.skipped = Some(self.speaker.clone());
+            self.state.request = None;
+        } else {
+            self.state.request = Some(Request::Skip);
+        }
     }
 
     /// Ends the line without its remaining events.

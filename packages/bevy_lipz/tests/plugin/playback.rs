@@ -94,6 +94,70 @@ fn the_next_line_follows() {
     assert_eq!(game.take_log(), ["", "(otto feels neutral)", "Guten Abend, Otto."]);
 }
 
+/// The events of the skipped line come first, each once, and belong to its speaker.
+#[test]
+fn the_next_line_follows_a_skipped_line() {
+    let (mut game, entity) = Game::act1(|player| player.with_locale("de-de"));
+    game.player(entity).speaker = "mara".to_owned();
+    game.frames(20, FRAME);
+    game.take_log();
+    let mut player = game.player(entity);
+    player.skip();
+    player.speaker = "otto".to_owned();
+    player.play("act1/otto-twenty-years");
+    game.frame(FRAME);
+    let next = ["(otto feels sad)", "Es ist seit zwanzig Jahren unterwegs."];
+    let skipped = ["(mara sees otto)", "(mara points fog)", "", "finished"];
+    assert_eq!(game.take_log(), [&skipped[..], &next].concat());
+
+    let mut player = game.player(entity);
+    player.skip();
+    player.clip = GOOD_EVENING.to_owned(); // as in an editor
+    game.frame(FRAME);
+    let log = game.take_log();
+    assert_eq!(log[log.len() - 4..], ["", "finished", "(otto feels neutral)", "Guten Abend, Otto."], "{log:?}");
+    assert!(game.player(entity).is_playing());
+}
+
+/// A line that was started in the same rendered frame is skipped, too.
+#[test]
+fn two_lines_are_skipped_in_a_rendered_frame() {
+    let (mut game, entity) = Game::act1(mara);
+    game.frames(20, FRAME);
+    game.take_log();
+    let mut player = game.player(entity);
+    player.skip();
+    player.play(GOOD_EVENING);
+    player.skip();
+    game.frames(3, FRAME);
+    let first = ["(mara sees otto)", "(mara points fog)", "", "finished"];
+    let second = ["(mara feels neutral)", "(mara sees otto)", "(mara points fog)", "finished"];
+    assert_eq!(game.take_log(), [first, second].concat());
+    assert!(!game.player(entity).is_playing());
+}
+
+/// A jump or a stop after a skip does not change that the line has ended with its events.
+#[test]
+fn a_skipped_line_has_ended() {
+    for order in [LipzPlayer::stop, |player: &mut LipzPlayer| player.seek(Duration::from_secs(1)), LipzPlayer::skip] {
+        let (mut game, entity) = Game::act1(mara);
+        game.frames(20, FRAME);
+        game.take_log();
+        game.player(entity).skip();
+        order(&mut game.player(entity));
+        game.frames(3, FRAME);
+        assert_eq!(game.take_log(), ["(mara sees otto)", "(mara points fog)", "", "finished"]);
+    }
+}
+
+#[test]
+fn a_line_can_be_skipped_before_it_starts() {
+    let (mut game, entity) = Game::act1(mara);
+    game.player(entity).skip();
+    game.frames(3, FRAME);
+    assert_eq!(game.take_log(), ["(mara feels neutral)", "(mara sees otto)", "(mara points fog)", "finished"]);
+}
+
 #[test]
 fn the_language_changes_while_a_line_plays() {
     let (mut game, entity) = Game::act1(mara);
