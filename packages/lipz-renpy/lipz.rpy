@@ -1,7 +1,7 @@
 # Lip sync for Ren'Py: shows the mouth of the character whose voice plays. See README.md.
 #
 # Copy this file into `game`, the bank to `game/dialogue.lipzbank`, and the folder `lipz/reader` of the Python package
-# `lipz` to `game/python-packages/lipz_reader`. It needs nothing else, so it runs on phones and in browsers as well.
+# `lipz` to `game/python-packages/lipz_reader`. Needs Ren'Py 8. Licence: MIT OR Apache-2.0, like the reader.
 
 init -100 python in lipz:
 

@@ -85,7 +85,8 @@ async function project() {
         await readFile(join(ROOT, path)),
       ]),
     )),
-    ...(await filesOf(join(HERE, "../sample"), "")).filter(([path]) => path !== "project.godot"),
+    // Not the addon and the bank that users copy into this folder.
+    ...(await filesOf(join(HERE, "../sample"), "")).filter(([path]) => path.startsWith("sample.")),
     ["voices.lipzbank", await readFile(join(ROOT, "fixtures/banks/v1/drama.lipzbank"))],
     ["bank-format.md", await readFile(join(ROOT, "docs/reference/bank-format.md"))],
     ["damaged.lipzbank", bank.subarray(0, 1000)],
