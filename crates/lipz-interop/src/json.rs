@@ -143,6 +143,10 @@ impl<'s> Node<'s> {
         self.line.text.starts_with('{')
     }
 
+    pub(crate) fn is_array(self) -> bool {
+        self.line.text.starts_with('[')
+    }
+
     /// Returns the diagnostic for a missing or wrong member.
     pub(crate) fn lacks(self, what: &str) -> Diagnostic {
         let start = self.line.at;

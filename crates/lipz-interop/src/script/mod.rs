@@ -1,12 +1,12 @@
 //! Scripts: the texts of many recordings in one file, identified by the names of the recordings.
 
-mod columns;
-mod exports;
+mod json;
+mod table;
 
 use crate::fallout::msg;
 use crate::to_utf8;
 use encoding_rs::Encoding;
-use lipz_diagnostics::{Code, Diagnostic, Source, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Source, Span};
 use lipz_file::without_byte_order_mark;
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
@@ -26,32 +26,50 @@ pub struct Script {
 struct ScriptEntry {
     /// The path in the script, without extension, in lower case and with `/`.
     path: String,
+    /// The same, as written.
+    written: String,
     text: String,
     span: Span,
 }
 
 impl ScriptEntry {
     fn line(&self) -> ScriptLine<'_> {
-        ScriptLine { path: &self.path, text: &self.text, span: self.span }
+        ScriptLine { path: &self.written, text: &self.text, span: self.span }
     }
 }
 
 /// A line of a script.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ScriptLine<'s> {
-    /// The path or ID of the line, without extension, in lower case.
+    /// The path or ID of the line, without extension, as written in the script.
     pub path: &'s str,
-    /// The text.
+    /// The text; empty if it is unknown or different each time.
     pub text: &'s str,
     /// The position of the line in the text of the script.
     pub span: Span,
 }
 
+impl ScriptLine<'_> {
+    /// Whether the path or ID is `path`, without regard to case and Unicode normalisation.
+    pub fn has_path(&self, path: &str) -> bool {
+        normal(self.path) == normal(path)
+    }
+}
+
+/// The use of a script.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Purpose {
+    /// The texts of recordings, which are named by their files.
+    Recordings,
+    /// The lines of a game, which have IDs.
+    Lines,
+}
+
 impl Script {
-    /// Reads a script: a `.msg` file of Fallout, a JSON file of Ink or articy:draft, or otherwise a CSV file whose first
-    /// line names its columns. The columns `file` and `text` are used, or those with other usual names, such as
-    /// `Filename` and `Transcript`. In tables of Yarn Spinner and Ren'Py, it is the ID of the line rather than the file
-    /// of the script. Commas, semicolons, tabs or bars separate columns.
+    /// Reads the texts of recordings: a `.msg` file of Fallout, a JSON file of Ink or articy:draft, or otherwise a CSV
+    /// file whose first line names its columns. The columns `file` and `text` are used, or those with other usual names,
+    /// such as `Filename` and `Transcript`. In tables of Yarn Spinner and Ren'Py, it is the ID of the line rather than
+    /// the file of the script. Commas, semicolons, tabs or bars separate columns.
     ///
     /// A JSON file of Ink has the compiled story, in which lines have tags such as `# id: mara_hello`. One of
     /// articy:draft has the exported packages, whose dialogue fragments have technical names.
@@ -59,17 +77,37 @@ impl Script {
     /// Files that are not UTF-8 are read in `encoding`, or else as Windows-1252, the usual encoding of old tools
     /// ([`to_utf8`]). The diagnostics refer to the text of the returned source.
     pub fn read(path: &str, bytes: &[u8], encoding: Option<&'static Encoding>) -> (Script, Source, Vec<Diagnostic>) {
+        Script::read_for(Purpose::Recordings, path, bytes, encoding)
+    }
+
+    /// Reads the lines of a game. Like [`read`](Script::read), but a column with IDs has priority over one with files.
+    pub fn read_lines(path: &str, bytes: &[u8]) -> (Script, Source, Vec<Diagnostic>) {
+        Script::read_for(Purpose::Lines, path, bytes, None)
+    }
+
+    fn read_for(
+        purpose: Purpose,
+        path: &str,
+        bytes: &[u8],
+        encoding: Option<&'static Encoding>,
+    ) -> (Script, Source, Vec<Diagnostic>) {
         let mut diagnostics = Vec::new();
         let utf8 = to_utf8(bytes, encoding, true, &mut diagnostics);
         let text = String::from_utf8_lossy(without_byte_order_mark(&utf8)).into_owned();
-        let is_msg = path.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case("msg"));
-        let (mut script, found) = match () {
-            () if is_msg => of_entries(&text),
-            () if text.trim_start().starts_with('{') => exports::of_json(&text),
-            () => of_rows(&text),
+        let extension = path.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
+        let (mut script, found) = match extension.as_str() {
+            "msg" => of_entries(&text),
+            "json" => json::of_json(&text),
+            _ if text.starts_with(ZIP) => (Script::default(), vec![without_text()]),
+            _ if text.trim_start().starts_with('{') => json::of_json(&text),
+            _ => table::of_rows(&text, purpose),
         };
         script.file = path.to_owned();
         diagnostics.extend(found);
+        if purpose == Purpose::Lines && script.is_empty() && diagnostics.iter().all(|found| !found.is_error()) {
+            let without = Diagnostic::new(Code::ForeignSyntax, "no entry of the script has a sound");
+            diagnostics.push(without.help("write entries as {number}{sound}{text}, such as {104}{hak001}{Greetings.}"));
+        }
         (script, Source::new(path, text), diagnostics)
     }
 
@@ -144,17 +182,26 @@ impl Script {
         around.all(|other| other.text == first.text).then_some(first)
     }
 
-    /// Adds a text, unless the recording has a different one. Returns whether it was added.
-    fn add(&mut self, path: String, text: String, span: Span) -> bool {
+    /// Adds a text, unless the recording has a different one. Returns whether the recording now has this text.
+    fn add(&mut self, written: &str, text: String, span: Span) -> bool {
+        let path = normal(written);
         let entries = self.entries.entry(name(&path).to_owned()).or_default();
         match entries.iter().find(|entry| entry.path == path) {
             Some(first) => first.text == text,
             None => {
-                entries.push(ScriptEntry { path, text, span });
+                entries.push(ScriptEntry { path, written: written.to_owned(), text, span });
                 true
             }
         }
     }
+}
+
+/// The start of ZIP archives, such as `.xlsx` and `.ods` files.
+const ZIP: &str = "PK\u{3}\u{4}";
+
+fn without_text() -> Diagnostic {
+    Diagnostic::new(Code::ForeignSyntax, "the script is a spreadsheet or an archive")
+        .help("save the spreadsheet as CSV")
 }
 
 fn of_entries(text: &str) -> (Script, Vec<Diagnostic>) {
@@ -162,50 +209,8 @@ fn of_entries(text: &str) -> (Script, Vec<Diagnostic>) {
     let (by_sound, ambiguous) = msg::by_sound(&entries);
     found.extend(ambiguous);
     let mut script = Script::default();
-    for (sound, entry) in by_sound {
-        script.add(sound, entry.text.clone(), entry.span);
-    }
-    (script, found)
-}
-
-/// The prefix of the IDs of Yarn Spinner.
-const YARN_LINE: &str = "line:";
-
-fn of_rows(text: &str) -> (Script, Vec<Diagnostic>) {
-    let (mut script, mut found) = (Script::default(), Vec::new());
-    let columns::Columns { delimiter, file, text: line, is_id } = match columns::find(text) {
-        Ok(columns) => columns,
-        Err(diagnostic) => return (script, vec![*diagnostic]),
-    };
-    let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).flexible(true).from_reader(text.as_bytes());
-    for row in rows.records() {
-        let row = match row {
-            Ok(row) => row,
-            Err(error) => {
-                found.push(Diagnostic::new(Code::ForeignSyntax, format!("the script is not CSV: {error}")));
-                continue;
-            }
-        };
-        let start = row.position().map_or(0, |position| usize::try_from(position.byte()).unwrap_or(0));
-        let start =
-            start + text.get(start..).map_or(0, |rest| rest.len() - rest.trim_start_matches(['\r', '\n']).len());
-        let length = text.get(start..).and_then(|rest| rest.lines().next()).map_or(0, str::len);
-        let span = Span::new(start, start + length);
-        match (row.get(file).map(str::trim), row.get(line)) {
-            (Some(name), Some(line)) if !name.is_empty() => {
-                let name = if is_id { name.strip_prefix(YARN_LINE).unwrap_or(name) } else { name };
-                let path = if is_id { normal(name) } else { without_extension(&normal(name)).to_owned() };
-                if !script.add(path, line.to_owned(), span) {
-                    let message = format!("{} has a different text in a row above", escape::quoted(name));
-                    found.push(Diagnostic::at(Code::ForeignOddity, span, message).note("the first text is used"));
-                }
-            }
-            (_, line) => {
-                let what = if line.is_some() { "the row has no file name" } else { "the row has no text" };
-                let help = "write both, or remove the row; put a text with commas in quotes";
-                found.push(Diagnostic::at(Code::ForeignSyntax, span, what).help(help));
-            }
-        }
+    for entry in by_sound.into_values() {
+        script.add(&entry.sound, entry.text.clone(), entry.span);
     }
     (script, found)
 }
@@ -222,88 +227,10 @@ fn name(path: &str) -> &str {
 }
 
 fn without_extension(path: &str) -> &str {
-    let extension = name(path).rsplit_once('.').map_or(0, |(_, extension)| extension.len() + 1);
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    let extension = name.rsplit_once('.').map_or(0, |(_, extension)| extension.len() + 1);
     &path[..path.len() - extension]
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn texts_are_found_by_the_names_of_recordings() {
-        let csv = "Speaker,File,Text\r\nElder,speech\\ELD_1.WAV,\"Greetings, Chosen.\"\r\nElder,eld_2,\"A \"\"word\"\".\"\r\n";
-        let (script, _, found) = Script::read("script.csv", csv.as_bytes(), None);
-        assert_eq!(found, []);
-        assert_eq!(script.text_of("eld_1"), Some("Greetings, Chosen."));
-        assert_eq!(script.text_of("Eld_2"), Some("A \"word\"."));
-        assert_eq!(script.text_of("eld_3"), None);
-        let (script, _, _) = Script::read("a.csv", "file,text\nM\u{e4}ry,One.\nO\u{308}L,Two.\n".as_bytes(), None);
-        assert_eq!(script.text_of("ma\u{308}ry"), Some("One."), "decomposed");
-        assert_eq!(script.text_of("\u{d6}l"), Some("Two."), "composed");
-        let (script, _, _) = Script::read("ELDER.MSG", b"{100}{eld_1}{Greetings.}", None);
-        assert_eq!(script.text_of("ELD_1"), Some("Greetings."));
-    }
-
-    #[test]
-    fn encodings_of_the_time() {
-        let french = b"{1}{eld_1}{D\xE9j\xE0 vu.}";
-        assert_eq!(Script::read("a.msg", french, None).0.text_of("eld_1"), Some("Déjà vu."));
-        let russian = b"{1}{eld_1}{\xC4\xE0.}";
-        let windows_1251 = Encoding::for_label(b"windows-1251");
-        assert_eq!(Script::read("a.msg", russian, windows_1251).0.text_of("eld_1"), Some("Да."));
-        let (script, _, found) = Script::read("a.msg", "{1}{eld_1}{Да.}".as_bytes(), windows_1251);
-        assert_eq!((script.text_of("eld_1"), found.len()), (Some("Да."), 1), "it is UTF-8");
-        let utf8 = "\u{feff}{1}{eld_1}{Да.}";
-        assert_eq!(Script::read("a.msg", utf8.as_bytes(), None).0.text_of("eld_1"), Some("Да."));
-    }
-
-    #[test]
-    fn a_csv_without_the_columns_is_no_script() {
-        for text in ["", "a,b\n1,2\n", "file\nx\n"] {
-            assert_eq!(Script::read("a.csv", text.as_bytes(), None).2.len(), 1, "{text}");
-        }
-        assert_eq!(Script::read("a.csv", b"file,text\nonly-file\n", None).2.len(), 1);
-        let twice = b"file,text\na.wav,One.\na.ogg,One.\nA.mp3,Two.\n";
-        let (script, _, found) = Script::read("a.csv", twice, None);
-        assert_eq!((script.text_of("a"), found.len()), (Some("One."), 1));
-    }
-
-    #[test]
-    fn folders_tell_recordings_of_one_name_apart() {
-        let csv = "file,text\nact1/mayor.wav,One.\nact2\\mayor,Two.\nmara,Three.\nact1/mara,Four.\n";
-        let (script, _, found) = Script::read("script.csv", csv.as_bytes(), None);
-        assert_eq!((found, script.len()), (Vec::new(), 4));
-        let texts = ["act1/mayor", "rec/Act2/mayor", "mayor", "act3/mayor", "act2/mara", "act1/mara", "contract1/mara"];
-        let texts = texts.map(|path| script.text_of(path).unwrap_or_default());
-        assert_eq!(texts, ["One.", "Two.", "", "", "Three.", "Four.", "Three."]);
-        assert_eq!(
-            script.names_without(
-                [("rec/act1/mayor.wav", "mayor"), ("x/mara.wav", "mara")].map(|(file, name)| (Path::new(file), name))
-            ),
-            ["act1/mara", "act2/mayor"]
-        );
-    }
-
-    #[test]
-    fn columns_may_be_divided_as_spreadsheets_do_it() {
-        for csv in ["file;text\na;Well, yes.\n", "text\tFILE\nWell, yes.\ta\n"] {
-            let (script, _, found) = Script::read("a.csv", csv.as_bytes(), None);
-            assert_eq!((found, script.text_of("a")), (Vec::new(), Some("Well, yes.")));
-        }
-    }
-
-    #[test]
-    fn rows_that_say_nothing_are_marked() {
-        let csv = "file,text\r\na,One.\r\n,Two.\r\nb\r\n";
-        let (_, source, found) = Script::read("a.csv", csv.as_bytes(), None);
-        let marked = found.iter().map(|found| {
-            let span = found.primary.as_ref().unwrap().span;
-            (found.message.as_str(), &source.text[span.start as usize..span.end as usize])
-        });
-        let expected = [("the row has no file name", ",Two."), ("the row has no text", "b")];
-        assert_eq!(marked.collect::<Vec<_>>(), expected);
-        let (_, _, found) = Script::read("a.csv", b"file,words\na,One.\n", None);
-        assert_eq!(found[0].message, "the first line has no column `text`");
-    }
-}
+mod tests;

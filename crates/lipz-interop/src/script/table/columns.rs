@@ -1,10 +1,12 @@
 //! The columns of a script, found by the names that people and other tools give them.
 
+use super::Purpose;
+use super::rows::Rows;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::canonical_tag;
 
 /// The names of the column with the files, the best first. Spaces, `-` and `_` are ignored, as is case.
-const FILES: [&str; 26] = [
+const FILES: [&str; 20] = [
     "file",
     "filename",
     "filepath",
@@ -25,13 +27,10 @@ const FILES: [&str; 26] = [
     "vofile",
     "vofilename",
     "asset",
-    "clip",
-    "key",
-    "lineid",
-    "utteranceid",
-    "stringid",
-    "id",
 ];
+
+/// The names of the column with the IDs, the best first.
+const IDS: [&str; 7] = ["clip", "key", "lineid", "utteranceid", "stringid", "id", "identifier"];
 
 /// The names of the column with the texts, the best first.
 const TEXTS: [&str; 17] = [
@@ -61,33 +60,54 @@ const DELIMITERS: [u8; 4] = [b',', b';', b'\t', b'|'];
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Columns {
     pub(super) delimiter: u8,
-    /// The index of the column with the files, and of that with the texts.
-    pub(super) file: usize,
+    /// The index of the column with the files or IDs, and of that with the texts.
+    pub(super) name: usize,
     pub(super) text: usize,
+    pub(super) origin: TableOrigin,
     /// Whether the first one has IDs, which are no paths of files.
     pub(super) is_id: bool,
 }
 
+/// The tool that wrote a table.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum TableOrigin {
+    YarnSpinner,
+    RenPy,
+    Other,
+}
+
 /// Returns the columns by the names in the first line of a script.
-pub(super) fn find(script: &str) -> Result<Columns, Box<Diagnostic>> {
+pub(super) fn find(script: &str, purpose: Purpose) -> Result<Columns, Box<Diagnostic>> {
     let of = |delimiter| Some((delimiter, head(script, delimiter)?));
     let heads: Vec<(u8, Vec<String>)> = DELIMITERS.into_iter().filter_map(of).collect();
     let both = |(delimiter, names): &(u8, Vec<String>)| {
-        let id = id(names);
-        let file = id.or_else(|| column(names, &FILES))?;
-        Some(Columns { delimiter: *delimiter, file, text: text(names, file)?, is_id: id.is_some() })
+        let (name, is_id, origin) = name(names, purpose)?;
+        Some(Columns { delimiter: *delimiter, name, text: text(names, name)?, origin, is_id })
     };
     heads.iter().find_map(both).ok_or_else(|| {
         // The delimiter that divides the line into most columns is the one that was meant.
         let names = heads.iter().map(|(_, names)| names.as_slice()).max_by_key(|names| names.len());
-        Box::new(without_columns(script, names.unwrap_or_default()))
+        Box::new(without_columns(script, names.unwrap_or_default(), purpose))
     })
 }
 
 fn head(script: &str, delimiter: u8) -> Option<Vec<String>> {
-    let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).from_reader(script.as_bytes());
-    let head = rows.records().next()?.ok()?;
-    Some(head.iter().map(|name| name.trim().to_owned()).collect())
+    let head = Rows::new(script, delimiter).next()?.ok()?;
+    Some(head.iter().map(|cell| cell.text.trim().to_owned()).collect())
+}
+
+/// Returns the column with the names of recordings or the IDs of lines, whether it has IDs, and the tool.
+fn name(names: &[String], purpose: Purpose) -> Option<(usize, bool, TableOrigin)> {
+    if let Some((id, origin)) = id(names) {
+        return Some((id, true, origin));
+    }
+    let file = || Some((column(names, &FILES)?, false, TableOrigin::Other));
+    let id = || column(names, &IDS);
+    match purpose {
+        // Scripts of recordings may have the names of files in such a column, with extensions.
+        Purpose::Recordings => file().or_else(|| Some((id()?, false, TableOrigin::Other))),
+        Purpose::Lines => id().map(|id| (id, true, TableOrigin::Other)).or_else(file),
+    }
 }
 
 /// Returns the column with the best of these names.
@@ -97,22 +117,23 @@ fn column(names: &[String], known: &[&str]) -> Option<usize> {
 }
 
 /// Returns the column with the IDs in tables of Yarn Spinner and Ren'Py, whose column `file` names a part of the script.
-fn id(names: &[String]) -> Option<usize> {
-    [["id", "node"], ["identifier", "dialogue"]].iter().find_map(|[id, other]| {
+fn id(names: &[String]) -> Option<(usize, TableOrigin)> {
+    let tables = [("id", "node", TableOrigin::YarnSpinner), ("identifier", "dialogue", TableOrigin::RenPy)];
+    tables.into_iter().find_map(|(id, other, origin)| {
         column(names, &[other])?;
-        column(names, &[id])
+        Some((column(names, &[id])?, origin))
     })
 }
 
 /// Returns the column with the texts: by its name, or the only one named after a locale, `en-us` or `text_en-us`.
-fn text(names: &[String], file: usize) -> Option<usize> {
+fn text(names: &[String], name: usize) -> Option<usize> {
     let is_locale = |name: &str| {
         let tag = name.strip_prefix("text_").unwrap_or(name);
         // A language alone may be a word, such as `key`.
         tag.contains(['-', '_']) && canonical_tag(tag, true).is_some()
     };
-    let mut of_locales = (0..names.len()).filter(|&at| at != file && names.get(at).is_some_and(|name| is_locale(name)));
-    column(names, &TEXTS).filter(|text| *text != file).or_else(|| {
+    let mut of_locales = (0..names.len()).filter(|&at| at != name && names.get(at).is_some_and(|name| is_locale(name)));
+    column(names, &TEXTS).filter(|text| *text != name).or_else(|| {
         let first = of_locales.next()?;
         of_locales.next().is_none().then_some(first)
     })
@@ -124,11 +145,15 @@ fn plain(name: &str) -> String {
 }
 
 /// Returns the diagnostic for a first line that does not name both columns.
-fn without_columns(script: &str, names: &[String]) -> Diagnostic {
-    let file = column(names, &FILES);
-    let missing = match (file, text(names, file.unwrap_or(usize::MAX))) {
+fn without_columns(script: &str, names: &[String], purpose: Purpose) -> Diagnostic {
+    let wanted = match purpose {
+        Purpose::Recordings => "file",
+        Purpose::Lines => "id",
+    };
+    let name = name(names, purpose).map(|(name, ..)| name);
+    let missing = match (name, text(names, name.unwrap_or(usize::MAX))) {
         (Some(_), None) => Some("text"),
-        (None, Some(_)) => Some("file"),
+        (None, Some(_)) => Some(wanted),
         _ => None,
     };
     let message = match missing {
@@ -141,7 +166,7 @@ fn without_columns(script: &str, names: &[String]) -> Diagnostic {
         let shown: Vec<String> = names.iter().map(|name| escape::quoted(name).to_string()).collect();
         diagnostic = diagnostic.note(format!("its columns: {}", shown.join(", ")));
     }
-    diagnostic.help("name the columns `file` and `text`; other columns are ignored")
+    diagnostic.help(format!("name the columns `{wanted}` and `text`; other columns are ignored"))
 }
 
 #[cfg(test)]
@@ -164,7 +189,7 @@ mod tests {
             ("Identifier\tCharacter\tDialogue\tFilename\tLine Number\tRen'Py Script", 0, 2),
             ("VO_Filename,Text,Source", 0, 1),
         ] {
-            let columns = find(&format!("{head}\n")).map(|columns| (columns.file, columns.text));
+            let columns = find(&format!("{head}\n"), Purpose::Recordings).map(|columns| (columns.name, columns.text));
             assert_eq!(columns, Ok((file, text)), "{head}");
         }
         for (head, message) in [
@@ -175,7 +200,24 @@ mod tests {
             ("text", "the first line has no column `file`"),
             ("source", "the first line has no column `file`"),
         ] {
-            assert_eq!(find(head).map_err(|diagnostic| diagnostic.message), Err(message.to_owned()), "{head}");
+            let found = find(head, Purpose::Recordings).map_err(|diagnostic| diagnostic.message);
+            assert_eq!(found, Err(message.to_owned()), "{head}");
         }
+    }
+
+    #[test]
+    fn lines_are_named_by_ids() {
+        for (head, name, is_id, text) in [
+            ("Character,Line ID,Dialogue,Audio File", 1, true, 2),
+            ("file,id,text", 1, true, 2),
+            ("key,recording,text_en-us", 0, true, 2),
+            ("Filename;Transcript;Notes", 0, false, 1),
+        ] {
+            let found = find(head, Purpose::Lines).map(|columns| (columns.name, columns.is_id, columns.text));
+            assert_eq!(found, Ok((name, is_id, text)), "{head}");
+        }
+        let without = find("who,text", Purpose::Lines).unwrap_err();
+        assert_eq!(without.message, "the first line has no column `id`");
+        assert_eq!(without.help.as_deref(), Some("name the columns `id` and `text`; other columns are ignored"));
     }
 }

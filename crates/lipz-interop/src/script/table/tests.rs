@@ -1,0 +1,92 @@
+//! Tests of scripts in tables.
+
+use super::super::Script;
+
+#[test]
+fn a_csv_without_the_columns_is_no_script() {
+    for text in ["", "a,b\n1,2\n", "file\nx\n"] {
+        assert_eq!(Script::read("a.csv", text.as_bytes(), None).2.len(), 1, "{text}");
+    }
+    assert_eq!(Script::read("a.csv", b"file,text\nonly-file\n", None).2.len(), 1);
+    let twice = b"file,text\na.wav,One.\na.ogg,One.\nA.mp3,Two.\n";
+    let (script, _, found) = Script::read("a.csv", twice, None);
+    assert_eq!((script.text_of("a"), found.len()), (Some("One."), 1));
+}
+
+#[test]
+fn columns_may_be_divided_as_spreadsheets_do_it() {
+    for csv in ["file;text\na;Well, yes.\n", "text\tFILE\nWell, yes.\ta\n"] {
+        let (script, _, found) = Script::read("a.csv", csv.as_bytes(), None);
+        assert_eq!((found, script.text_of("a")), (Vec::new(), Some("Well, yes.")));
+    }
+}
+
+#[test]
+fn rows_that_say_nothing_are_marked() {
+    let csv = "file,text\r\na,One.\r\n,Two.\r\nb\r\n";
+    let (_, source, found) = Script::read("a.csv", csv.as_bytes(), None);
+    let marked = found.iter().map(|found| {
+        let span = found.primary.as_ref().unwrap().span;
+        (found.message.as_str(), &source.text[span.start as usize..span.end as usize])
+    });
+    let expected = [("the row has no file name", ",Two."), ("the row has no text", "b")];
+    assert_eq!(marked.collect::<Vec<_>>(), expected);
+    let (_, _, found) = Script::read("a.csv", b"file,words\na,One.\n", None);
+    assert_eq!(found[0].message, "the first line has no column `text`");
+}
+
+/// Returns the lines of a table, and its problems with their positions.
+fn lines(table: &str) -> (Vec<(String, String)>, Vec<(String, usize, usize)>) {
+    let (script, source, found) = Script::read_lines("a.csv", table.as_bytes());
+    let lines = script.lines().iter().map(|line| (line.path.to_owned(), line.text.to_owned())).collect();
+    let problem = |found: &lipz_diagnostics::Diagnostic| {
+        let before = &source.text[..found.start() as usize];
+        let column = before.rsplit('\n').next().unwrap().len() + 1;
+        (found.message.clone(), before.matches('\n').count() + 1, column)
+    };
+    (lines, found.iter().map(problem).collect())
+}
+
+fn owned(lines: &[(&str, &str)]) -> Vec<(String, String)> {
+    lines.iter().map(|(id, text)| ((*id).to_owned(), (*text).to_owned())).collect()
+}
+
+#[test]
+fn ids_have_priority_and_are_shown_as_written() {
+    let table = "file,id,text\nscene1.rpy,Mara.Hello,Hello.\nscene1.rpy,Otto_Yes,Yes.\n,,\n";
+    assert_eq!(lines(table), (owned(&[("Mara.Hello", "Hello."), ("Otto_Yes", "Yes.")]), vec![]));
+    let yarn = "language,id,text,file,node,lineNumber\nen,line:0a1B,Hello.,a.yarn,Start,1\n";
+    assert_eq!(lines(yarn).0, owned(&[("0a1B", "Hello.")]));
+    let (_, _, found) = Script::read_lines("a.csv", b"id,text\n,Hello.\n");
+    assert_eq!(found[0].message, "the row has no ID");
+    assert_eq!(lines("File,Text\nAct1\\Mara.WAV,Hello.\n").0, owned(&[("Act1\\Mara", "Hello.")]));
+}
+
+#[test]
+fn tables_of_renpy_have_strings_and_raw_quotes() {
+    let head = "Identifier\tCharacter\tDialogue\tFilename\tLine Number\tRen'Py Script\n";
+    let table = format!(
+        "{head}start_a1\tm\t\"Stop!\" she said.\tgame/script.rpy\t3\tm \"[what]\"\n\
+        \t\tOpen the door\tgame/script.rpy\t4\nstart_b2\t\tOne\\ntwo \\\"three\\\".\tgame/script.rpy\t9\t\"[what]\"\n"
+    );
+    let expected = owned(&[("start_a1", "\"Stop!\" she said."), ("start_b2", "One two \"three\".")]);
+    assert_eq!(lines(&table), (expected, vec![]));
+    let (_, _, found) = Script::read_lines("dialogue.tab", format!("{head}\t\tOpen\ta.rpy\t4\n").as_bytes());
+    assert_eq!(found[0].message, "no row of the table has an identifier");
+    assert!(found[0].is_error() && found[0].help.as_ref().unwrap().contains("tab-delimited"), "{found:?}");
+}
+
+#[test]
+fn broken_rows_are_errors_with_positions() {
+    let extra = "the row has more cells than the first line, which names 2";
+    for (table, message, line, column) in [
+        ("id,text\na,Well, yes.\nb,No.,\n", extra, 2, 8),
+        ("id,text\na,Yes.\nb,\"No.\nc,Why?\n", "the quote is not closed", 3, 3),
+        ("id,text\na,\"Yes.\nb,\"No.\"\n", "text follows a closing quote", 3, 4),
+        ("id,text\n\n", "no row follows the names of the columns", 1, 1),
+        ("id,text\n,\n", "no row follows the names of the columns", 1, 1),
+        ("id,text\n,Yes.\n", "the row has no ID", 2, 1),
+    ] {
+        assert_eq!(lines(table).1, [(message.to_owned(), line, column)], "{table}");
+    }
+}
