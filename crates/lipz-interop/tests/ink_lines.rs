@@ -77,6 +77,8 @@ fn stories_without_alternatives() {
     // Until version 20, tags are objects.
     let (script, _, _) = read(r##"[["^Hello.",{"#":"id: Mara_Hello"},"\n","end",null],"done",null]"##);
     assert_eq!(lines(&script), [("Mara_Hello", "Hello.")]);
+    let (script, source, _) = read(r##"["^A.",{"#":"id: id"},"\n",null]"##);
+    assert!(source.text[..script.lines()[0].span.start as usize].ends_with("id: "), "the end of the tag");
     // An ID that is computed, and one without a name.
     let computed =
         r##"[["^A.","#","^id: ","ev",{"VAR?":"x"},"out","/ev","/#","\n","^B.","#","^id: ","/#","\n",null],null]"##;

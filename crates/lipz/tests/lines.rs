@@ -39,11 +39,88 @@ fn clips_and_lines_that_belong_together_are_silent() {
     let ink = r##"{"inkVersion":21,"root":["^Hello, Otto. You?","#","^id:mara_hello","/#","\n","^Yes.","#","^id:otto_yes","/#","\n"]}"##;
     scene.write("story.json", ink);
     assert_eq!(check("story.json").stderr, "");
-    let unreadable = check("lipz.toml");
-    assert!(
-        unreadable.code != 0 && unreadable.stderr.contains("the first line does not name the columns"),
-        "{unreadable:?}"
-    );
+    scene.write("lines.msg", "{1}{mara_hello}{Hello, Otto. You?}\n{2}{otto_yes}{Yes.}\n");
+    assert_eq!(check("lines.msg").stderr, "");
+    for (file, content, message) in [
+        ("lines.toml", "a = 1\n", "the first line does not name the columns"),
+        ("lines.json", "id,text\n", "the file is not JSON"),
+        ("lines.json", "[]", "the file is neither a compiled story of Ink nor an exported project of articy:draft"),
+        ("lines.csv", "id,text\nmara_hello,Hello, Otto.\n", "lines.csv:2:18"),
+    ] {
+        scene.write(file, content);
+        let refused = check(file);
+        assert!(refused.code != 0 && refused.stderr.contains(message), "{refused:?}");
+    }
+}
+
+#[test]
+fn ids_have_priority_over_files_and_are_shown_as_written() {
+    let scene = scene();
+    let table = "file,id,text\nscript.rpy,Mara_Hello,\"Hello, Otto. You?\"\nscript.rpy,Otto_No,No.\n";
+    scene.write("lines.csv", table);
+    let checked = lipz(scene.path(), ["check", "--lines", "lines.csv", "--allow", "LZ2004"]);
+    assert!(checked.stderr.contains("no clip has the key of the line `Otto_No`"), "{checked:?}");
+    assert!(checked.stderr.contains("2 warnings in 2 files"), "{checked:?}");
+}
+
+#[test]
+fn a_line_of_several_clips_is_reported() {
+    let mut scene = scene();
+    scene.write("voices/act2/otto_yes.lipz", r#"{ "text_en-us": "Of course." }"#);
+    scene.expect("LZ1919-line-of-several-clips", &["check", "--lines", "dialogue.tab", "--allow", "LZ2004", "--quiet"]);
+    scene.write("dialogue.tab", TABLE.replace("otto_yes", "act1/otto_yes"));
+    let check = ["check", "--lines", "dialogue.tab", "--allow", "LZ2004", "--quiet"];
+    let whole = lipz(scene.path(), check);
+    assert!(whole.stderr.contains("voices/act2/otto_yes.lipz\n"), "{whole:?}");
+    assert!(whole.stderr.contains("1 warning in 1 file"), "the whole key fits one clip: {whole:?}");
+    // A key without folders belongs to the clip outside of folders.
+    scene.write("dialogue.tab", TABLE);
+    scene.write("voices/otto_yes.lipz", r#"{ "text_en-us": "Yes." }"#);
+    let outside = lipz(scene.path(), check);
+    assert_eq!(outside.stderr.matches("warning[LZ1920]").count(), 2, "{outside:?}");
+    assert!(!outside.stderr.contains("LZ1919"), "{outside:?}");
+    scene.finish(1);
+}
+
+#[test]
+fn single_files_are_not_the_whole_script() {
+    let scene = scene();
+    let check = |files: &[&str]| {
+        let arguments = [&["check", "--lines", "dialogue.tab", "--allow", "LZ2004"], files].concat();
+        lipz(scene.path(), arguments).stderr
+    };
+    assert_eq!(check(&["voices/act1/otto_yes.lipz"]), "");
+    scene.write("dialogue.tab", TABLE.replace("Yes.", "Of course."));
+    assert!(check(&["voices/act1/otto_yes.lipz"]).contains("LZ1921"));
+    scene.write("dialogue.tab", TABLE.replace("otto_yes", "otto_no"));
+    assert!(check(&["voices/act1/otto_yes.lipz"]).contains("LZ1920"));
+    assert!(check(&["voices"]).contains("LZ1919"), "a folder can be");
+}
+
+#[test]
+fn texts_are_compared_in_the_source_locale() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\nroot = \"voices\"\n");
+    scene.write("voices/a.lipz", r#"{ "text_de-de": "Ja.", "text_en-us": "Yes." }"#);
+    scene.write("lines.csv", "id,text\na,No.\n");
+    let check = || lipz(scene.path(), ["check", "--lines", "lines.csv", "--allow", "LZ1911"]);
+    let unknown = check();
+    assert!(!unknown.stderr.contains("LZ1921"), "{unknown:?}");
+    assert!(unknown.stdout.contains("hint: lipz did not compare the texts of clips in several languages"), "{unknown:?}");
+    let approved = lipz(scene.path(), ["approve", "--all", "--from", "en-us"]);
+    assert_eq!(approved.code, 0, "{approved:?}");
+    let recorded = check();
+    assert!(recorded.stderr.contains("the text differs from the line in lines.csv\n --> voices/a.lipz:1:38"), "{recorded:?}");
+    scene.write("lines.csv", "id,text\na,Yes.\n");
+    assert_eq!(check().stderr, "");
+    // A single text needs no locale.
+    let scene = Scene::new();
+    scene.write("b.lipz", r#"{ "text_ja-jp": "こんにちは。|元気？" }"#);
+    scene.write("lines.csv", "id,text\nb,\"こんにちは。\r\n元気？\"\n");
+    let check = || lipz(scene.path(), ["check", "--lines", "lines.csv", "."]).stderr;
+    assert_eq!(check(), "");
+    scene.write("lines.csv", "id,text\nb,こんにちは。\n");
+    assert!(check().contains("LZ1921"));
 }
 
 #[test]

@@ -106,7 +106,6 @@ pub(super) const RULES: &[Rule] = &[
     Rule {
         name: "lipz-interop",
         direct: &[
-            "csv",
             "encoding_rs",
             "hound",
             "lipz-diagnostics",

@@ -222,7 +222,7 @@ codes! {
     MarkupDiffers "LZ1916" "markup-differs" Warning "a translation and its source have different markup"
     OddCharacters "LZ1917" "odd-characters" Warning "a text has damaged or invisible characters, or letters of a different script"
     UnusableTake "LZ1918" "unusable-take" Error "a chosen take cannot be copied"
-    LineWithoutClip "LZ1919" "line-without-clip" Warning "a line of the script has no clip"
+    LineWithoutClip "LZ1919" "line-without-clip" Warning "a line of the script has no clip, or several"
     ClipWithoutLine "LZ1920" "clip-without-line" Warning "a clip has no line in the script"
     LineDiffers "LZ1921" "line-differs" Warning "a clip and its line in the script have different texts"
     TermMissing "LZ1922" "term-missing" Warning "a translation lacks the project's translation of a term"

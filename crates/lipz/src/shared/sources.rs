@@ -95,8 +95,9 @@ impl ProjectArguments {
     }
 }
 
-/// Removes the reports about recordings without a clip, because single files are not the whole project.
+/// Removes the reports about recordings and lines without a clip, because single files are not the whole project.
 pub(crate) fn retain_own(reports: &mut Vec<Report>) {
-    reports.iter_mut().for_each(|report| report.diagnostics.retain(|found| found.code != Code::RecordingWithoutClip));
+    let is_own = |code: Code| !matches!(code, Code::RecordingWithoutClip | Code::LineWithoutClip);
+    reports.iter_mut().for_each(|report| report.diagnostics.retain(|found| is_own(found.code)));
     reports.retain(|report| !report.diagnostics.is_empty());
 }

@@ -50,7 +50,8 @@ pub(super) fn of_json(text: &str) -> (Script, Vec<Diagnostic>) {
 /// Returns the position of `part` in the string `node`, or that of the whole string if `part` is written differently
 /// there.
 fn span_in(node: Node<'_>, part: &str) -> Span {
-    match node.line.text.find(part) {
+    // A tag ends with its ID.
+    match node.line.text.rfind(part) {
         Some(at) => Span::new(node.line.at + at, node.line.at + at + part.len()),
         None => node.span(),
     }

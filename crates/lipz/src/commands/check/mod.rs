@@ -79,7 +79,7 @@ pub(crate) struct Check {
     #[arg(long, value_name = "FILE")]
     cache: Option<PathBuf>,
 
-    /// Compare the clips with the lines of the game's script: a table of Ren'Py or Yarn Spinner, JSON of Ink or articy, or CSV
+    /// Compare the clips with a script: a table (Ren'Py, Yarn Spinner, CSV), JSON (Ink, articy) or .msg file (Fallout)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
     lines: Option<PathBuf>,
 
@@ -148,10 +148,10 @@ impl Run for Check {
             (false, false) => FixResult::default(),
         };
         let (mut run, is_unrecorded) = checked(&project, &fixing.in_memory, self.cache.as_deref(), quiet);
-        if let Some(lines) = &self.lines {
-            run.reports.extend(lines::check(lines, &project, &run.inputs, reporter)?);
-            lipz_diagnostics::reports::sort(&mut run.reports);
-        }
+        let has_ambiguous_texts = match &self.lines {
+            Some(lines) => lines::check(lines, &project, &mut run, reporter)?,
+            None => false,
+        };
         if self.sources.names_single_files() {
             retain_own(&mut run.reports);
         }
@@ -175,7 +175,10 @@ impl Run for Check {
         }
         if outcome == Outcome::Clean && !quiet && !self.prints_result() {
             reporter.summary(&format!("{} checked\n", files(run.inputs.len())))?;
-            // Errors come first. Warnings do not suppress the hint.
+            // Errors come first. Warnings do not suppress the hints.
+            if has_ambiguous_texts {
+                reporter.summary(lines::AMBIGUOUS)?;
+            }
             if is_unrecorded && project.file.is_some() {
                 reporter.summary(UNRECORDED)?;
             }

@@ -57,9 +57,7 @@ impl<'p> Translations<'p> {
     pub(super) fn open(project: &'p Project, inputs: &[Input]) -> Result<Translations<'p>, Report> {
         let options = &project.settings.options;
         let (file, odd_lines) = RecordFile::open(project, inputs)?;
-        let default = options.get_default_locale().and_then(|locale| canonical_tag(locale, true));
-        let recorded = || file.record.source_locales().first().map(|locale| (*locale).to_owned());
-        let source_locale = default.or_else(recorded);
+        let source_locale = source_locale_of(options, &file);
         let terms = TermFile::read(project.settings.terms.as_deref(), source_locale.as_deref())?;
         Ok(Translations { options, file, odd_lines, source_locale, terms })
     }
@@ -110,6 +108,23 @@ impl<'p> Translations<'p> {
         let is_asked = self.options.get_levels().severity(Code::StaleTranslation).is_some();
         TranslationCheck { reports: of_record, is_unrecorded: is_asked && marked > 0 }
     }
+}
+
+/// Returns the locale that the texts of a project are translated from: the default locale, or the recorded one.
+pub(super) fn source_locale(project: &Project, inputs: &[Input]) -> Option<String> {
+    let options = &project.settings.options;
+    match RecordFile::open(project, inputs) {
+        Ok((file, _)) => source_locale_of(options, &file),
+        Err(_) => default_locale(options),
+    }
+}
+
+fn source_locale_of(options: &Options, file: &RecordFile) -> Option<String> {
+    default_locale(options).or_else(|| file.record.source_locales().first().map(|locale| (*locale).to_owned()))
+}
+
+fn default_locale(options: &Options) -> Option<String> {
+    canonical_tag(options.get_default_locale()?, true)
 }
 
 /// Checks the translations of a project.
