@@ -66,6 +66,8 @@ fn a_story_has_the_lines_of_its_runtime() {
         assert!(source.text[..line.span.start as usize].ends_with("^id: "), "{} is in a tag", line.path);
         assert_eq!(&source.text[line.span.range()], line.path);
     }
+    let (of_recordings, _, _) = Script::read("tavern.ink.json", &tavern(), None);
+    assert_eq!((of_recordings.text_of("mara_cold"), of_recordings.text_of("mara_name")), (Some("It is cold."), None));
 }
 
 #[test]

@@ -54,6 +54,14 @@ fn clips_and_lines_that_belong_together_are_silent() {
 }
 
 #[test]
+fn the_help_names_the_formats() {
+    let help = lipz(scene().path(), ["check", "--help"]).stdout;
+    for name in ["Ren'Py", "Yarn Spinner", "CSV", "Ink", "articy", ".msg"] {
+        assert!(help.contains(name), "{name}");
+    }
+}
+
+#[test]
 fn ids_have_priority_over_files_and_are_shown_as_written() {
     let scene = scene();
     let table = "file,id,text\nscript.rpy,Mara_Hello,\"Hello, Otto. You?\"\nscript.rpy,Otto_No,No.\n";
@@ -106,11 +114,17 @@ fn texts_are_compared_in_the_source_locale() {
     let check = || lipz(scene.path(), ["check", "--lines", "lines.csv", "--allow", "LZ1911"]);
     let unknown = check();
     assert!(!unknown.stderr.contains("LZ1921"), "{unknown:?}");
-    assert!(unknown.stdout.contains("hint: lipz did not compare the texts of clips in several languages"), "{unknown:?}");
+    assert!(
+        unknown.stdout.contains("hint: lipz did not compare the texts of clips in several languages"),
+        "{unknown:?}"
+    );
     let approved = lipz(scene.path(), ["approve", "--all", "--from", "en-us"]);
     assert_eq!(approved.code, 0, "{approved:?}");
     let recorded = check();
-    assert!(recorded.stderr.contains("the text differs from the line in lines.csv\n --> voices/a.lipz:1:38"), "{recorded:?}");
+    assert!(
+        recorded.stderr.contains("the text differs from the line in lines.csv\n --> voices/a.lipz:1:38"),
+        "{recorded:?}"
+    );
     scene.write("lines.csv", "id,text\na,Yes.\n");
     assert_eq!(check().stderr, "");
     // A single text needs no locale.

@@ -97,9 +97,9 @@ impl Script {
         let extension = path.rsplit_once('.').map_or("", |(_, extension)| extension).to_ascii_lowercase();
         let (mut script, found) = match extension.as_str() {
             "msg" => of_entries(&text),
-            "json" => json::of_json(&text),
+            "json" => json::of_json(&text, purpose),
             _ if text.starts_with(ZIP) => (Script::default(), vec![without_text()]),
-            _ if text.trim_start().starts_with('{') => json::of_json(&text),
+            _ if text.trim_start().starts_with('{') => json::of_json(&text, purpose),
             _ => table::of_rows(&text, purpose),
         };
         script.file = path.to_owned();

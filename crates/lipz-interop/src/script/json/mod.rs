@@ -3,7 +3,7 @@
 mod articy;
 mod ink;
 
-use super::Script;
+use super::{Purpose, Script};
 use crate::json::{Node, root};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 
@@ -18,7 +18,7 @@ struct ExportedLine {
 }
 
 /// Reads the lines of a JSON file. Their positions are those of their IDs.
-pub(super) fn of_json(text: &str) -> (Script, Vec<Diagnostic>) {
+pub(super) fn of_json(text: &str, purpose: Purpose) -> (Script, Vec<Diagnostic>) {
     let mut script = Script::default();
     let mut found = Vec::new();
     let Some(file) = root(text, &mut found) else { return (script, found) };
@@ -38,7 +38,9 @@ pub(super) fn of_json(text: &str) -> (Script, Vec<Diagnostic>) {
     if lines.is_empty() && found.is_empty() {
         found.push(Diagnostic::new(Code::ForeignSyntax, message));
     }
-    for ExportedLine { id, text, span } in lines {
+    // A recording needs a text of its own.
+    let is_used = |line: &ExportedLine| purpose == Purpose::Lines || !line.text.is_empty();
+    for ExportedLine { id, text, span } in lines.into_iter().filter(is_used) {
         if !script.add(&id, text, span) {
             let message = format!("{} has a different text above", escape::quoted(&id));
             found.push(Diagnostic::at(Code::ForeignOddity, span, message).note("the first text is used"));

@@ -35,8 +35,11 @@ fn rows_that_say_nothing_are_marked() {
     assert_eq!(found[0].message, "the first line has no column `text`");
 }
 
-/// Returns the lines of a table, and its problems with their positions.
-fn lines(table: &str) -> (Vec<(String, String)>, Vec<(String, usize, usize)>) {
+/// The ID and the text of each line.
+type Lines = Vec<(String, String)>;
+
+/// Returns the lines of a table, and its problems with their lines and columns.
+fn lines(table: &str) -> (Lines, Vec<(String, usize, usize)>) {
     let (script, source, found) = Script::read_lines("a.csv", table.as_bytes());
     let lines = script.lines().iter().map(|line| (line.path.to_owned(), line.text.to_owned())).collect();
     let problem = |found: &lipz_diagnostics::Diagnostic| {
@@ -47,7 +50,7 @@ fn lines(table: &str) -> (Vec<(String, String)>, Vec<(String, usize, usize)>) {
     (lines, found.iter().map(problem).collect())
 }
 
-fn owned(lines: &[(&str, &str)]) -> Vec<(String, String)> {
+fn owned(lines: &[(&str, &str)]) -> Lines {
     lines.iter().map(|(id, text)| ((*id).to_owned(), (*text).to_owned())).collect()
 }
 

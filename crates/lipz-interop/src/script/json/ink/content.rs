@@ -109,7 +109,7 @@ impl<'s> ContentReader<'_, 's> {
         let of = |known: &str| members.iter().find(|(name, _)| name == known).map(|(_, node)| *node);
         let is_true = |known: &str| of(known).is_some_and(|node| node.line.text == "true");
         if let Some(path) = of("->").and_then(Node::string) {
-            self.divert(Divert { path, is_conditional: is_true("c"), is_variable: is_true("var") });
+            self.divert(&Divert { path, is_conditional: is_true("c"), is_variable: is_true("var") });
         } else if of("->t->").is_some() {
             self.flow.lines.continue_elsewhere();
         } else if let Some((tag, node)) = of("#").and_then(|node| Some((node.string()?, node))) {
@@ -118,8 +118,8 @@ impl<'s> ContentReader<'_, 's> {
         }
     }
 
-    fn divert(&mut self, divert: Divert) {
-        match self.destination(&divert) {
+    fn divert(&mut self, divert: &Divert) {
+        match self.destination(divert) {
             Destination::Alternative(name, node) => {
                 self.run.push(name);
                 let lines = self.flow.lines.clone();
