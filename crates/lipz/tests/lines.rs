@@ -75,7 +75,10 @@ fn ids_have_priority_over_files_and_are_shown_as_written() {
 fn a_line_of_several_clips_is_reported() {
     let mut scene = scene();
     scene.write("voices/act2/otto_yes.lipz", r#"{ "text_en-us": "Of course." }"#);
-    scene.expect("LZ1919-line-of-several-clips", &["check", "--lines", "dialogue.tab", "--allow", "LZ2004", "--quiet"]);
+    scene.expect(
+        "LZ1919-line-without-clip-several",
+        &["check", "--lines", "dialogue.tab", "--allow", "LZ2004", "--quiet"],
+    );
     scene.write("dialogue.tab", TABLE.replace("otto_yes", "act1/otto_yes"));
     let check = ["check", "--lines", "dialogue.tab", "--allow", "LZ2004", "--quiet"];
     let whole = lipz(scene.path(), check);

@@ -68,14 +68,17 @@ impl RowReader {
             found.push(Diagnostic::at(Code::ForeignSyntax, extra.span, message).help(help));
             return;
         }
-        let name = row.get(columns.name).map_or("", |cell| cell.text.trim());
-        let name = if columns.is_id { name.strip_prefix(YARN_LINE).unwrap_or(name) } else { without_extension(name) };
+        let written = row.get(columns.name).map_or("", |cell| cell.text.trim());
+        let name = match columns.is_id {
+            true => written.strip_prefix(YARN_LINE).unwrap_or(written),
+            false => without_extension(written),
+        };
         let is_renpy = columns.origin == TableOrigin::RenPy;
         let missing = match row.get(columns.text) {
             Some(text) if !name.is_empty() => {
                 let text = if is_renpy { without_escapes(&text.text) } else { text.text.clone().into_owned() };
                 if !script.add(name, text, row_span) {
-                    let message = format!("{} has a different text in a row above", escape::quoted(name));
+                    let message = format!("{} has a different text in a row above", escape::quoted(written));
                     let odd = Diagnostic::at(Code::ForeignOddity, row_span, message);
                     found.push(odd.note("the first text is used"));
                 }
