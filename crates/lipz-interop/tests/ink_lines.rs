@@ -44,6 +44,8 @@ fn a_story_has_the_lines_of_its_runtime() {
         // The runtime continues the line with the text behind the divert.
         ("mara_go", ""),
         ("mara_dear", ""),
+        ("mara_part", ""),
+        ("mara_rest", ""),
         ("mara_still", "Still here."),
         ("mara_together", "Together."),
         ("mara_well", "Well."),

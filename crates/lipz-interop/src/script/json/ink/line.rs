@@ -8,6 +8,9 @@ use std::collections::BTreeMap;
 /// The most alternatives of a line. If there are more, its text is not compared.
 const MAX_ALTERNATIVES: usize = 64;
 
+/// The most IDs of a line. Usually, it has one.
+const MAX_IDS: usize = 64;
+
 /// The longest line that is compared, in bytes.
 const MAX_BYTES: usize = 16 * 1024;
 
@@ -17,16 +20,21 @@ pub(super) struct FinishedLines(BTreeMap<u32, ExportedLine>);
 
 impl FinishedLines {
     fn add(&mut self, line: InkLine) {
-        let text = line.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let Some((id, span)) = line.id else { return };
+        let mut text = line.text.split_whitespace().collect::<Vec<_>>().join(" ");
         if text.is_empty() && !line.is_varying {
             return;
         }
-        let new = ExportedLine { id, text: if line.is_varying { String::new() } else { text }, span };
-        // Different texts at one ID are alternatives.
-        let known = self.0.entry(span.start).or_insert_with(|| new.clone());
-        if known.text != new.text {
-            known.text.clear();
+        if line.is_varying || line.ids.len() > 1 {
+            // With several IDs, each has an unknown part of the text.
+            text.clear();
+        }
+        for (id, span) in line.ids {
+            let new = ExportedLine { id, text: text.clone(), span };
+            let known = self.0.entry(span.start).or_insert_with(|| new.clone());
+            // Different texts at one ID are alternatives.
+            if known.text != new.text {
+                known.text.clear();
+            }
         }
     }
 
@@ -41,7 +49,7 @@ struct InkLine {
     text: String,
     /// Whether a part of the text is different each time.
     is_varying: bool,
-    id: Option<(String, Span)>,
+    ids: Vec<(String, Span)>,
     /// The tag that is being read, with its position.
     tag: Option<(String, Option<Span>)>,
     /// Whether a line break follows, which glue may remove.
@@ -132,8 +140,9 @@ impl InkLines {
     pub(super) fn close_tag(&mut self) {
         for line in &mut self.0 {
             let Some((tag, span)) = line.tag.take() else { continue };
-            if let Some(id) = id_of(&tag).filter(|id| !id.is_empty()) {
-                line.id = span.map(|span| (id.to_owned(), span));
+            let id = id_of(&tag).filter(|id| !id.is_empty() && line.ids.len() < MAX_IDS);
+            if let (Some(id), Some(span)) = (id, span) {
+                line.ids.push((id.to_owned(), span));
             }
         }
     }
