@@ -57,14 +57,17 @@ struct OldClip<'c> {
     new: Vec<&'c str>,
 }
 
-/// Clips by the source text of a segment, or of the whole clip.
+/// The number of a segment, or `None` for the whole clip, and its source text.
+type SourcePlace = (Option<usize>, String);
+
+/// Clips by their source texts.
 struct SourceIndex<'c> {
-    by_source: HashMap<(Option<usize>, String), Vec<&'c (String, ClipTexts)>>,
+    by_source: HashMap<SourcePlace, Vec<&'c (String, ClipTexts)>>,
 }
 
 impl<'c> SourceIndex<'c> {
     fn new(clips: impl Iterator<Item = &'c (String, ClipTexts)>, source_locale: &str) -> SourceIndex<'c> {
-        let mut by_source: HashMap<(Option<usize>, String), Vec<&(String, ClipTexts)>> = HashMap::new();
+        let mut by_source: HashMap<SourcePlace, Vec<_>> = HashMap::new();
         for clip in clips {
             let Some(segments) = clip.1.get(source_locale) else { continue };
             let parts = (1..).zip(segments).map(|(number, text)| (Some(number), text.clone()));

@@ -115,7 +115,7 @@ impl Run for ImportRecordings {
         let mut copies: Vec<Copy> = Vec::new();
         let mut chosen = Chosen::default();
         for (file, take) in &takes {
-            let copy = places.copy(take).and_then(|copy| Ok(chosen.add(copy, take)?));
+            let copy = places.copy(take).and_then(|copy| chosen.add(copy, take));
             match copy {
                 Ok(copy) => copies.extend(copy),
                 Err(found) => incoming.found.push((*file, *found)),
