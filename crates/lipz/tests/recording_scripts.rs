@@ -175,10 +175,18 @@ fn takes_and_texts_come_back_from_the_studio() {
     assert_eq!((texts.code, texts.stderr.as_str()), (0, ""));
     let hello = fs::read_to_string(scene.path().join("voices/act1/mara-hello.lipz")).unwrap();
     assert!(hello.contains("Grüß Gott, {smiling} Otto!"), "{hello}");
-    // A retake replaces a recording only on request, and a missing take copies nothing.
+    // A retake replaces a recording only on request.
     scene.write("takes/monday/mara-hello_2.wav", voice(LONG, 4));
     let refused = import(&[]);
     assert!(refused.code == 1 && refused.stderr.contains("already exists"), "{refused:?}");
+    // A missing take copies nothing.
+    let complete = fs::read_to_string(scene.path().join("script.csv")).unwrap();
+    scene.write("script.csv", complete.replace("otto-yes-odd.wav", "otto-yes-even.wav"));
+    let before = recording("rec/de/act1/mara-hello.wav");
+    let refused = import(&["--overwrite"]);
+    assert!(refused.code == 1 && refused.stderr.contains("is missing in takes"), "{refused:?}");
+    assert!(recording("rec/de/act1/mara-hello.wav") == before);
+    scene.write("script.csv", complete);
     assert_eq!(import(&["--overwrite"]).stdout, "takes copied: 0 new, 1 replaced, 1 unchanged\n");
 }
 
@@ -207,6 +215,70 @@ fn takes_that_cannot_be_found_are_reported() {
     scene.write("script.csv", choose("mara-hello_1.wav"));
     scene.expect("LZ1918-unusable-take-format", &run);
     scene.finish(4);
+}
+
+#[test]
+fn doubtful_takes_are_refused() {
+    let scene = scene();
+    let refused = |script: &str, more: &[&str], expected: &str| {
+        scene.write("script.csv", script);
+        let arguments = ["import", "recordings", "script.csv", "takes"];
+        let refused = lipz(scene.path(), arguments.iter().chain(more));
+        assert!(refused.code != 0 && refused.stderr.contains(expected), "{expected}: {refused:?}");
+        assert!(!scene.path().join("rec/de").exists(), "{expected}");
+    };
+    // `mara-hello_12` is not take 2 of `mara-hello_1`, and act2 has its own takes.
+    scene.write("takes/mara-hello_12.wav", voice(SECOND, 1));
+    scene.write("takes/act2/mara-bye_1.wav", voice(SECOND, 2));
+    scene.write("takes/notes_1.wav", "not a sound");
+    let head = "key,de-de,take\n";
+    refused(&format!("{head}act1/mara-hello,Hallo,2\n"), &[], "take 2 of `act1/mara-hello` is missing");
+    let twice = format!("{head}act1/mara-hello,Hallo,mara-hello_12\nact1/otto-yes,Ja,mara-hello_12.wav\n");
+    refused(&twice, &[], "is chosen for `act1/otto-yes` and for `act1/mara-hello`");
+    refused(&format!("{head}act1/mara-hello,Hallo,notes_1.wav\n"), &[], "notes_1.wav");
+    refused(&format!("{head},Hallo,12\n"), &[], "the row has a take, but no key");
+    refused(&format!("{head}act1/mara-hallo,Hallo,12\n"), &[], "the project has no clip `act1/mara-hallo`");
+    let good = format!("{head}act1/mara-hello,Hallo,12\n");
+    refused(&good, &["--locale", "fr-fr"], "the script is for de-de, not for fr-fr");
+    refused(&good.replace("de-de", "fr-fr"), &[], "the project has no voice in fr-fr");
+    let several = "key,de-de,fr-fr,take\nact1/mara-hello,Hallo,Salut,12\n";
+    refused(several, &[], "the table has translations into 2 locales");
+    refused("key,de-de,take,take\na,b,1,2\n", &[], "a second column has the name `take`");
+    refused("key,de-de\nact1/mara-hello,Hallo\n", &[], "no column has the chosen takes");
+    // The name of a scene's folder tells its takes from those of others.
+    scene.write("takes/mara-bye_1.wav", voice(SECOND, 3));
+    scene.write("script.csv", format!("{head}act2/mara-bye,Tschüss,1\n"));
+    let copied = lipz(scene.path(), ["import", "recordings", "script.csv", "takes"]);
+    assert_eq!((copied.code, copied.stdout.as_str()), (0, "takes copied: 1 new, 0 replaced, 0 unchanged\n"));
+    let path = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(path("rec/de/act2/mara-bye.wav") == path("takes/act2/mara-bye_1.wav"));
+}
+
+#[test]
+fn a_project_without_recordings_has_a_script() {
+    let scene = scene();
+    fs::remove_dir_all(scene.path().join("rec")).unwrap();
+    assert_eq!(rows(&scene, &["--locale", "de-de"]).len(), 3);
+    scene.write("voices/act2/silent.lipz", "{ \"events\": \"feels joy\" }");
+    let written = export(&scene, &["csv", "--locale", "de-de", "-o", "script.csv"]);
+    assert!(written.stdout.contains("; left out 1 clip without a text in en-us"), "{written:?}");
+    let folder = export(&scene, &["csv", "--locale", "de-de", "-o", "voices"]);
+    assert!(folder.code == 2 && folder.stderr.contains("`voices` is a folder"), "{folder:?}");
+    let unknown = export(&scene, &["csv", "--locale", "fr-fr", "-o", "-"]);
+    assert!(unknown.code == 2 && unknown.stderr.contains("the project has no voice in fr-fr"), "{unknown:?}");
+}
+
+/// The last pattern that matches a clip applies, whatever its name.
+#[test]
+fn patterns_of_dubs_apply_in_the_order_of_the_file() {
+    let scene = scene();
+    let status = |dubs: &str| {
+        scene.write("lipz.toml", format!("{}[dubs]\n{dubs}", SETTINGS.split("[dubs]").next().unwrap()));
+        rows(&scene, &["--locale", "de-de"]).iter().find(|row| row[1] == "act1/mara-hello").unwrap()[6].clone()
+    };
+    let [all, one] = ["\"act1/**\" = \"voice-over\"\n", "\"act1/mara-*\" = 3\n"];
+    assert_eq!(status(&format!("{all}{one}")), "time-constrained (3 %)");
+    assert_eq!(status(&format!("{one}{all}")), "voice-over");
 }
 
 #[test]

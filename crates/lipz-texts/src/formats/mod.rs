@@ -7,10 +7,11 @@ mod xliff;
 #[cfg(feature = "xlsx")]
 pub(crate) mod xlsx;
 
-use crate::exchange::Exchange;
 use crate::exchange::entry::{Entry, IncomingFile, ReadOptions};
 use crate::exchange::write_options::{Shape, WriteOptions};
+use crate::exchange::{Exchange, Mark};
 use lipz_diagnostics::{Code, Diagnostic, bound};
+use std::collections::HashSet;
 
 /// A format for exchange with translators.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -157,5 +158,23 @@ pub fn read(format: Format, bytes: &[u8], options: &ReadOptions) -> IncomingFile
         incoming.diagnostics.push(diagnostic);
     }
     incoming.entries.retain(|entry: &Entry| options.wants(&entry.locale));
+    keep_comments(&mut incoming);
     incoming
+}
+
+/// Keeps the comments of translators if a tool has removed all of them: several clips had comments, and no entry has any.
+fn keep_comments(incoming: &mut IncomingFile) {
+    let clips: HashSet<&str> = (incoming.entries.iter())
+        .filter(|entry| entry.comments_mark.is_some_and(|mark| mark != Mark::of_comments(&[])))
+        .map(|entry| entry.key.text.as_str())
+        .collect();
+    if clips.len() < 2 || incoming.entries.iter().any(|entry| !entry.comments.is_empty()) {
+        return;
+    }
+    let message = format!("the comments of translators on {} clips are missing, and are kept", clips.len());
+    let help = "the program that saved the file has removed them; delete unwanted comments in lipz-texts.txt";
+    incoming.diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
+    for entry in &mut incoming.entries {
+        entry.comments_mark = None;
+    }
 }

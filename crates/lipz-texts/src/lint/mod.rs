@@ -178,7 +178,7 @@ fn compare(
             let help = "use the term, or add this translation to the table of terms";
             of_terms.add(|| differs(Code::TermMissing, message, "the source", help));
         }
-        if let Some(message) = punctuation::difference(from, &translation.locale, to) {
+        if let Some(message) = punctuation::difference([from, &source.locale], [to, &translation.locale]) {
             ends.add(|| differs(Code::EndPunctuation, message, "the source", punctuation::HELP));
         }
     }

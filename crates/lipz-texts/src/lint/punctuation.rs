@@ -8,17 +8,19 @@ const WITHOUT_SIGNS: [&str; 4] = ["th", "lo", "km", "my"];
 
 pub(super) const HELP: &str = "end both texts in the same way, or allow `end-punctuation` for these files";
 
-/// Returns a message about the end of a translation that differs from that of its source, or is doubled.
-pub(super) fn difference(source: &str, locale: &str, translation: &str) -> Option<String> {
+/// Returns a message about the end of a translation that differs from that of its source, or is doubled. Both have
+/// a text and its locale.
+pub(super) fn difference(source: [&str; 2], translation: [&str; 2]) -> Option<String> {
+    let ([source, source_locale], [translation, locale]) = (source, translation);
     let (source, translation) = (display(source).text, display(translation).text);
     let doubled = ["..", "!!", "??", "。。", ",,"].into_iter().find(|doubled| is_doubled(&translation, doubled));
     if let Some(doubled) = doubled.filter(|doubled| !is_doubled(&source, doubled)) {
         return Some(format!("the translation ends with `{doubled}`"));
     }
-    if WITHOUT_SIGNS.contains(&language(locale)) {
+    if [source_locale, locale].iter().any(|locale| WITHOUT_SIGNS.contains(&language(locale))) {
         return None;
     }
-    let (from, to) = (end(&source, ""), end(&translation, language(locale)));
+    let (from, to) = (end(&source, language(source_locale)), end(&translation, language(locale)));
     (from != to).then(|| match (from, to) {
         (Some(from), None) => format!("the translation lacks the `{from}` at the end"),
         (None, Some(to)) => format!("the translation ends with `{to}`, but the source does not"),
@@ -84,7 +86,8 @@ mod tests {
             ("Otto", "de-de", "Otto"),
             ("Go {to: amy}", "de-de", "Geh {to: amy}"),
         ] {
-            assert_eq!(difference(source, locale, translation), None, "{translation}");
+            assert_eq!(difference([source, "en-us"], [translation, locale]), None, "{translation}");
+            assert_eq!(difference([translation, locale], [source, "en-us"]), None, "{translation}");
         }
         for (source, translation, message) in [
             ("Who goes there?", "Wer da", "the translation lacks the `?` at the end"),
@@ -92,7 +95,7 @@ mod tests {
             ("Stop.", "Halt!", "the translation ends with `!` instead of `.`"),
             ("Stop.", "Halt..", "the translation ends with `..`"),
         ] {
-            assert_eq!(difference(source, "de-de", translation).as_deref(), Some(message));
+            assert_eq!(difference([source, "en-us"], [translation, "de-de"]).as_deref(), Some(message));
         }
     }
 }

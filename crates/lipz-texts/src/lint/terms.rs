@@ -1,14 +1,19 @@
 //! The terms of a project, and their translations.
 
-use csv::{ReaderBuilder, StringRecord};
-use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
+use crate::exchange::decode;
+use crate::formats::csv::{CsvRow, CsvRows, separator_of};
+use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, bound, escape};
 use lipz_file::locale::{canonical_tag, language};
 use lipz_file::text::display;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use unicode_segmentation::UnicodeSegmentation;
 
 /// The separator of alternatives in a cell.
 const OR: char = '|';
+
+/// The names of columns without translations, in lower case.
+const NOTES: [&str; 5] = ["note", "notes", "comment", "comments", "description"];
 
 /// Terms with their translations: names, places, and words that always mean the same in a game.
 #[derive(Clone, Debug, Default)]
@@ -30,44 +35,52 @@ struct Term {
 
 impl Terms {
     /// Reads a CSV file with a column for each locale or language, named `en-us` or `en`. Each row is a term. `|` separates
-    /// alternatives. Columns with other names, such as notes, are ignored.
-    pub fn read(text: &str, source_locale: &str) -> (Terms, Vec<Diagnostic>) {
+    /// alternatives. Columns named `note` or `comment` are not read, and others are reported.
+    pub fn read(path: impl Into<String>, bytes: &[u8], source_locale: &str) -> (Terms, Report) {
         let (mut terms, mut found) = (Terms::default(), Vec::new());
-        let mut reader = ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
-        let names = reader.headers().cloned().unwrap_or_default();
-        let columns: Vec<Option<String>> = names.iter().map(column).collect();
-        let is_source = |column: &Option<String>| {
-            column.as_deref().is_some_and(|name| name == source_locale || name == language(source_locale))
-        };
-        let Some(source) = columns.iter().position(is_source) else {
-            let end = text.lines().next().map_or(0, str::len);
-            let message = format!("no column has the terms in {source_locale}");
-            let help = "name a column after each locale in the first row: en-us,de-de";
-            return (terms, vec![Diagnostic::at(Code::ExchangeSyntax, Span::new(0, end), message).help(help)]);
-        };
-        for row in reader.records() {
-            match row {
-                Ok(row) => terms.add(&row, &columns, source),
-                Err(error) => {
-                    let message = format!("the file is not CSV: {}", escape::text(&error.to_string()));
-                    found.push(Diagnostic::new(Code::ExchangeSyntax, message));
-                    bound::limit_many(&mut found);
-                }
-            }
+        let text = decode::text(bytes, None, &mut found);
+        if let Some(text) = &text {
+            terms.read_rows(text, source_locale, &mut found);
+            bound::limit_many(&mut found);
         }
-        (terms, found)
+        let shown = text.map_or_else(|| decode::readable(bytes), Cow::into_owned);
+        (terms, Report::new(Source::new(path, shown), found))
     }
 
-    fn add(&mut self, row: &StringRecord, columns: &[Option<String>], source: usize) {
-        let alternatives = |cell: &str| -> Vec<String> {
+    fn read_rows(&mut self, text: &str, source_locale: &str, found: &mut Vec<Diagnostic>) {
+        let mut columns: Option<TermColumns> = None;
+        for row in CsvRows::new(text, separator_of(text.lines().next().unwrap_or_default())) {
+            let read = row.and_then(|row| {
+                match &columns {
+                    Some(columns) => {
+                        found.extend(columns.surplus(&row));
+                        self.add(&row, columns);
+                    }
+                    None => columns = Some(TermColumns::read(&row, source_locale, found)?),
+                }
+                Ok(())
+            });
+            if let Err(fault) = read {
+                found.push(*fault);
+                return;
+            }
+            bound::limit_many(found);
+        }
+        if columns.is_none() {
+            found.push(no_source(source_locale, Span::default()));
+        }
+    }
+
+    fn add(&mut self, row: &CsvRow, columns: &TermColumns) {
+        let alternatives = |cell: &String| -> Vec<String> {
             cell.split(OR).map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect()
         };
-        let translations: BTreeMap<String, Vec<String>> = (columns.iter().zip(row))
-            .enumerate()
-            .filter_map(|(at, (column, cell))| Some((column.clone().filter(|_| at != source)?, alternatives(cell))))
+        let cells = (0..).zip(&columns.names).zip(&row.cells).filter(|((at, _), _)| *at != columns.source);
+        let translations: BTreeMap<String, Vec<String>> = cells
+            .filter_map(|((_, name), cell)| Some((name.clone()?, alternatives(cell))))
             .filter(|(_, texts)| !texts.is_empty())
             .collect();
-        for text in alternatives(row.get(source).unwrap_or_default()) {
+        for text in row.cells.get(columns.source).map(alternatives).unwrap_or_default() {
             let words: Vec<String> = text.unicode_words().map(str::to_lowercase).collect();
             let Some(first) = words.first().cloned() else { continue };
             self.by_first_word.entry(first).or_default().push(self.terms.len());
@@ -83,20 +96,75 @@ impl Terms {
         let shown = display(source).text.to_lowercase();
         let words: Vec<&str> = shown.unicode_words().collect();
         let translation = display(translation).text.to_lowercase();
-        (0..words.len()).find_map(|at| {
-            let rest = words.get(at..)?;
-            let here = self.by_first_word.get(*rest.first()?).into_iter().flatten();
-            let terms = here.filter_map(|number| self.terms.get(*number)).filter(|term| term.starts(rest));
-            // Of `lamp` and `lamp oil`, the longer term applies.
-            let term = terms.max_by_key(|term| term.words.len())?;
-            let expected = term.translations.get(locale).or_else(|| term.translations.get(language(locale)))?;
-            let is_there = expected.iter().any(|text| translation.contains(&text.to_lowercase()));
-            (!is_there).then(|| {
-                let expected = expected.iter().map(|text| escape::quoted(text).to_string()).collect::<Vec<_>>();
-                format!("the translation lacks {} for the term {}", expected.join(" or "), escape::quoted(&term.text))
-            })
-        })
+        let mut rest = words.as_slice();
+        while let [_, after @ ..] = rest {
+            let Some(term) = self.at_start_of(rest) else {
+                rest = after;
+                continue;
+            };
+            // Of `lamp oil`, neither `lamp` nor `oil` is a term of its own.
+            rest = rest.get(term.words.len()..).unwrap_or_default();
+            let translations = &term.translations;
+            let Some(expected) = translations.get(locale).or_else(|| translations.get(language(locale))) else {
+                continue;
+            };
+            if !expected.iter().any(|text| translation.contains(&text.to_lowercase())) {
+                let expected: Vec<String> = expected.iter().map(|text| escape::quoted(text).to_string()).collect();
+                let term = escape::quoted(&term.text);
+                return Some(format!("the translation lacks {} for the term {term}", expected.join(" or ")));
+            }
+        }
+        None
     }
+
+    /// Returns the longest term that the words begin with.
+    fn at_start_of(&self, words: &[&str]) -> Option<&Term> {
+        let here = self.by_first_word.get(*words.first()?)?;
+        let terms = here.iter().filter_map(|number| self.terms.get(*number)).filter(|term| term.starts(words));
+        terms.max_by_key(|term| term.words.len())
+    }
+}
+
+/// The columns of a table of terms.
+struct TermColumns {
+    /// The locale or language of each; `None` for notes.
+    names: Vec<Option<String>>,
+    /// The column of the terms.
+    source: usize,
+}
+
+impl TermColumns {
+    /// Reads the header.
+    fn read(row: &CsvRow, source_locale: &str, found: &mut Vec<Diagnostic>) -> Result<TermColumns, Box<Diagnostic>> {
+        let names: Vec<Option<String>> = row.cells.iter().map(|cell| column(cell)).collect();
+        let position = |locale: &str| names.iter().position(|name| name.as_deref() == Some(locale));
+        let Some(source) = position(source_locale).or_else(|| position(language(source_locale))) else {
+            let last = row.span(row.cells.len().saturating_sub(1));
+            return Err(no_source(source_locale, Span { start: row.span(0).start, ..last }).into());
+        };
+        for (at, name) in row.cells.iter().enumerate().filter(|(at, _)| names.get(*at) == Some(&None)) {
+            if !name.is_empty() && !NOTES.contains(&name.trim().to_lowercase().as_str()) {
+                let message = format!("the column {} is not read", escape::quoted(name));
+                let help = "name it after a locale or language, as in de-de or de, or `note`";
+                found.push(Diagnostic::at(Code::ExchangeLoss, row.span(at), message).help(help));
+            }
+        }
+        Ok(TermColumns { names, source })
+    }
+
+    /// Returns the diagnostic for text to the right of all columns.
+    fn surplus(&self, row: &CsvRow) -> Option<Diagnostic> {
+        let more = row.cells.iter().enumerate().skip(self.names.len());
+        let at = more.filter(|(_, cell)| !cell.trim().is_empty()).map(|(at, _)| at).next()?;
+        let found = Diagnostic::at(Code::ExchangeSyntax, row.span(at), "the cell has no column");
+        Some(found.help("put a text with separators between quotes: \"Stop, you!\""))
+    }
+}
+
+fn no_source(source_locale: &str, span: Span) -> Diagnostic {
+    let message = format!("no column has the terms in {}", escape::text(source_locale));
+    Diagnostic::at(Code::ExchangeSyntax, span, message)
+        .help("name a column after each locale in the first row: en-us,de-de")
 }
 
 impl Term {
@@ -118,10 +186,16 @@ mod tests {
     use super::*;
 
     fn terms() -> Terms {
-        let table = "en-us,de-de,fr,note\nlighthouse,Leuchtturm,phare,a place\nlamp oil,Lampenöl|Petroleum,,\nlamp,Lampe,lampe,\n";
-        let (terms, found) = Terms::read(table, "en-us");
-        assert_eq!(found, []);
+        let table = "en-us,de-de,fr,note\nlighthouse,Leuchtturm,phare,a place\nlamp oil,Lampenöl|Petroleum,,\nlamp,Lampe,lampe,\noil,Öl,huile,\n";
+        let (terms, report) = Terms::read("terms.csv", table.as_bytes(), "en-us");
+        assert_eq!(report.diagnostics, []);
         terms
+    }
+
+    /// Returns the messages about a table, each with its offset.
+    fn found(table: &[u8]) -> Vec<(String, u32)> {
+        let report = Terms::read("terms.csv", table, "en-us").1;
+        report.diagnostics.into_iter().map(|found| (found.message.clone(), found.start())).collect()
     }
 
     #[test]
@@ -132,6 +206,7 @@ mod tests {
             ("The Lighthouse is dark.", "Der Leuchtturm ist dunkel."),
             ("The lighthouse's lamp.", "Die Lampe."),
             ("Buy lamp oil.", "Kauf Petroleum."),
+            ("Oil for the lamp.", "Öl für die Lampe."),
             ("Light houses everywhere.", "Helle Häuser überall."),
             ("{to: lighthouse} Hello.", "Hallo."),
         ] {
@@ -151,7 +226,20 @@ mod tests {
 
     #[test]
     fn a_table_needs_a_column_of_the_source_locale() {
-        assert_eq!(Terms::read("de-de,note\na,b\n", "en-us").1.len(), 1);
-        assert_eq!(Terms::read("", "en-us").1.len(), 1);
+        let none = [("no column has the terms in en-us".to_owned(), 0)];
+        assert_eq!(found(b"de-de,note\na,b\n"), none);
+        assert_eq!(found(b""), none);
+    }
+
+    #[test]
+    fn tables_of_spreadsheets_are_read_and_faults_have_positions() {
+        assert_eq!(found("en-us;de-de\nlighthouse;Leuchtturm, rot\n".as_bytes()), []);
+        let wide: Vec<u8> = "\u{feff}en\tde\nlamp\tLampe\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert_eq!(found(&wide), []);
+        assert_eq!(found(b"en,german,Note\nlamp,Lampe,x\n"), [("the column `german` is not read".to_owned(), 3)]);
+        assert_eq!(found(b"en,de\nlamp,Lampe, hell,\n"), [("the cell has no column".to_owned(), 17)]);
+        let open = "the cell that starts with this quote is not closed";
+        assert_eq!(found(b"en,de\nlamp,\"Lampe\noil,\xc3\x96l\n"), [(open.to_owned(), 11)]);
+        assert_eq!(found(b"en,de\nlamp,\xff\n").len(), 1);
     }
 }

@@ -5,15 +5,11 @@ use super::columns::CsvDialect;
 use super::escape::unescaped;
 use super::header::CsvHeader;
 use super::row::CsvRow;
-use super::scan::scan;
+use super::rows::{CsvRows, separator_of};
 use crate::exchange::decode;
 use crate::exchange::entry::{IncomingFile, ReadOptions};
-use csv::{ReaderBuilder, StringRecord};
-use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use std::cmp::Ordering;
-
-/// The characters that may separate cells. Spreadsheets write `;` where a comma is the decimal point.
-const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
 /// Reads a file with arbitrary content.
 pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) {
@@ -26,37 +22,24 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
 }
 
 fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
-    let separator = separator(text, options);
-    let mut reader =
-        ReaderBuilder::new().delimiter(separator).has_headers(false).flexible(true).from_reader(text.as_bytes());
     let mut table = CsvTable::new(options);
-    let mut record = StringRecord::new();
-    loop {
-        let start = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
-        match reader.read_record(&mut record) {
-            Ok(true) => {}
-            Ok(false) => break,
-            Err(error) => {
-                let message = format!("the file is not CSV: {}", escape::text(&error.to_string()));
-                incoming.diagnostics.push(Diagnostic::at(Code::ExchangeSyntax, Span::new(start, start), message));
+    for row in CsvRows::new(text, separator(text, options)) {
+        let mut row = match row {
+            Ok(row) => row,
+            Err(fault) => {
+                incoming.diagnostics.push(*fault);
                 return;
             }
-        }
-        let end = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
-        let scanned = scan(text.get(start..end).unwrap_or_default(), separator);
-        if let Some(fault) = scanned.fault {
-            // The columns of all further cells are uncertain.
-            incoming.diagnostics.push(fault.diagnostic(start));
-            return;
-        }
-        let dialect = table.header.as_ref().map_or(CsvDialect::Sheet, |header| header.dialect);
-        let text = |cell: &str| match dialect {
-            CsvDialect::Sheet => cell::text(cell).to_owned(),
-            CsvDialect::Plain | CsvDialect::Yarn => cell.to_owned(),
-            CsvDialect::Escaped => unescaped(cell).into_owned(),
         };
-        let cells = record.iter().map(text).collect();
-        let row = CsvRow { cells, places: scanned.places, start, ..CsvRow::default() };
+        let dialect = table.header.as_ref().map_or(CsvDialect::Sheet, |header| header.dialect);
+        for cell in &mut row.cells {
+            let text = match dialect {
+                CsvDialect::Sheet => cell::text(cell).to_owned(),
+                CsvDialect::Plain | CsvDialect::Yarn => continue,
+                CsvDialect::Escaped => unescaped(cell).into_owned(),
+            };
+            *cell = text;
+        }
         incoming.diagnostics.extend(table.length(&row));
         if !table.row(row, incoming) {
             return;
@@ -67,17 +50,12 @@ fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
 
 /// Returns the character that separates the cells of the header, which is in one of the first lines.
 fn separator(text: &str, options: &ReadOptions) -> u8 {
-    let most = |line: &str| {
-        let count = |separator: &u8| line.bytes().filter(|byte| byte == separator).count();
-        // The first of equally frequent ones.
-        SEPARATORS.into_iter().rev().max_by_key(count).unwrap_or(b',')
-    };
     let names_keys = |line: &&str| {
-        let names: Vec<&str> = line.split(char::from(most(line))).map(|name| name.trim_matches('"')).collect();
+        let names: Vec<&str> = line.split(char::from(separator_of(line))).map(|name| name.trim_matches('"')).collect();
         CsvHeader::names_keys(&names, options)
     };
     let header = text.lines().take(MOST_ROWS_ABOVE + 1).find(names_keys);
-    most(header.or(text.lines().next()).unwrap_or_default())
+    separator_of(header.or(text.lines().next()).unwrap_or_default())
 }
 
 /// The most rows above the header, such as titles and empty rows.

@@ -73,8 +73,11 @@ impl Reader<'_> {
         let start = at + line.len() - line.trim_start().len();
         let line = line.trim();
         if let Some(comment) = line.strip_prefix('#') {
-            // Obsolete entries are skipped. Other comments belong to the next entry.
-            if self.message.text.is_some() && !comment.starts_with('~') {
+            // Obsolete entries are skipped with the comments above them. Other comments belong to the next entry.
+            let is_obsolete = comment.starts_with('~');
+            if is_obsolete && self.message.context.is_none() && self.message.source.is_none() {
+                self.message = Message::default();
+            } else if self.message.text.is_some() && !is_obsolete {
                 self.finish_message();
             }
             self.comment(comment);

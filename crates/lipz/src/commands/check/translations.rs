@@ -5,9 +5,8 @@ use crate::shared::input_file;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use lipz_compiler::{Compiler, Input, LintResult, Options};
-use lipz_diagnostics::{Code, Report, Source};
+use lipz_diagnostics::{Code, Report};
 use lipz_file::locale::{canonical_tag, text_name};
-use lipz_file::without_byte_order_mark;
 use lipz_texts::{Terms, TextLints, has_translations};
 use std::path::Path;
 
@@ -44,10 +43,8 @@ impl TermFile {
     fn read(path: Option<&Path>, source_locale: Option<&str>) -> Result<TermFile, Report> {
         let Some((path, source_locale)) = path.zip(source_locale) else { return Ok(TermFile::default()) };
         let bytes = input_file::read(path).map_err(|error| input_file::unreadable(path, &error))?;
-        let text = String::from_utf8_lossy(without_byte_order_mark(&bytes)).into_owned();
-        let (terms, found) = Terms::read(&text, source_locale);
-        let report = (!found.is_empty()).then(|| Report::new(Source::new(console::path(path), text), found));
-        Ok(TermFile { terms, bytes, report })
+        let (terms, report) = Terms::read(console::path(path).to_string(), &bytes, source_locale);
+        Ok(TermFile { terms, bytes, report: Some(report).filter(|report| !report.diagnostics.is_empty()) })
     }
 }
 
