@@ -185,6 +185,38 @@ fn a_file_with_the_old_key_of_a_renamed_clip_is_imported() {
     assert!(import(folder, &["de.po"]).stderr.contains("the project has no clip `otto`"));
 }
 
+/// A deleted clip is not an existing one with the same source text, whose translation would be replaced.
+#[test]
+fn a_deleted_clip_is_not_taken_for_a_renamed_one() {
+    for german in [", \"text_de-de\": \"Tag.|Sie?\"", ""] {
+        let scene = project();
+        let folder = scene.path();
+        let alike = format!("{{ \"text_en-us\": \"Good evening.|You?\"{german} }}");
+        scene.write("voices/mara.lipz", &alike);
+        export(folder, "po", "de.po");
+        fs::remove_file(folder.join("voices/otto.lipz")).unwrap();
+        replace(folder, "de.po", "Guten Abend.", "Schönen Abend.");
+        let imported = import(folder, &["de.po"]);
+        assert!(imported.stderr.contains("the project has no clip `otto`"), "{imported:?}");
+        assert_eq!(fs::read_to_string(folder.join("voices/mara.lipz")).unwrap(), alike);
+    }
+}
+
+/// A changed text with the old problem is a decision about this delivery.
+#[test]
+fn a_check_reports_problems_of_changed_texts_that_the_old_texts_had() {
+    let scene = Scene::new();
+    let folder = scene.path();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+    let clip = "{ \"text_en-us\": \"Wait 15 minutes.|Take 2.\", \"text_de-de\": \"Warte 50 Minuten.|Nimm 3.\" }\n";
+    scene.write("voices/otto.lipz", clip);
+    export(folder, "po", "de.po");
+    replace(folder, "de.po", "Warte 50", "Warten Sie 50");
+    let checked = lipz(folder, ["import", "texts", "de.po", "--check"]);
+    assert!(checked.stderr.contains("the number 50 instead of 15"), "{checked:?}");
+    assert!(!checked.stderr.contains("the number 3 instead of 2"), "the text has not changed: {checked:?}");
+}
+
 #[test]
 fn entries_of_other_parts_of_a_game_do_not_refuse_those_of_clips() {
     let scene = project();
