@@ -34,6 +34,7 @@ mod parse;
 pub mod phones;
 pub mod rate;
 pub mod schema;
+pub mod table;
 pub mod text;
 mod write;
 mod xml_bounds;

@@ -1,9 +1,10 @@
 //! The terms of a project, and their translations.
 
 use crate::exchange::decode;
-use crate::formats::csv::{CsvRow, CsvRows, separator_of};
+use crate::formats::csv::separator_of;
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, bound, escape};
 use lipz_file::locale::{canonical_tag, language};
+use lipz_file::table::{Cell, Rows};
 use lipz_file::text::display;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
@@ -49,20 +50,20 @@ impl Terms {
 
     fn read_rows(&mut self, text: &str, source_locale: &str, found: &mut Vec<Diagnostic>) {
         let mut columns: Option<TermColumns> = None;
-        for row in CsvRows::new(text, separator_of(text.lines().next().unwrap_or_default())) {
-            let read = row.and_then(|row| {
-                match &columns {
-                    Some(columns) => {
-                        found.extend(columns.surplus(&row));
-                        self.add(&row, columns);
-                    }
-                    None => columns = Some(TermColumns::read(&row, source_locale, found)?),
+        for row in Rows::new(text, separator_of(text.lines().next().unwrap_or_default())) {
+            let row = match row {
+                Ok(row) => row,
+                Err(fault) => return found.push(fault.diagnostic(Code::ExchangeSyntax)),
+            };
+            match &columns {
+                Some(columns) => {
+                    found.extend(columns.surplus(&row));
+                    self.add(&row, columns);
                 }
-                Ok(())
-            });
-            if let Err(fault) = read {
-                found.push(*fault);
-                return;
+                None => match TermColumns::read(&row, source_locale, found) {
+                    Some(header) => columns = Some(header),
+                    None => return,
+                },
             }
             bound::limit_many(found);
         }
@@ -71,16 +72,16 @@ impl Terms {
         }
     }
 
-    fn add(&mut self, row: &CsvRow, columns: &TermColumns) {
-        let alternatives = |cell: &String| -> Vec<String> {
-            cell.split(OR).map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect()
+    fn add(&mut self, row: &[Cell<'_>], columns: &TermColumns) {
+        let alternatives = |cell: &Cell<'_>| -> Vec<String> {
+            cell.text.split(OR).map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect()
         };
-        let cells = (0..).zip(&columns.names).zip(&row.cells).filter(|((at, _), _)| *at != columns.source);
+        let cells = (0..).zip(&columns.names).zip(row).filter(|((at, _), _)| *at != columns.source);
         let translations: BTreeMap<String, Vec<String>> = cells
             .filter_map(|((_, name), cell)| Some((name.clone()?, alternatives(cell))))
             .filter(|(_, texts)| !texts.is_empty())
             .collect();
-        for text in row.cells.get(columns.source).map(alternatives).unwrap_or_default() {
+        for text in row.get(columns.source).map(alternatives).unwrap_or_default() {
             let words: Vec<String> = text.unicode_words().map(str::to_lowercase).collect();
             let Some(first) = words.first().cloned() else { continue };
             self.by_first_word.entry(first).or_default().push(self.terms.len());
@@ -134,29 +135,31 @@ struct TermColumns {
 }
 
 impl TermColumns {
-    /// Reads the header.
-    fn read(row: &CsvRow, source_locale: &str, found: &mut Vec<Diagnostic>) -> Result<TermColumns, Box<Diagnostic>> {
-        let names: Vec<Option<String>> = row.cells.iter().map(|cell| column(cell)).collect();
+    /// Reads the header; `None` if no column has the terms.
+    fn read(row: &[Cell<'_>], source_locale: &str, found: &mut Vec<Diagnostic>) -> Option<TermColumns> {
+        let names: Vec<Option<String>> = row.iter().map(|cell| column(&cell.text)).collect();
         let position = |locale: &str| names.iter().position(|name| name.as_deref() == Some(locale));
         let Some(source) = position(source_locale).or_else(|| position(language(source_locale))) else {
-            let last = row.span(row.cells.len().saturating_sub(1));
-            return Err(no_source(source_locale, Span { start: row.span(0).start, ..last }).into());
+            let ends = row.first().zip(row.last());
+            let span = ends.map(|(first, last)| Span { start: first.span.start, end: last.span.end });
+            found.push(no_source(source_locale, span.unwrap_or_default()));
+            return None;
         };
-        for (at, name) in row.cells.iter().enumerate().filter(|(at, _)| names.get(*at) == Some(&None)) {
-            if !name.is_empty() && !NOTES.contains(&name.trim().to_lowercase().as_str()) {
+        for (cell, _) in row.iter().zip(&names).filter(|(_, name)| name.is_none()) {
+            let name = cell.text.trim();
+            if !name.is_empty() && !NOTES.contains(&name.to_lowercase().as_str()) {
                 let message = format!("the column {} is not read", escape::quoted(name));
                 let help = "name it after a locale or language, as in de-de or de, or `note`";
-                found.push(Diagnostic::at(Code::ExchangeLoss, row.span(at), message).help(help));
+                found.push(Diagnostic::at(Code::ExchangeLoss, cell.span, message).help(help));
             }
         }
-        Ok(TermColumns { names, source })
+        Some(TermColumns { names, source })
     }
 
     /// Returns the diagnostic for text to the right of all columns.
-    fn surplus(&self, row: &CsvRow) -> Option<Diagnostic> {
-        let more = row.cells.iter().enumerate().skip(self.names.len());
-        let at = more.filter(|(_, cell)| !cell.trim().is_empty()).map(|(at, _)| at).next()?;
-        let found = Diagnostic::at(Code::ExchangeSyntax, row.span(at), "the cell has no column");
+    fn surplus(&self, row: &[Cell<'_>]) -> Option<Diagnostic> {
+        let cell = row.iter().skip(self.names.len()).find(|cell| !cell.text.trim().is_empty())?;
+        let found = Diagnostic::at(Code::ExchangeSyntax, cell.span, "the cell has no column");
         Some(found.help("put a text with separators between quotes: \"Stop, you!\""))
     }
 }

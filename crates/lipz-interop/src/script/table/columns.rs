@@ -1,9 +1,9 @@
 //! The columns of a script, found by the names that people and other tools give them.
 
 use super::Purpose;
-use super::rows::Rows;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::canonical_tag;
+use lipz_file::table::Rows;
 
 /// The names of the column with the files, the best first. Spaces, `-` and `_` are ignored, as is case.
 const FILES: [&str; 20] = [

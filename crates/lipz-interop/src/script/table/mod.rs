@@ -1,12 +1,11 @@
 //! Scripts in tables: CSV, and the tables of Yarn Spinner and Ren'Py.
 
 mod columns;
-mod rows;
 
 use super::{Purpose, Script, without_extension};
 use columns::{Columns, TableOrigin};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
-use rows::{Cell, Rows};
+use lipz_file::table::{Cell, Rows};
 
 /// The prefix of the IDs of Yarn Spinner.
 const YARN_LINE: &str = "line:";
@@ -33,9 +32,9 @@ pub(super) fn of_rows(text: &str, purpose: Purpose) -> (Script, Vec<Diagnostic>)
                 let reading = RowReader { columns, column_count: head.len(), row_span: span(text, &row) };
                 reading.add(&row, &mut script, &mut found);
             }
-            Err(error) => {
+            Err(fault) => {
                 has_rows = true;
-                found.push(*error);
+                found.push(fault.diagnostic(Code::ForeignSyntax));
             }
         }
     }

@@ -84,8 +84,8 @@ fn broken_rows_are_errors_with_positions() {
     let extra = "the row has more cells than the first line, which names 2";
     for (table, message, line, column) in [
         ("id,text\na,Well, yes.\nb,No.,\n", extra, 2, 8),
-        ("id,text\na,Yes.\nb,\"No.\nc,Why?\n", "the quote is not closed", 3, 3),
-        ("id,text\na,\"Yes.\nb,\"No.\"\n", "text follows a closing quote", 3, 4),
+        ("id,text\na,Yes.\nb,\"No.\nc,Why?\n", "the cell that starts with this quote is not closed", 3, 3),
+        ("id,text\na,\"Yes.\nb,\"No.\"\n", "text follows the quote that closes a cell", 3, 4),
         ("id,text\n\n", "no row follows the names of the columns", 1, 1),
         ("id,text\n,\n", "no row follows the names of the columns", 1, 1),
         ("id,text\n,Yes.\n", "the row has no ID", 2, 1),

@@ -6,15 +6,11 @@ mod escape;
 mod header;
 mod read;
 mod row;
-mod rows;
-mod scan;
 mod write;
 
 pub use cell::defused;
 pub(crate) use columns::{COMMENT, LOCK, TAKE};
-pub(crate) use read::read;
-pub(crate) use row::CsvRow;
-pub(crate) use rows::{CsvRows, separator_of};
+pub(crate) use read::{read, separator_of};
 pub(crate) use write::{report_misread, write};
 #[cfg(feature = "xlsx")]
-pub(crate) use {read::CsvTable, write::rows};
+pub(crate) use {read::CsvTable, row::CsvRow, write::rows};

@@ -5,11 +5,20 @@ use super::columns::CsvDialect;
 use super::escape::unescaped;
 use super::header::CsvHeader;
 use super::row::CsvRow;
-use super::rows::{CsvRows, separator_of};
 use crate::exchange::decode;
 use crate::exchange::entry::{IncomingFile, ReadOptions};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
+use lipz_file::table::Rows;
 use std::cmp::Ordering;
+
+/// The characters that may separate cells. Spreadsheets write `;` where a comma is the decimal point.
+const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
+
+/// Returns the character that separates the cells of a line: the first of the most frequent ones.
+pub(crate) fn separator_of(line: &str) -> u8 {
+    let count = |separator: &u8| line.bytes().filter(|byte| byte == separator).count();
+    SEPARATORS.into_iter().rev().max_by_key(count).unwrap_or(b',')
+}
 
 /// Reads a file with arbitrary content.
 pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingFile) {
@@ -23,11 +32,11 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
 
 fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
     let mut table = CsvTable::new(options);
-    for row in CsvRows::new(text, separator(text, options)) {
+    for row in Rows::new(text, separator(text, options)) {
         let mut row = match row {
-            Ok(row) => row,
+            Ok(cells) => CsvRow::new(cells),
             Err(fault) => {
-                incoming.diagnostics.push(*fault);
+                incoming.diagnostics.push(fault.diagnostic(Code::ExchangeSyntax));
                 return;
             }
         };

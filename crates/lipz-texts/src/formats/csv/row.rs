@@ -5,6 +5,7 @@ use super::header::{CsvHeader, TranslationColumn};
 use crate::exchange::entry::{self, ChosenTake, Entry, IncomingFile, ReadOptions, Words};
 use crate::exchange::{Mark, State};
 use lipz_diagnostics::{Code, Diagnostic, Span};
+use lipz_file::table::Cell;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -27,6 +28,13 @@ pub(crate) struct CsvRow {
 }
 
 impl CsvRow {
+    /// Returns the row with these cells, and with positions in the whole text.
+    pub(super) fn new(cells: Vec<Cell<'_>>) -> CsvRow {
+        let places = cells.iter().map(|cell| cell.span.range()).collect();
+        let cells = cells.into_iter().map(|cell| cell.text.into_owned()).collect();
+        CsvRow { cells, places, ..CsvRow::default() }
+    }
+
     /// Returns the position of a cell without quotes, or the start of the row if there is no such cell.
     pub(crate) fn span(&self, at: usize) -> Span {
         let place = self.places.get(at).cloned().unwrap_or(0..0);
