@@ -1,14 +1,11 @@
 //! Levels of lints for some of the files.
 
 use super::Options;
-use glob::{MatchOptions, Pattern, PatternError};
+use crate::util::patterns::MATCHING;
+use glob::{Pattern, PatternError};
 use lipz_diagnostics::{Code, Levels, Report, Severity};
 use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
-
-/// The rules of pattern matching: `*` and `?` match no slash, `**` matches any folders, and letters are case-sensitive.
-pub(crate) const MATCHING: MatchOptions =
-    MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: false };
 
 /// Levels of lints for the files that a pattern matches; see [`Options::file_levels`].
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -11,7 +11,7 @@ mod setters;
 pub(crate) use emotions::Face;
 pub use emotions::{EmotionCurves, EmotionOptions};
 pub use file_levels::FileLevels;
-pub(crate) use file_levels::{FileOptions, MATCHING};
+pub(crate) use file_levels::FileOptions;
 pub use gestures::{GestureKeys, Gestures};
 pub use locale_error::LocaleError;
 pub use requirements::{KnownNames, MinCoverage, TextLimits};

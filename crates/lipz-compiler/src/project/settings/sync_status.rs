@@ -1,6 +1,6 @@
 //! The sync status of lines: how far the length of a dub may differ from that of its original.
 
-use crate::project::options::MATCHING;
+use crate::util::patterns::MATCHING;
 use glob::{Pattern, PatternError};
 use std::ops::RangeInclusive;
 
