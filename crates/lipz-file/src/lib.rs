@@ -32,6 +32,7 @@ pub mod locale;
 pub mod merge;
 mod parse;
 pub mod phones;
+pub mod placeholder;
 pub mod rate;
 pub mod schema;
 pub mod table;

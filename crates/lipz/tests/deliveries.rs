@@ -202,6 +202,29 @@ fn a_deleted_clip_is_not_taken_for_a_renamed_one() {
     }
 }
 
+/// Games have placeholders that lipz does not know.
+#[test]
+fn placeholders_of_a_project_are_checked_and_their_patterns_must_be_useful() {
+    let scene = Scene::new();
+    let folder = scene.path();
+    let settings = "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[text]\nplaceholders = [\"[item:*]\"]\n";
+    scene.write("lipz.toml", settings);
+    scene.write(
+        "voices/otto.lipz",
+        "{ \"text_en-us\": \"Take [item:rope].\", \"text_de-de\": \"Nimm [item:Seil].\" }\n",
+    );
+    let different = "the translation has `[item:Seil]` instead of `[item:rope]`";
+    let checked = lipz(folder, ["check"]);
+    assert!(checked.stderr.contains(different), "{checked:?}");
+    export(folder, "po", "de.po");
+    replace(folder, "de.po", "Nimm", "Nehmt");
+    let imported = import(folder, &["de.po"]);
+    assert!(imported.stderr.contains(different), "{imported:?}");
+    scene.write("lipz.toml", settings.replace("[item:*]", "*]"));
+    let refused = lipz(folder, ["check"]);
+    assert!(refused.code != 0 && refused.stderr.contains("the pattern has no text before `*`"), "{refused:?}");
+}
+
 /// A changed text with the old problem is a decision about this delivery.
 #[test]
 fn a_check_reports_problems_of_changed_texts_that_the_old_texts_had() {

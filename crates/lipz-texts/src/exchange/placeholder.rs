@@ -2,6 +2,7 @@
 
 use lipz_diagnostics::escape;
 use lipz_file::emotion::{Blend, preset};
+use lipz_file::placeholder::PlaceholderPattern;
 use lipz_file::text::{is_white_space, meta as meta_places, trim};
 use std::ops::Range;
 
@@ -40,7 +41,7 @@ enum Meta<'t> {
     Placeholder(&'t str),
     /// `{to: amy}`, identified by its name. The part after the colon may be translated.
     Named(&'t str),
-    /// `%s` or `$name`, which some engines replace.
+    /// `%s` or `$name`, which some engines replace, or a placeholder of the project.
     Engine(&'t str),
     /// `{very loud, then calm}`, a note for people, which may be translated.
     Note,
@@ -48,7 +49,7 @@ enum Meta<'t> {
 
 /// Returns the purposes of all meta in a text, sorted, because their order may change with the language. Emotions are
 /// excluded, because they depend on the voice.
-fn metas(text: &str) -> Vec<Meta<'_>> {
+fn metas<'t>(text: &'t str, own: &[PlaceholderPattern]) -> Vec<Meta<'t>> {
     let meta = |place: Range<usize>| {
         let whole = text.get(place)?;
         let inner = trim(whole.get(1..whole.len().checked_sub(1)?)?);
@@ -63,8 +64,12 @@ fn metas(text: &str) -> Vec<Meta<'_>> {
             _ => Some(Meta::Placeholder(whole)),
         }
     };
-    let mut all: Vec<Meta<'_>> = meta_places(text).into_iter().filter_map(meta).collect();
+    let places = meta_places(text);
+    let is_apart = |one: &Range<usize>| places.iter().all(|place| place.end <= one.start || one.end <= place.start);
+    let of_project = own.iter().flat_map(|pattern| pattern.find(text)).filter(is_apart);
+    let mut all: Vec<Meta<'_>> = of_project.filter_map(|place| text.get(place)).map(Meta::Engine).collect();
     all.extend(engine_placeholders(text).map(Meta::Engine));
+    all.extend(places.into_iter().filter_map(meta));
     all.sort_unstable();
     all
 }
@@ -99,7 +104,7 @@ pub(crate) fn are_plain(text: &str) -> bool {
     };
     let places = meta_places(text);
     let braces = text.chars().filter(|character| matches!(character, '{' | '}')).count();
-    let metas = metas(text);
+    let metas = metas(text, &[]);
     let plain = metas.iter().filter(|meta| match meta {
         Meta::Placeholder(whole) => whole.get(1..whole.len() - 1).is_some_and(|name| !name.is_empty() && is_name(name)),
         Meta::Named(_) | Meta::Engine(_) | Meta::Note => false,
@@ -109,9 +114,9 @@ pub(crate) fn are_plain(text: &str) -> bool {
 
 /// Returns the difference between the placeholders of a translation and its source; `None` if they are the same.
 ///
-/// Lost placeholders occur less often in the translation, added ones more often.
-pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
-    said(source, text, |meta| match meta {
+/// Lost placeholders occur less often in the translation, added ones more often. `own` are the patterns of the project.
+pub(crate) fn difference(source: &str, text: &str, own: &[PlaceholderPattern]) -> Option<String> {
+    said([source, text].map(|text| metas(text, own)), |meta| match meta {
         Meta::Placeholder(whole) | Meta::Engine(whole) => Some(escape::quoted(whole).to_string()),
         Meta::Named(_) | Meta::Note => None,
     })
@@ -119,7 +124,7 @@ pub(crate) fn difference(source: &str, text: &str) -> Option<String> {
 
 /// Returns the same for other meta: those with a name, by name, and the number of notes for people.
 pub(crate) fn meta_difference(source: &str, text: &str) -> Option<String> {
-    said(source, text, |meta| match meta {
+    said([source, text].map(|text| metas(text, &[])), |meta| match meta {
         Meta::Placeholder(_) | Meta::Engine(_) => None,
         Meta::Named(name) => Some(format!("`{{{}: …}}`", escape::text(name))),
         Meta::Note => Some("a note `{…}`".to_owned()),
@@ -127,8 +132,7 @@ pub(crate) fn meta_difference(source: &str, text: &str) -> Option<String> {
 }
 
 /// Returns the difference between the meta for which `shown` returns a text.
-fn said(source: &str, text: &str, shown: impl Fn(&Meta<'_>) -> Option<String>) -> Option<String> {
-    let (source, text) = (metas(source), metas(text));
+fn said([source, text]: [Vec<Meta<'_>>; 2], shown: impl Fn(&Meta<'_>) -> Option<String>) -> Option<String> {
     let list = |all: Vec<Meta<'_>>| all.iter().filter_map(&shown).collect::<Vec<_>>().join(", ");
     let (lost, added) = (list(without(&source, &text)), list(without(&text, &source)));
     match (lost.is_empty(), added.is_empty()) {
@@ -155,6 +159,20 @@ fn without<'t>(all: &[Meta<'t>], others: &[Meta<'_>]) -> Vec<Meta<'t>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn difference(source: &str, text: &str) -> Option<String> {
+        super::difference(source, text, &[])
+    }
+
+    #[test]
+    fn placeholders_of_a_project_are_compared_too() {
+        let own = ["[item:*]", "{0}*"].map(|pattern| pattern.parse().unwrap());
+        let german = |text: &str| super::difference("Take [item:lamp] to {0}, $who.", text, &own);
+        assert_eq!(german("Bring $who [item:lamp] für {0}."), None);
+        let expected = "the translation has `[item:Lampe]` instead of `[item:lamp]`";
+        assert_eq!(german("Bring $who [item:Lampe] für {0}.").as_deref(), Some(expected));
+        assert_eq!(german("Bring [item:lamp], $who.").as_deref(), Some("the translation lacks `{0}`"));
+    }
 
     #[test]
     fn placeholders_count_and_their_order_does_not() {

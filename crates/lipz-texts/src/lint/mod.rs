@@ -16,6 +16,7 @@ use crate::record::TextRecord;
 use characters::OddPlace;
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
 use lipz_file::locale::language;
+use lipz_file::placeholder::PlaceholderPattern;
 use lipz_file::text;
 use lipz_file::{Document, JsonString, Value};
 
@@ -43,12 +44,19 @@ pub struct TextLints<'r> {
     default_locale: Option<String>,
     record: Option<&'r TextRecord>,
     terms: Option<&'r Terms>,
+    placeholders: &'r [PlaceholderPattern],
 }
 
 impl<'r> TextLints<'r> {
     /// Returns lints of translations from this locale.
     pub fn new(source_locale: impl Into<String>) -> TextLints<'r> {
-        TextLints { source_locale: source_locale.into(), default_locale: None, record: None, terms: None }
+        TextLints {
+            source_locale: source_locale.into(),
+            default_locale: None,
+            record: None,
+            terms: None,
+            placeholders: &[],
+        }
     }
 
     /// Sets the locale of `text` without a locale.
@@ -67,6 +75,12 @@ impl<'r> TextLints<'r> {
     #[must_use]
     pub fn terms(self, terms: Option<&'r Terms>) -> Self {
         TextLints { terms, ..self }
+    }
+
+    /// Sets the patterns of the project's own placeholders, which translations repeat.
+    #[must_use]
+    pub fn placeholders(self, placeholders: &'r [PlaceholderPattern]) -> Self {
+        TextLints { placeholders, ..self }
     }
 
     /// Reports the problems of a clip's translations. `file` is the path of its Lipz file in the record.
@@ -88,13 +102,57 @@ impl<'r> TextLints<'r> {
                 }
                 // A translation should match the text in the project's own locale, whichever its source was.
                 if source_locale == self.source_locale {
-                    compare(&source, &translation, self.terms, diagnostics);
+                    self.compare(&source, &translation, diagnostics);
                 }
                 bound::limit_many(diagnostics);
             }
         }
         if diagnostics.len() > before {
             bound::limit(diagnostics);
+        }
+    }
+
+    /// Reports translations whose content differs from the source, in segments that both have.
+    fn compare(&self, source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+        let is_other_language = language(&source.locale) != language(&translation.locale);
+        let mut found: [FewDiagnostics; 7] = Default::default();
+        let [same, placeholders, metas, tags, numbers, of_terms, ends] = &mut found;
+        let numbers_differ = numbers::differ(&source.segments, &translation.segments);
+        let pairs = source.segments.iter().zip(&translation.segments).enumerate();
+        for (at, (from, to)) in pairs.filter(|(_, (from, to))| !from.is_empty() && !to.is_empty()) {
+            let differs = |code, message: String, label: &str, help: &str| {
+                let diagnostic = Diagnostic::at(code, translation.span(at, None), message);
+                diagnostic.also(source.span(at, None), label).help(help)
+            };
+            if is_other_language && from == to && same::is_suspicious(from) {
+                let message = format!("the text in {} is the same as in {}", translation.locale, source.locale);
+                let help = "translate it, or remove the element, so that the fallback applies and the coverage counts it \
+                as missing";
+                same.add(|| differs(Code::UntranslatedText, message, "the same text", help));
+            }
+            if let Some(message) = placeholder::difference(from, to, self.placeholders) {
+                placeholders.add(|| differs(Code::Placeholder, message, "the source", placeholder::HELP));
+            }
+            if let Some(message) = placeholder::meta_difference(from, to) {
+                metas.add(|| differs(Code::MetaDiffers, message, "the source", placeholder::META_HELP));
+            }
+            if let Some(message) = markup::difference(from, to) {
+                tags.add(|| differs(Code::MarkupDiffers, message, "the source", markup::HELP));
+            }
+            if let Some(message) = numbers_differ.then(|| numbers::difference(from, to)).flatten() {
+                let help = "compare the texts, and correct one of the two";
+                numbers.add(|| differs(Code::NumbersDiffer, message, "the source", help));
+            }
+            if let Some(message) = self.terms.and_then(|terms| terms.difference(from, &translation.locale, to)) {
+                let help = "use the term, or add this translation to the table of terms";
+                of_terms.add(|| differs(Code::TermMissing, message, "the source", help));
+            }
+            if let Some(message) = punctuation::difference([from, &source.locale], [to, &translation.locale]) {
+                ends.add(|| differs(Code::EndPunctuation, message, "the source", punctuation::HELP));
+            }
+        }
+        for of_kind in found {
+            of_kind.report(diagnostics);
         }
     }
 
@@ -136,55 +194,6 @@ fn odd_characters(text: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
         }
     }
     found.report(diagnostics);
-}
-
-/// Reports translations whose content differs from the source, in segments that both have.
-fn compare(
-    source: &LocaleText<'_>,
-    translation: &LocaleText<'_>,
-    terms: Option<&Terms>,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
-    let is_other_language = language(&source.locale) != language(&translation.locale);
-    let mut found: [FewDiagnostics; 7] = Default::default();
-    let [same, placeholders, metas, tags, numbers, of_terms, ends] = &mut found;
-    let numbers_differ = numbers::differ(&source.segments, &translation.segments);
-    let pairs = source.segments.iter().zip(&translation.segments).enumerate();
-    for (at, (from, to)) in pairs.filter(|(_, (from, to))| !from.is_empty() && !to.is_empty()) {
-        let differs = |code, message: String, label: &str, help: &str| {
-            let diagnostic = Diagnostic::at(code, translation.span(at, None), message);
-            diagnostic.also(source.span(at, None), label).help(help)
-        };
-        if is_other_language && from == to && same::is_suspicious(from) {
-            let message = format!("the text in {} is the same as in {}", translation.locale, source.locale);
-            let help = "translate it, or remove the element, so that the fallback applies and the coverage counts it \
-                as missing";
-            same.add(|| differs(Code::UntranslatedText, message, "the same text", help));
-        }
-        if let Some(message) = placeholder::difference(from, to) {
-            placeholders.add(|| differs(Code::Placeholder, message, "the source", placeholder::HELP));
-        }
-        if let Some(message) = placeholder::meta_difference(from, to) {
-            metas.add(|| differs(Code::MetaDiffers, message, "the source", placeholder::META_HELP));
-        }
-        if let Some(message) = markup::difference(from, to) {
-            tags.add(|| differs(Code::MarkupDiffers, message, "the source", markup::HELP));
-        }
-        if let Some(message) = numbers_differ.then(|| numbers::difference(from, to)).flatten() {
-            let help = "compare the texts, and correct one of the two";
-            numbers.add(|| differs(Code::NumbersDiffer, message, "the source", help));
-        }
-        if let Some(message) = terms.and_then(|terms| terms.difference(from, &translation.locale, to)) {
-            let help = "use the term, or add this translation to the table of terms";
-            of_terms.add(|| differs(Code::TermMissing, message, "the source", help));
-        }
-        if let Some(message) = punctuation::difference([from, &source.locale], [to, &translation.locale]) {
-            ends.add(|| differs(Code::EndPunctuation, message, "the source", punctuation::HELP));
-        }
-    }
-    for of_kind in found {
-        of_kind.report(diagnostics);
-    }
 }
 
 /// Diagnostics of one kind about one text: the first few, and their number. The rest are not created, because computing

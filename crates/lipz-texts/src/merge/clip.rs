@@ -184,7 +184,7 @@ impl ClipMerge<'_> {
             return;
         }
         let source = self.sources.get(at).map_or("", String::as_str);
-        if let Some(message) = placeholder::difference(source, text) {
+        if let Some(message) = placeholder::difference(source, text, self.merge.placeholders) {
             let diagnostic = Diagnostic::at(Code::Placeholder, entry.text.span, message);
             found.push((entry.file, diagnostic.help(placeholder::HELP)));
         }

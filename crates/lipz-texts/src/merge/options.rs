@@ -2,6 +2,7 @@
 
 use crate::exchange::{Mark, State};
 use lipz_diagnostics::Levels;
+use lipz_file::placeholder::PlaceholderPattern;
 use std::collections::BTreeSet;
 
 /// The options for merging translations into Lipz files.
@@ -13,14 +14,21 @@ pub struct Merge<'a> {
     pub(super) is_forced: bool,
     pub(super) levels: Levels,
     pub(super) imported: BTreeSet<(String, Mark)>,
+    pub(super) placeholders: &'a [PlaceholderPattern],
 }
 
 impl<'a> Merge<'a> {
     /// Returns the options for translations from this locale.
     pub fn new(source_locale: &'a str) -> Merge<'a> {
-        let levels = Levels::default();
-        let (default_locale, imported) = (None, BTreeSet::new());
-        Merge { source_locale, default_locale, min_state: State::Translated, is_forced: false, levels, imported }
+        Merge {
+            source_locale,
+            default_locale: None,
+            min_state: State::Translated,
+            is_forced: false,
+            levels: Levels::default(),
+            imported: BTreeSet::new(),
+            placeholders: &[],
+        }
     }
 
     /// Sets the locale of `text` without a locale, which is also the first one in the layout.
@@ -53,6 +61,12 @@ impl<'a> Merge<'a> {
     /// Whether an import put this text there.
     pub(super) fn is_imported(&self, locale: &str, text: &str) -> bool {
         !self.imported.is_empty() && self.imported.contains(&(locale.to_owned(), Mark::of(text)))
+    }
+
+    /// Sets the patterns of the project's own placeholders, which translations repeat.
+    #[must_use]
+    pub fn placeholders(self, placeholders: &'a [PlaceholderPattern]) -> Self {
+        Merge { placeholders, ..self }
     }
 
     /// Sets the levels of lints. Texts with errors are not imported.

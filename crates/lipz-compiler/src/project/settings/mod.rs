@@ -53,6 +53,7 @@ pub use value::is_word;
 use crate::project::{Options, Voices};
 use crate::sources::{Input, Inputs, discover};
 use lipz_diagnostics::{DiagnosticsError, Report};
+use lipz_file::placeholder::PlaceholderPattern;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -80,6 +81,8 @@ pub struct Settings {
     pub sync: Sync,
     /// The table of terms and their translations.
     pub terms: Option<PathBuf>,
+    /// The patterns of the game's own placeholders, which translations repeat.
+    pub placeholders: Vec<PlaceholderPattern>,
     /// The images of characters' mouths for previews, by character; `default` is for all others.
     pub sprites: BTreeMap<String, Sprites>,
     /// The options for packing the bank.

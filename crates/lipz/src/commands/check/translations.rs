@@ -7,6 +7,7 @@ use crate::shared::text_record::RecordFile;
 use lipz_compiler::{Compiler, Input, LintResult, Options};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::locale::{canonical_tag, text_name};
+use lipz_file::placeholder::PlaceholderPattern;
 use lipz_texts::{Terms, TextLints, has_translations};
 use std::path::Path;
 
@@ -21,6 +22,7 @@ pub(crate) struct TranslationCheck {
 /// The comparison of translations with the default locale, or with their recorded source texts.
 pub(super) struct Translations<'p> {
     options: &'p Options,
+    placeholders: &'p [PlaceholderPattern],
     file: RecordFile,
     /// Warnings about lines of the record.
     odd_lines: Option<Report>,
@@ -56,7 +58,8 @@ impl<'p> Translations<'p> {
         let (file, odd_lines) = RecordFile::open(project, inputs)?;
         let source_locale = source_locale_of(options, &file);
         let terms = TermFile::read(project.settings.terms.as_deref(), source_locale.as_deref())?;
-        Ok(Translations { options, file, odd_lines, source_locale, terms })
+        let placeholders = &project.settings.placeholders;
+        Ok(Translations { options, placeholders, file, odd_lines, source_locale, terms })
     }
 
     /// Returns the problems of a file's translations, and counts the file if some of its translations are unrecorded.
@@ -70,7 +73,8 @@ impl<'p> Translations<'p> {
         let lints = TextLints::new(source_locale.as_str())
             .default_locale(self.options.get_default_locale().map(str::to_owned))
             .record(is_recorded.then_some(&self.file.record))
-            .terms(Some(&self.terms.terms));
+            .terms(Some(&self.terms.terms))
+            .placeholders(self.placeholders);
         let mut diagnostics = Vec::new();
         let name = if is_recorded { self.file.name(input) } else { String::new() };
         lints.check(&name, &document, &mut diagnostics);

@@ -2,6 +2,9 @@
 
 use super::Setting;
 use crate::project::settings::reading::inside;
+use crate::project::settings::value::NamedValue;
+use lipz_diagnostics::Diagnostic;
+use lipz_file::placeholder::PlaceholderPattern;
 
 pub(super) const TEXT: &[Setting] = &[
     Setting {
@@ -54,6 +57,18 @@ pub(super) const TEXT: &[Setting] = &[
         read: |value, to| to.settings.terms = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
     },
     Setting {
+        name: "placeholders",
+        flat_name: "",
+        about: "Patterns of placeholders that the game replaces, in addition to `{name}`, `%s` and `$name`: `*` stands \
+            for any text before the rest of the pattern. lipz reports translations that lack one.",
+        default: "none",
+        example: "[\"[item:*]\", \"#*#\"]",
+        read: |value, to| {
+            let patterns = value.list(&mut to.diagnostics, pattern);
+            to.settings.placeholders = patterns.unwrap_or_default();
+        },
+    },
+    Setting {
         name: "locales",
         flat_name: "",
         about: "Limits that replace those above in a locale, or in all locales of a language: `line-columns`, `lines`, \
@@ -63,3 +78,11 @@ pub(super) const TEXT: &[Setting] = &[
         read: |value, to| to.text_locales(value),
     },
 ];
+
+fn pattern(value: &NamedValue<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<PlaceholderPattern> {
+    let help = "begin with the text that all of these placeholders begin with, as in \"[item:*]\"";
+    match value.text(diagnostics)?.parse() {
+        Ok(pattern) => Some(pattern),
+        Err(error) => value.refuse(&format!("is not a pattern of placeholders: {error}"), help, diagnostics),
+    }
+}

@@ -183,6 +183,7 @@ impl ImportTexts {
             .default_locale(translations.default_locale)
             .min_state(self.state.into())
             .forced(self.discard_edits)
+            .placeholders(&project.settings.placeholders)
             .levels(options.get_levels());
         let bar = console::progress_bar(inputs.len(), self.quiet.is_set());
         let compiler = Compiler::new(options.clone()).progress(|count| bar.inc(count));
