@@ -50,6 +50,20 @@ mod tests {
         assert_eq!(said("P-please")[0][..4], ["P AH", "P", "P L AH", "P L"]);
         assert_eq!(said("th-the")[0][..2], ["DH AH", "DH"]);
         assert_eq!(said("wha-what")[0][..2], ["W AH", "W"]);
+        for text in ["b\u{2014}but", "b\u{2014} but", "B... but", "b-- but"] {
+            assert_eq!(said(text)[0][..2], ["B AH", "B"], "{text}");
+        }
+    }
+
+    #[test]
+    fn cut_words_are_said_as_far_as_they_are_written() {
+        assert_eq!(said("I th\u{2014}")[1][..2], ["DH AH", "DH"]);
+        assert_eq!(said("Str\u{2014}")[0][..2], ["S T R AH", "S T R"]);
+        assert_eq!(said("I'm s\u{2014}")[1][..2], ["S AH", "S"]);
+        assert_eq!(said("I sugg\u{2014}")[1], ["S AH G"]);
+        for text in ["the TV\u{2014}", "plan B\u{2014}", "Mr.\u{2014}", "Hmm\u{2014}"] {
+            assert_eq!(said(text).last(), said(&text.replace('\u{2014}', "")).last(), "{text}");
+        }
     }
 
     #[test]
