@@ -1,6 +1,7 @@
 //! The transcript of a recording: words with their pronunciations.
 
 use crate::Phone;
+use crate::text::numbers;
 use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
@@ -38,11 +39,19 @@ impl Script {
 }
 
 impl Word {
-    /// Whether the word is drawn out: written with a letter three times or more in a row, such as `Nooo` or `Mmmm`. Its
-    /// sound may last for seconds.
+    /// Whether the word is drawn out, such as `Nooo`, `Aaargh` or `Mmmm`: written with a letter three times or more in a
+    /// row at its start or end, or four times within it (`Heeeelp`). Its sound may last for seconds.
+    ///
+    /// Compounds of German have three equal letters within a word (`Schifffahrt`, `Seeelefant`), and Roman numerals at
+    /// the end (`VIII`). Neither is drawn out.
     pub fn is_drawn_out(&self) -> bool {
         let letters: Vec<char> = self.text.chars().flat_map(char::to_lowercase).collect();
-        letters.chunk_by(|one, two| one == two).any(|run| run.len() > 2 && run.iter().all(|c| c.is_alphabetic()))
+        let runs: Vec<&[char]> = letters.chunk_by(|one, two| one == two).collect();
+        let is_held = |(at, run): (usize, &&[char])| {
+            let is_outer = at == 0 || at + 1 == runs.len();
+            run.len() >= if is_outer { 3 } else { 4 } && run.iter().all(|c| c.is_alphabetic())
+        };
+        runs.iter().enumerate().any(is_held) && !numbers::is_roman(&self.text)
     }
 
     /// Returns the origin of the first pronunciation, or `None` if the word is silent.
@@ -91,4 +100,22 @@ pub enum Origin {
     Rules,
     /// The names of the letters, one by one.
     Letters,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drawn_out_word_has_many_equal_letters_at_an_edge_or_more_within() {
+        let is_drawn_out =
+            |text: &str| Word { text: text.into(), range: 0..0, pronunciations: Vec::new() }.is_drawn_out();
+        for text in ["Nooo", "Aaargh", "Sssh", "Mmmm", "mmm", "Heeeelp", "Ääääh", "Нееее", "Neeeein", "Iiiih", "IIIII"]
+        {
+            assert!(is_drawn_out(text), "{text}");
+        }
+        for text in ["III", "VIII", "XXX", "XIII", "Schifffahrt", "Seeelefant", "Brennnessel", "1000", "Ooh", ""] {
+            assert!(!is_drawn_out(text), "{text}");
+        }
+    }
 }

@@ -294,6 +294,11 @@ fn cents(rules: &Rules, found: &FoundNumber) -> Option<String> {
     (found.decimals.len() == 2 && !cents.is_empty()).then(|| cardinal(rules, cents)).flatten()
 }
 
+/// Whether the whole text is a Roman numeral: `III`.
+pub(crate) fn is_roman(text: &str) -> bool {
+    roman::read(text).is_some_and(|(length, _)| length == text.len())
+}
+
 fn roman_readings(code: &str, value: u64, written: &str) -> Vec<String> {
     let Some(rules) = rules::find(code) else { return Vec::new() };
     let digits = value.to_string();
