@@ -197,4 +197,25 @@ fn placeholders_that_subtitles_lack_are_reported() {
         lipz(scene.path(), ["import", "subtitles", "out/otto.de-de.srt", "-o", "voices", "--deny", "placeholder"]);
     assert_eq!(denied.code, 1, "{denied:?}");
     assert!(!fs::read_to_string(scene.path().join("voices/otto.lipz")).unwrap().contains("de-de"));
+    // The text without a locale is that of the default locale.
+    scene.write("voices/otto.lipz", r#"{ "visemes": "MAEO", "text": "Who goes there, {name}?" }"#);
+    let imported = lipz(scene.path(), ["import", "subtitles", "out/otto.de-de.srt", "-o", "voices"]);
+    assert!(imported.code == 0 && imported.stderr.contains("the translation lacks `{name}`"), "{imported:?}");
+}
+
+/// A text without a locale is as undivided as one with a locale, so subtitles do not divide the visemes under it.
+#[test]
+fn a_text_without_a_locale_keeps_its_segment() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "default-locale = \"en-us\"\ndefault-fps = 24\n");
+    scene.write("voices/otto.lipz", r#"{ "visemes": "MAEO----MAEO----", "text": "Who goes there? Halt!" }"#);
+    scene.write(
+        "otto.de-de.srt",
+        "1\n00:00:00,000 --> 00:00:00,300\nWer da?\n\n2\n00:00:00,350 --> 00:00:00,600\nHalt!\n",
+    );
+    let imported = lipz(scene.path(), ["import", "subtitles", "otto.de-de.srt", "-o", "voices"]);
+    assert_eq!(imported.code, 0, "{imported:?}");
+    let file = fs::read_to_string(scene.path().join("voices/otto.lipz")).unwrap();
+    assert!(file.contains("\"MAEO----MAEO----\""), "{file}");
+    assert_eq!(lipz(scene.path(), ["check", "voices"]).code, 0, "{file}");
 }

@@ -7,6 +7,7 @@ use crate::Time;
 use crate::export::rate;
 use crate::import::{REST, element, fps};
 use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::locale::text_name;
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, display, is_white_space, meta, segments, trim};
 use lipz_file::{Document, Value};
@@ -96,7 +97,7 @@ const BAR: &str = "|";
 
 /// Whether the document is undivided, apart from the text with this name, which is replaced.
 fn is_undivided(document: &Document<'_>, name: &str) -> bool {
-    let is_segmented = |name: &str| matches!(name, "visemes" | "events") || name.starts_with("text_");
+    let is_segmented = |name: &str| matches!(name, "visemes" | "events") || text_name(name).is_some();
     let mut others =
         document.elements.iter().filter(|element| element.name.text != name && is_segmented(&element.name.text));
     others.all(|element| match &element.value {

@@ -170,13 +170,19 @@ fn one(
 /// the parts in braces, so translators of subtitles do not see them.
 fn lost_placeholders(document: &Document<'_>, locale: &str, options: &Options) -> Vec<Diagnostic> {
     let Some(source) = options.get_default_locale().filter(|source| *source != locale) else { return Vec::new() };
-    let is_compared = |element: &Element<'_>| {
-        let tag = text_name(&element.name.text).and_then(TextName::tag);
-        tag.is_some_and(|tag| tag == locale || tag == source)
+    let is_compared = |element: &Element<'_>| match text_name(&element.name.text) {
+        // The text of the default locale.
+        Some(TextName::NoLocale) => true,
+        Some(name) => name.tag().is_some_and(|tag| tag == locale || tag == source),
+        None => false,
     };
     let elements = document.elements.iter().filter(|element| is_compared(element)).cloned();
     let mut found = Vec::new();
-    TextLints::new(source).check("", &Document { elements: elements.collect() }, &mut found);
+    TextLints::new(source).default_locale(Some(source.to_owned())).check(
+        "",
+        &Document { elements: elements.collect() },
+        &mut found,
+    );
     found.retain(|found| found.code == Code::Placeholder);
     for one in &mut found {
         // The positions are those of the Lipz file.
