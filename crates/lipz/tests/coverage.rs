@@ -4,7 +4,7 @@
 mod support;
 
 use support::approved::{MAYOR, approved};
-use support::lipz;
+use support::{Scene, lipz};
 
 #[test]
 fn coverage_says_what_is_to_be_done() {
@@ -73,6 +73,35 @@ fn coverage_says_what_is_to_be_done() {
         );
     }
     refuses_contradictions(coverage);
+}
+
+#[test]
+fn a_table_ends_before_the_unknown_texts() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
+    scene.write(
+        "voices/a.lipz",
+        r#"{ "text_en-us": "Good evening, traveller.", "text_de-de": "Guten Abend, Fremder." }"#,
+    );
+    scene.write("voices/b.lipz", r#"{ "text_en-us": "Good evening, traveller." }"#);
+    let table = lipz(scene.path(), ["coverage"]).stdout;
+    let (_, matches) = table.split_once("words to do by similarity:\n\n").unwrap();
+    assert!(matches.contains("\n\nunknown: 1 of 1 translated segment"), "{table}");
+}
+
+#[test]
+fn a_price_is_a_usable_number() {
+    let scene = approved();
+    let coverage = |price: &str| lipz(scene.path(), ["coverage", &format!("--cost-per-word={price}")]);
+    for refused in ["1e308", "1000000001", "inf", "nan", "-0.1", "much", ""] {
+        let outcome = coverage(refused);
+        assert!(outcome.code == 2 && outcome.stderr.contains("LZ1601"), "{refused}: {outcome:?}");
+        assert!(outcome.stderr.contains("expected a price from 0 to 1,000,000,000"), "{refused}: {outcome:?}");
+    }
+    for price in ["0", "-0", "0.12", "1e9"] {
+        let outcome = coverage(price);
+        assert!(outcome.code == 0 && !outcome.stdout.contains("-0.00"), "{price}: {outcome:?}");
+    }
 }
 
 /// Options that exclude each other are refused, so that none of them is silently ignored.

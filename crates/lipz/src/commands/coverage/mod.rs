@@ -311,7 +311,11 @@ fn parse_min_coverage(text: &str) -> Result<(Option<String>, f64), String> {
     }
 }
 
+/// The highest price of a word, far above real ones in any currency. With it, the cost of all words is a finite number.
+const HIGHEST_COST: f64 = 1e9;
+
 fn parse_cost(text: &str) -> Result<f64, String> {
-    let cost: Option<f64> = text.parse().ok().filter(|cost: &f64| cost.is_finite() && *cost >= 0.0);
-    cost.ok_or_else(|| "expected a price, such as 0.12".to_owned())
+    let cost: Option<f64> = text.parse().ok().filter(|cost| (0.0..=HIGHEST_COST).contains(cost));
+    // A price of -0 is 0.
+    cost.map(f64::abs).ok_or_else(|| "expected a price from 0 to 1,000,000,000, such as 0.12".to_owned())
 }

@@ -74,9 +74,13 @@ pub(super) fn of_work(work: &Work, cost_per_word: Option<f64>) -> String {
         let _ = writeln!(text, " {:>12}{}", grouped(to_do), cost.unwrap_or_default());
     }
     text.push_str("\nwords: the translated share; the next columns count segments\n");
-    text.push_str(&matches(work));
+    let matches = matches(work);
+    text.push_str(&matches);
     let (translated, unknown) = work.unknown();
     if unknown > 0 {
+        if !matches.is_empty() {
+            text.push('\n');
+        }
         let _ = writeln!(
             text,
             "unknown: {} of {} without a recorded source text, which may be stale;\n`lipz approve --all` \
