@@ -76,6 +76,30 @@ fn every_setting_is_read() {
 }
 
 #[test]
+fn limits_are_for_languages_and_locales() {
+    let found = |key: &str, more: &str| {
+        let (settings, report) = parse(format!("{more}\n[text.locales.{key}]\nlines = 3").as_bytes());
+        let found: Vec<_> = report.diagnostics.iter().map(|one| (one.code, one.message.clone())).collect();
+        let help = report.diagnostics.first().and_then(|one| one.help.clone()).unwrap_or_default();
+        (settings.options.get_text_limits_of("ja-jp").get_lines(), found, help)
+    };
+    for key in ["ja", "JA", "ja-jp", "ja_JP"] {
+        assert_eq!(found(key, ""), (Some(3), vec![], String::new()), "{key}");
+    }
+    for key in ["japanese", "\"\"", "xx"] {
+        for more in ["", "extended-locales = true"] {
+            let (lines, found, help) = found(key, more);
+            let message = format!("`{}` is not a language or locale", key.trim_matches('"'));
+            assert_eq!((lines, found), (None, vec![(Code::SettingValue, message)]), "{key}");
+            assert_eq!(help, "name a language, as in ja, or a language and a country, as in ja-jp");
+        }
+    }
+    assert_eq!(found("es-419", "").1.len(), 1);
+    assert_eq!(found("es-419", "extended-locales = true").1.len(), 0);
+    assert!(found("ja-japan-x", "").2.contains("as in en-us"));
+}
+
+#[test]
 fn a_locale_has_one_entry() {
     for text in ["[coverage]\nde-de = 90\nDE_de = 10", "[fallbacks]\nde-at = [\"de-de\"]\nde_AT = []"] {
         let (_, report) = parse(text.as_bytes());

@@ -78,6 +78,26 @@ pub fn canonical_tag(tag: &str, extended: bool) -> Option<String> {
     }
 }
 
+/// Returns the canonical form of a tag that stands for a locale (`ja-jp` for `ja_JP`), or for all locales of a language
+/// (`ja`, `haw`). With `extended`, any BCP 47 language tag is a locale. `None` for everything else.
+///
+/// A language has two letters of ISO 639-1 or, because that list lacks most languages, any three letters.
+///
+/// ```
+/// use lipz_file::locale::language_or_locale;
+/// assert_eq!(language_or_locale("JA", false).as_deref(), Some("ja"));
+/// assert_eq!(language_or_locale("ja_JP", false).as_deref(), Some("ja-jp"));
+/// assert_eq!(language_or_locale("japanese", true), None);
+/// ```
+pub fn language_or_locale(tag: &str, extended: bool) -> Option<String> {
+    let code = tag.to_ascii_lowercase();
+    match code.len() {
+        2 => iso::is_language(&code).then_some(code),
+        3 => code.bytes().all(|letter| letter.is_ascii_lowercase()).then_some(code),
+        _ => canonical_tag(tag, extended),
+    }
+}
+
 /// Whether a tag has the form `ll-cc`: two lower-case letters, a hyphen, two lower-case letters.
 pub fn has_lipz_shape(tag: &str) -> bool {
     matches!(tag.as_bytes(), [b'a'..=b'z', b'a'..=b'z', b'-', b'a'..=b'z', b'a'..=b'z'])
@@ -115,6 +135,26 @@ mod tests {
         for name in ["texture", "Text_en-us", "visemes", "texten-us"] {
             assert_eq!(text_name(name), None, "{name}");
         }
+    }
+
+    #[test]
+    fn a_language_or_a_locale() {
+        let cases = [
+            ("ja", "ja"),
+            ("JA", "ja"),
+            ("haw", "haw"),
+            ("ja-jp", "ja-jp"),
+            ("pt_BR", "pt-br"),
+            ("es-419", "es-419"),
+            ("zh-Hant", "zh-hant"),
+        ];
+        for (tag, expected) in cases {
+            assert_eq!(language_or_locale(tag, true).as_deref(), Some(expected), "{tag}");
+        }
+        for tag in ["", "j", "xx", "id ", "japanese", "Englisch", "text", "a-b", "n1", "ja-", "note", "日本"] {
+            assert_eq!(language_or_locale(tag, true), None, "{tag}");
+        }
+        assert_eq!(language_or_locale("es-419", false), None);
     }
 
     #[test]

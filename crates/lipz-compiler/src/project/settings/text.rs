@@ -5,7 +5,7 @@ use super::value::{NamedValue, span};
 use crate::project::TextLimits;
 use lipz_diagnostics::suggest::nearest;
 use lipz_diagnostics::{Code, Diagnostic, escape};
-use lipz_file::locale::language;
+use lipz_file::locale::language_or_locale;
 use toml::de::DeValue;
 
 /// The settings that apply to some locales.
@@ -20,15 +20,25 @@ impl SettingsReader<'_> {
         for (key, node) in locales {
             let name = key.get_ref().as_ref();
             let value = NamedValue { name: format!("{}.{name}", value.name), key: key.span(), node };
-            // A language is all of its locales.
-            let is_language = language(name) == name && name.bytes().all(|letter| letter.is_ascii_lowercase());
-            let locale = if is_language { Some(name.to_owned()) } else { self.locale_of_key(name, &value) };
+            let locale = self.language_or_locale(name, &value);
             let limits = self.locale_limits(&value);
             if let (Some(locale), Some(limits)) = (locale, limits) {
                 self.settings.options.locale_limits.insert(locale.clone(), limits);
                 self.refuse_second("text.locales", locale, &value);
             }
         }
+    }
+
+    /// Reads the language or locale in a key.
+    fn language_or_locale(&mut self, name: &str, value: &NamedValue<'_>) -> Option<String> {
+        let found = language_or_locale(name, self.extended());
+        if found.is_some() || name.contains(['-', '_']) {
+            return found.or_else(|| self.locale_of_key(name, value));
+        }
+        let message = format!("{} is not a language or locale", escape::quoted(name));
+        let help = "name a language, as in ja, or a language and a country, as in ja-jp";
+        self.diagnostics.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));
+        None
     }
 
     fn locale_limits(&mut self, value: &NamedValue<'_>) -> Option<TextLimits> {
