@@ -79,6 +79,18 @@ fn a_segment_is_shown_for_a_minimum_of_time() {
     );
 }
 
+/// A shorter text is shown for as short a time, so only the help for fast texts suggests one.
+#[test]
+fn the_help_depends_on_the_limit() {
+    let help = |text_limits: TextLimits| {
+        let file = r#"{ "fps": 4, "visemes": "AAA|AAAA", "text_en-us": "Hi|" }"#;
+        let compiled = Compiler::new(limits(text_limits)).compile(&[Input::from_bytes("clip", file)]);
+        compiled.reports.iter().flat_map(|report| &report.diagnostics).find_map(|found| found.help.clone()).unwrap()
+    };
+    assert!(help(TextLimits::new().characters_per_second(2.0)).starts_with("shorten the text, or move"));
+    assert!(help(TextLimits::new().shortest_seconds(0.8)).starts_with("move the `|`"));
+}
+
 #[test]
 fn many_diagnostics_are_counted() {
     let options = limits(TextLimits::new().line_columns(1));

@@ -8,7 +8,8 @@
 //! An exchange file contains the [`Mark`] of each translation at the time of export. Therefore an old file does not
 //! undo newer work: unchanged texts in it keep the project's version.
 //!
-//! A [`RecordingScript`] has the lines that a studio records, and reads the chosen takes back.
+//! A [`RecordingScript`] has the lines that a studio records. With [`ReadOptions::takes`], [`read()`] returns the
+//! [`ChosenTake`]s of the table that the studio sends back.
 //!
 //! # Features
 //!

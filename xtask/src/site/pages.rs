@@ -110,7 +110,8 @@ fn target(root: &Path, page: &str, link: &str) -> Result<String, Failure> {
         return Ok(link.to_owned());
     }
     let (path, fragment) = link.split_once('#').map_or((link, String::new()), |(path, id)| (path, format!("#{id}")));
-    let path = joined(Path::new(FOLDER).join(page).parent().unwrap_or(Path::new("")), path);
+    let path = joined(Path::new(FOLDER).join(page).parent().unwrap_or(Path::new("")), path)
+        .ok_or_else(|| format!("the link `{link}` leads out of the repository"))?;
     if !root.join(&path).exists() {
         return Err(format!("the link `{link}` leads nowhere"));
     }
@@ -126,19 +127,17 @@ fn target(root: &Path, page: &str, link: &str) -> Result<String, Failure> {
     ))
 }
 
-/// Returns a path relative to a folder, without `..`.
-fn joined(folder: &Path, path: &str) -> PathBuf {
+/// Returns a path relative to a folder, without `..`; `None` if it leads out of the root.
+fn joined(folder: &Path, path: &str) -> Option<PathBuf> {
     let mut joined = folder.to_owned();
     for part in Path::new(path).components() {
         match part {
-            Component::ParentDir => {
-                joined.pop();
-            }
-            Component::CurDir => {}
+            Component::ParentDir if !joined.pop() => return None,
+            Component::ParentDir | Component::CurDir => {}
             part => joined.push(part),
         }
     }
-    joined
+    Some(joined)
 }
 
 /// Returns the navigation that the list of pages describes: its headings, with the pages linked below each.
@@ -193,6 +192,8 @@ mod tests {
     fn a_link_to_a_missing_file_is_a_fault() {
         let root = workspace_root();
         assert!(target(&root, "start/a.md", "../guides/none.md").is_err());
+        let outside = target(&root, "start/a.md", "../../../docs/README.md");
+        assert_eq!(outside.unwrap_err(), "the link `../../../docs/README.md` leads out of the repository");
         assert_eq!(target(&root, "start/a.md", "../README.md#guides").unwrap(), "../index.md#guides");
     }
 

@@ -47,6 +47,12 @@ impl<'c> Times<'c> {
     }
 }
 
+/// The help for a text with too many characters for its segment.
+const TOO_FAST: &str = "shorten the text, or move the `|` so that the segment lasts longer";
+
+/// The help for a segment that is too short for any text.
+const TOO_BRIEF: &str = "move the `|` so that the segment lasts longer, or join it with the segment next to it";
+
 /// Checks the display texts of one element, segment by segment.
 fn check<'t>(
     string: &JsonString<'_>,
@@ -70,11 +76,13 @@ fn check<'t>(
             Diagnostic::at(Code::TooManyLines, span, message).help("shorten it, or split the segment with `|`")
         }));
         let seconds = times.and_then(|times| times.seconds(segment));
-        let brief = |seconds| too_fast(display, seconds, limits).or_else(|| too_brief(display, seconds, limits));
-        fast.extend(seconds.and_then(brief).map(|message| {
-            Diagnostic::at(Code::ReadsTooFast, span, message)
-                .help("shorten the text, or move the `|` so that the segment lasts longer")
-        }));
+        let brief = |seconds| {
+            let fast = too_fast(display, seconds, limits).map(|message| (message, TOO_FAST));
+            fast.or_else(|| too_brief(display, seconds, limits).map(|message| (message, TOO_BRIEF)))
+        };
+        fast.extend(
+            seconds.and_then(brief).map(|(message, help)| Diagnostic::at(Code::ReadsTooFast, span, message).help(help)),
+        );
     }
     for diagnostics_of_kind in found {
         let count = diagnostics_of_kind.len();

@@ -67,8 +67,9 @@ pub struct ChosenTake {
 pub struct IncomingFile {
     /// The text of the file, to which positions refer. A spreadsheet becomes a line per row.
     pub text: String,
-    /// The entries, ordered by position; empty if a diagnostic is an error. A row of a table has no entry for cells
-    /// with neither text nor mark, but a row without any text or mark has an entry for the first such cell.
+    /// The entries, ordered by position; empty if a diagnostic is an error, or if [only takes are
+    /// wanted](ReadOptions::takes). A row of a table has no entry for locales without text, mark and comments, but a row
+    /// without any of these has an entry for its first locale.
     pub entries: Vec<Entry>,
     /// The chosen takes of a recording script.
     pub takes: Vec<ChosenTake>,
