@@ -337,3 +337,36 @@ fn packing_again_with_a_cache() {
     assert_eq!((refused.code, codes(&refused.stderr)), (2, vec!["0904"]), "{}", refused.stderr);
     assert!(refused.stderr.contains("`lipz.toml` is not a lipz cache and is not overwritten"), "{}", refused.stderr);
 }
+
+#[test]
+fn patterns_that_match_nothing_are_reported() {
+    let mut scene = Scene::new();
+    let clip = r#"{ "fps": 24, "visemes": "MAEO", "text_en-us": "Good evening." }"#;
+    for name in ["voices/act1/mayor.lipz", "voices/act1/cutscenes/end.lipz", "voices/de/act2/mayor.lipz"] {
+        scene.write(name, clip);
+    }
+    scene.write("takes/readme.txt", "");
+    let settings = |dubs: &str, lints: &str| {
+        format!(
+            "sources = [\"voices\"]\nroot = \"voices\"\ndefault-locale = \"en-us\"\n[voices]\nde-de = \"de/{{key}}\"\n\
+             [dubs]\n\"{dubs}\" = \"lip-sync\"\n[lints]\nwarnings = \"allow\"\nunused-pattern = \"warn\"\n\
+             [lints.\"{lints}\"]\nunknown-emotion = \"allow\"\n"
+        )
+    };
+    scene.write("lipz.toml", settings("act1/cutscene/**", "voices/act3/**"));
+    scene.expect("LZ1008-unused-pattern", &["check", "--quiet"]);
+    // In the keys of dubs, the pattern would have no effect.
+    scene.write("lipz.toml", settings("de/**", "voices/**"));
+    let found = lipz(scene.path(), ["check"]).stderr;
+    assert!(found.contains("`de/**` in [dubs]") && !found.contains("`voices/**`"), "{found}");
+    // Levels apply to other files too.
+    for lints in ["voices/act1/*", "./voices/**/end.lipz", "takes/**", "takes/*.txt"] {
+        scene.write("lipz.toml", settings("act1/cutscenes/**", lints));
+        assert_eq!(lipz(scene.path(), ["check", "--quiet"]).stderr, "", "{lints}");
+    }
+    // A part of the project does not show whether a pattern matches.
+    scene.write("lipz.toml", settings("act1/cutscene/**", "voices/act3/**"));
+    assert_eq!(lipz(scene.path(), ["check", "voices/act1", "--quiet"]).stderr, "");
+    assert_eq!(lipz(scene.path(), ["check", "--quiet", "--allow", "unused-pattern"]).stderr, "");
+    scene.finish(1);
+}

@@ -95,6 +95,7 @@ codes! {
     UnknownLint "LZ1005" "unknown-lint" Error "a lint does not exist"
     FixedLevel "LZ1006" "fixed-level" Error "the level of an error cannot be lowered"
     SettingsUnreadable "LZ1007" "settings-unreadable" Error "a settings file cannot be read"
+    UnusedPattern "LZ1008" "unused-pattern" Warning "a pattern in the settings does not match anything"
 
     "Files of other tools"
     ForeignSyntax "LZ1101" "foreign-syntax" Error "an imported file does not follow its format"

@@ -5,11 +5,15 @@ use crate::util::patterns::MATCHING;
 use glob::{Pattern, PatternError};
 use lipz_diagnostics::{Code, Levels, Report, Severity};
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 
 /// Levels of lints for the files that a pattern matches; see [`Options::file_levels`].
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FileLevels {
+    /// The pattern as written.
+    written: String,
+    /// The pattern of whole paths.
     pattern: Pattern,
     levels: Levels,
 }
@@ -24,7 +28,7 @@ impl FileLevels {
         Pattern::new(pattern)?; // positions in an error refer to the pattern
         let below = pattern.strip_prefix("./").unwrap_or(pattern);
         let whole = format!("{}/{below}", Pattern::escape(whole(folder).trim_end_matches('/')));
-        Ok(FileLevels { pattern: Pattern::new(&whole)?, levels })
+        Ok(FileLevels { written: pattern.to_owned(), pattern: Pattern::new(&whole)?, levels })
     }
 }
 
@@ -47,6 +51,21 @@ impl Options {
             levels.to_mut().extend(self.files_levels[at].levels.clone());
         }
         levels
+    }
+
+    /// Returns the patterns of [`file_levels`](Options::file_levels) that match none of these files and no other file or
+    /// folder on disk, because levels apply to recordings and other files too.
+    pub fn unused_patterns(&self, names: &[String]) -> Vec<&str> {
+        let is_on_disk = |pattern: &Pattern| {
+            // A search for `**` at the end finds only folders.
+            let files = if pattern.as_str().ends_with("**") { "/*" } else { "" };
+            let found = glob::glob_with(&format!("{pattern}{files}"), MATCHING);
+            found.is_ok_and(|mut found| found.any(|path| path.is_ok()))
+        };
+        let used: BTreeSet<usize> = names.iter().flat_map(|name| self.matching(name)).collect();
+        let of_files = self.files_levels.iter().enumerate();
+        let is_unused = |(at, one): &(usize, &FileLevels)| !used.contains(at) && !is_on_disk(&one.pattern);
+        of_files.filter(is_unused).map(|(_, one)| one.written.as_str()).collect()
     }
 
     /// Applies the levels for a report's file to its diagnostics.

@@ -83,6 +83,12 @@ impl SyncStatuses {
         Ok(())
     }
 
+    /// Returns the patterns that match none of these keys.
+    pub fn unused(&self, keys: &[&str]) -> Vec<&str> {
+        let is_unused = |pattern: &&Pattern| !keys.iter().any(|key| pattern.matches_with(key, MATCHING));
+        self.patterns.iter().map(|(pattern, _)| pattern).filter(is_unused).map(Pattern::as_str).collect()
+    }
+
     /// Returns the status of the line whose original has this key.
     pub fn of(&self, key: &str) -> SyncStatus {
         let matching = |(pattern, _): &&(Pattern, SyncStatus)| pattern.matches_with(key, MATCHING);

@@ -6,6 +6,7 @@ mod fix_result;
 mod lines;
 mod statistics;
 pub(crate) mod translations;
+mod unused_patterns;
 
 use crate::CommandResult;
 use crate::Outcome;
@@ -152,6 +153,9 @@ impl Run for Check {
             Some(lines) => lines::check(lines, &project, &mut run, reporter)?,
             None => false,
         };
+        if let (Some(file), []) = (&project.file, self.sources.paths()) {
+            run.reports.extend(unused_patterns::check(&project, file, &run.inputs));
+        }
         if self.sources.names_single_files() {
             retain_own(&mut run.reports);
         }
