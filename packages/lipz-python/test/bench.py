@@ -1,65 +1,72 @@
-"""Measures the reader: nanoseconds per query and per tick, and the bytes that a tick allocates."""
+"""Measures the reader: nanoseconds of each call, and the most bytes that a call uses in addition to its arguments.
 
-import gc
+The questions are those of docs/inside/ports.md.
+"""
+
+import itertools
+import sys
 import time
 import tracemalloc
 
 import fixtures
-from lipz.reader import Bank, Micros, shapes_of
+from lipz.reader import Bank, shapes_of
 
-ROUNDS = 20_000
+CALLS = 20_000
+ROUNDS = 5
+MEASURED_CALLS = 500
+NAME = "Python %d.%d" % sys.version_info[:2]
 
 
-def nanoseconds(query, rounds=ROUNDS):
-    """Returns the shortest of five averages."""
-    best = float("inf")
-    for _ in range(5):
+def measure(name, call, calls=CALLS):
+    """Prints the shortest of several averages, and the most bytes. The call gets 0, 1, 2 and so on."""
+    least = float("inf")
+    for _ in range(ROUNDS):
         start = time.perf_counter_ns()
-        for _ in range(rounds):
-            query()
-        best = min(best, (time.perf_counter_ns() - start) / rounds)
-    return best
+        for index in range(calls):
+            call(index)
+        least = min(least, (time.perf_counter_ns() - start) / calls)
+    print(f"bench {name}_ns {least:.1f} {NAME}")
+    print(f"bench {name}_bytes {most_bytes(call)} {NAME}")
+
+
+def most_bytes(call):
+    """Returns the most bytes that a call has in use at a time: Python frees them at its end."""
+    tracemalloc.start()
+    most = 0
+    # In the first round, Python keeps memory for later calls.
+    for index in itertools.chain(range(MEASURED_CALLS), range(MEASURED_CALLS)):
+        before = tracemalloc.get_traced_memory()[0]
+        tracemalloc.reset_peak()
+        call(index)
+        used = tracemalloc.get_traced_memory()[1] - before
+        most = used if index == 0 else max(most, used)
+    tracemalloc.stop()
+    return most
 
 
 def main():
     data = fixtures.bank_bytes("drama.lipzbank")
     bank = Bank(data)
+    measure("open", lambda _: Bank(data), 500)
+    measure("checksum", lambda _: bank.verify_checksum(), 3)
+    measure("clip", lambda _: bank.clip("act1/mara-good-evening"))
     clip = bank.clip("act1/mara-good-evening")
-    spoken = Bank(fixtures.bank_bytes("phones.lipzbank"))
-    line, rig = spoken.clip("spoken"), spoken.rigs["arkit"]
+    measure("viseme", lambda index: clip.viseme_at(index / 60 % 4))
+    cursor = clip.cursor(speaker="mara")
+
+    def tick(index):
+        seconds = index / 60 % 4
+        if seconds < 1 / 60:
+            cursor.seek(seconds)
+        due = cursor.advance_to(seconds)
+        segment = cursor.segment
+        return due.events, cursor.viseme, segment and segment.text("de-de")
+
+    measure("tick", tick)
+    phones = Bank(fixtures.bank_bytes("phones.lipzbank"))
+    spoken, rig = phones.clip("spoken"), phones.rigs["arkit"]
     shapes = shapes_of(rig.weight_names, rig)
-    cursor = clip.cursor()
-    cursor.advance_to(0.5)
-    now = [0.0]
-
-    def tick():
-        now[0] = (now[0] + 1 / 60) % 3.5
-        cursor.advance_to(now[0])
-        return cursor.viseme
-
-    def face_tick():
-        now[0] = (now[0] + 1 / 60) % 1.2
-        return shapes.named(line.weights_at(now[0], rig))
-
-    for name, query, rounds in [
-        ("Bank", lambda: Bank(data), 500),
-        ("verify_checksum", bank.verify_checksum, 3),
-        ("clip", lambda: bank.clip("act1/mara-good-evening"), ROUNDS),
-        ("viseme_at, seconds", lambda: clip.viseme_at(1.51), ROUNDS),
-        ("viseme_at, Micros", lambda: clip.viseme_at(Micros(1_510_000)), ROUNDS),
-        ("text", lambda: clip.segment_at(1.51).text("de-de"), ROUNDS),
-        ("tick: advance_to, viseme", tick, ROUNDS),
-        ("tick: weights of 35 shapes", face_tick, 500),
-    ]:
-        print(f"{name}: {nanoseconds(query, rounds):.0f} ns")
-    tick()
-    gc.disable()
-    tracemalloc.start()
-    before = tracemalloc.get_traced_memory()[0]
-    for _ in range(ROUNDS):
-        tick()
-    after, peak = tracemalloc.get_traced_memory()
-    print(f"memory after {ROUNDS} ticks: {after - before} bytes more, at most {peak - before} at a time")
+    measure("weights", lambda index: shapes.named(spoken.weights_at(index / 60 % 1.4, rig)), 500)
 
 
 if __name__ == "__main__":
