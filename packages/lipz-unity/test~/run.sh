@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Compiles the package as Unity would, with stubs of the engine and warnings as errors, and runs all tests with Mono.
 # Needs mono-mcs, mono-runtime, libmono-system-core4.0-cil and python3. LIPZ_TEST_OUT keeps the assemblies in a folder.
-# `run.sh bench` only measures the reader.
 set -euo pipefail
 package=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 root=$(cd "$package/../.." && pwd)
@@ -29,8 +28,7 @@ python3 "$tests/package.py" "$root"
 python3 "$tests/pages.py" guide "$root/docs/guides/unity.md" "$out/guide"
 
 compile reader.exe "$package/Runtime/Reader" "$tests/reader"
-mono "$out/reader.exe" "$root" "$@"
-[ "${1:-}" != bench ] || exit 0
+mono "$out/reader.exe" "$root"
 
 compile Lipz.Reader.dll "$package/Runtime/Reader"
 

@@ -2,6 +2,7 @@
 # Compiles the plugin with each compiler, as Unreal would, against stubs of the engine, and runs its tests with the C
 # library, also with sanitizers. Needs g++ or clang++, and python3. If mcs is installed, compiles the build rules too. If
 # LIPZ_TOOLS is set, all of them are required.
+# `run.sh bench` only measures a rendered frame, with the first compiler.
 # LIPZ_CAPI is the folder that `cargo xtask capi` has written; by default target/capi.
 set -euo pipefail
 plugin=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -44,6 +45,7 @@ for compiler in g++ clang++; do
     builds=("-O0")
     if [ "$compilers" -eq 1 ]; then
         builds=("-O2" "-O0 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all")
+        [ "${1:-}" != bench ] || builds=("-O2")
         # Each header alone, and all sources of a module as one, as Unreal may do.
         printf '%s\0' "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h | xargs -0 -P "$(nproc)" -I {} \
             "$compiler" "${options[@]}" -fsyntax-only -x c++ -include {} /dev/null
@@ -58,7 +60,8 @@ for compiler in g++ clang++; do
             'file=$1; shift; "$@" -c "$file" -o "'"$objects"'/$(basename "$file" .cpp).o"' sh {} "$compiler" "${options[@]}" "${flag[@]}"
         "$compiler" "${flag[@]}" "$objects"/*.o "$capi/lib/liblipz.a" -o "$objects/unreal"
         echo "== $compiler $flags"
-        "$objects/unreal" "$root"
+        "$objects/unreal" "$root" "$@"
     done
+    [ "${1:-}" != bench ] || exit 0
 done
 [ "$compilers" -gt 0 ] || { echo "no compiler" >&2; exit 1; }

@@ -70,9 +70,9 @@ fn frame(players: u32, has_face: bool) -> Duration {
 #[ignore = "measures"]
 fn speed() {
     let empty = frame(0, false);
-    for (name, has_face) in [("player", false), ("player and face with 35 shapes", true)] {
+    for (name, has_face) in [("tick", false), ("weights", true)] {
         let each = frame(1000, has_face).saturating_sub(empty) / 1000;
-        println!("{name}: {} ns per rendered frame", each.as_nanos());
+        println!("bench {name}_ns {} Bevy player", each.as_nanos());
     }
     println!("app without players: {} ns per rendered frame", empty.as_nanos());
 }

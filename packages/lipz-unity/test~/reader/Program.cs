@@ -3,10 +3,7 @@ using System.IO;
 
 namespace Lipz.Tests
 {
-    /// <summary>
-    /// Tests the reader: <c>reader.exe ROOT</c>, with the root of the repository. <c>reader.exe ROOT bench</c> only
-    /// measures it.
-    /// </summary>
+    /// <summary>Tests the reader: <c>reader.exe ROOT</c>, with the root of the repository.</summary>
     internal static class Program
     {
         private static int failures;
@@ -16,18 +13,12 @@ namespace Lipz.Tests
             string root = arguments[0];
             string fixtures = Path.Combine(root, "fixtures");
             string formatPage = Path.Combine(root, "docs/reference/bank-format.md");
-            if (arguments.Length > 1) return Measure(fixtures);
             Test("playback cases", () => PlaybackCases.Play(fixtures));
             Test("golden dumps", () => GoldenDumps.Compare(fixtures, formatPage));
             Test("damaged banks", () => DamagedBanks.Play(fixtures));
             Test("exact times", ExactTimes.Compare);
             Test("words of errors", () => ErrorWords.Compare(formatPage));
             Test("shapes of models", () => ShapesOfModels.Recognise(fixtures));
-            return Measure(fixtures);
-        }
-
-        private static int Measure(string fixtures)
-        {
             Test("memory and speed", () => Speed.Measure(fixtures));
             return failures == 0 ? 0 : 1;
         }

@@ -10,15 +10,14 @@ namespace Lipz.UnityTests
 
         internal static string Measure(string fixtures)
         {
-            string measured = "";
-            measured += "\n    35 blend shapes: " + Of(new Stage(Stage.PathOf(fixtures, "phones"), false), Stage.Key);
+            string measured = Of("weights", new Stage(Stage.PathOf(fixtures, "phones"), false), Stage.Key);
             string[] shapes = { "Mouth_A", "Mouth_E", "Mouth_O", "Mouth_U", "Mouth_M", "Mouth_F" };
             var drama = new Stage(Stage.PathOf(fixtures, "drama"), false, shapes);
             drama.Player.Speaker = "otto";
-            return measured + "\n    visemes, events and subtitles: " + Of(drama, "act1/otto-twenty-years");
+            return measured + Of("tick", drama, "act1/otto-twenty-years");
         }
 
-        private static string Of(Stage stage, string key)
+        private static string Of(string name, Stage stage, string key)
         {
             long happened = 0;
             stage.Player.Happened += each => happened++;
@@ -35,7 +34,8 @@ namespace Lipz.UnityTests
             long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
             if (allocated != 0 || GC.CollectionCount(0) != collections) throw new Exception(allocated + " bytes");
             double nanoseconds = watch.Elapsed.TotalMilliseconds * 1e6 / Count;
-            return nanoseconds.ToString("F0") + " ns, 0 bytes in " + Count + " ticks with " + happened + " events";
+            string times = FormattableString.Invariant($"\nbench {name}_ns {nanoseconds:F1} Unity player");
+            return times + "\nbench " + name + "_bytes 0 Unity player\n    " + happened + " events";
         }
     }
 }

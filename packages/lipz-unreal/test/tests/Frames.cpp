@@ -1,4 +1,4 @@
-// The cost of a rendered frame: time, and blocks of memory.
+// The cost of a rendered frame: time, and bytes of memory.
 
 #include "Stage.h"
 
@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <new>
 
-static size_t Blocks = 0;
+static size_t Allocated = 0;
 
 void* operator new(size_t Size)
 {
-	Blocks++;
+	Allocated += Size;
 	void* Block = std::malloc(Size);
 	if (Block == nullptr) std::abort();
 	return Block;
@@ -24,12 +24,12 @@ static void Measure(const char* Name, FStage& Stage, const TCHAR* Key, int Frame
 {
 	Stage.Player->Begin(Key);
 	Stage.Player->AdvanceTo(0.5f);
-	const size_t Before = Blocks;
+	const size_t Before = Allocated;
 	const auto Start = std::chrono::steady_clock::now();
 	for (int Frame = 0; Frame < Frames; Frame++) Stage.Player->AdvanceTo(0.5f + 0.5f * static_cast<float>(Frame) / static_cast<float>(Frames));
 	const std::chrono::duration<double, std::nano> Time = std::chrono::steady_clock::now() - Start;
-	const size_t Used = Blocks - Before;
-	std::printf("%s: %.0f ns per rendered frame, %zu blocks in %d frames\n", Name, Time.count() / Frames, Used, Frames);
+	const size_t Used = Allocated - Before;
+	std::printf("bench %s_ns %.1f Unreal player\nbench %s_bytes %zu Unreal player\n", Name, Time.count() / Frames, Name, Used / Frames);
 	EXPECT(Used == 0);
 }
 
@@ -37,8 +37,8 @@ void TestFrames()
 {
 	const int Frames = 100000;
 	FStage Visemes("drama", {"A", "E", "F", "L", "M", "O", "S", "U", "W"});
-	Measure("visemes", Visemes, TEXT("act1/mara-good-evening"), Frames);
+	Measure("tick", Visemes, TEXT("act1/mara-good-evening"), Frames);
 	FStage Rig("rigs", {"jawOpen", "mouthClose", "mouthFunnel", "mouthPucker", "mouthSmileLeft", "mouthSmileRight", "eyeBlinkLeft"});
 	Rig.Player->Rig = TEXT("arkit");
-	Measure("arkit", Rig, TEXT("english"), Frames);
+	Measure("weights", Rig, TEXT("english"), Frames);
 }

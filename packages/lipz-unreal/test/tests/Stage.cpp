@@ -108,9 +108,10 @@ float FStage::Shape(const std::string& Name) const
 
 int main(int Count, char** Arguments)
 {
-	if (Count != 2)
+	const bool bIsBench = Count == 3 && std::string(Arguments[2]) == "bench";
+	if (Count != 2 && !bIsBench)
 	{
-		std::fprintf(stderr, "usage: unreal ROOT\n");
+		std::fprintf(stderr, "usage: unreal ROOT [bench]\n");
 		return 2;
 	}
 	Root = Arguments[1];
@@ -119,6 +120,7 @@ int main(int Count, char** Arguments)
 		{"imports", TestImports}, {"guide", TestGuide}, {"frames", TestFrames}};
 	for (const auto& [Name, Test] : Tests)
 	{
+		if (bIsBench && Test != TestFrames) continue;
 		const int Before = Checks;
 		Test();
 		std::printf("%s: %d checks\n", Name, Checks - Before);

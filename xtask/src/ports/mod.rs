@@ -1,9 +1,14 @@
-//! `cargo xtask ports`: tests the readers in other languages, each with its own test script.
+//! `cargo xtask ports`: tests the readers in other languages, each with its own test script. With `--bench`, measures
+//! them.
+
+mod bench;
+mod table;
 
 use crate::Failure;
 use crate::cargo;
 use crate::paths::workspace_root;
 use crate::tools::{has_program, skip_rest, succeed};
+use bench::Bench;
 use clap::{Args, ValueEnum};
 use std::process::Command;
 
@@ -13,6 +18,9 @@ pub(crate) struct Settings {
     /// Ports [default: all whose tests take seconds]
     #[arg(value_enum)]
     ports: Vec<Port>,
+    /// Measure the readers instead, and print a table [default: all whose programs are installed]
+    #[arg(long, value_enum, num_args = 0.., value_name = "READER", conflicts_with = "ports")]
+    bench: Option<Vec<Bench>>,
 }
 
 /// A reader in its own language, or its integration in an engine, in `packages/`.
@@ -73,6 +81,9 @@ impl Port {
 }
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
+    if let Some(benches) = &settings.bench {
+        return bench::run(benches);
+    }
     let ports = if settings.ports.is_empty() { &Port::EVERYDAY[..] } else { &settings.ports };
     for port in ports {
         if let Some(missing) = port.programs().iter().find(|program| !is_there(program)) {
