@@ -1,11 +1,13 @@
 //! `cargo xtask bless`: writes every generated file of the repository.
 //!
-//! First it generates the table of rules and their page. Then it runs the tests with committed expected outputs again,
+//! First it generates the table of rules and their page, and writes the version of the workspace to the manifests of
+//! packages. Then it runs the tests with committed expected outputs again,
 //! which write these. Read the difference before you commit it. `cargo xtask bless lipz` runs only the tests of one
-//! crate, `cargo xtask bless rules` runs none.
+//! crate, `cargo xtask bless rules` and `cargo xtask bless versions` run none.
 
 mod diagnostics_page;
 mod rules;
+mod versions;
 
 use crate::cargo;
 use crate::paths::workspace_root;
@@ -16,7 +18,7 @@ use rules::Rule;
 /// What to write.
 #[derive(Args, Debug)]
 pub(crate) struct Settings {
-    /// `rules` for only the files made from the rules, or a crate to add the expected outputs of its tests
+    /// `rules` or `versions` for only the files without tests, or a crate to add the expected outputs of its tests
     #[arg(value_parser = names())]
     only: Option<String>,
 }
@@ -32,11 +34,11 @@ const TESTS: [&[&str]; 6] = [
 ];
 
 fn names() -> Vec<&'static str> {
-    TESTS.iter().map(|test| test[1]).chain(["rules"]).collect()
+    TESTS.iter().map(|test| test[1]).chain(["rules", "versions"]).collect()
 }
 
 pub(crate) fn run(settings: &Settings) -> Result<(), Failure> {
-    for (path, contents) in made_from_rules()? {
+    for (path, contents) in made_from_rules()?.into_iter().chain(versions::with_version()?) {
         std::fs::write(workspace_root().join(path), contents).map_err(|error| format!("`{path}`: {error}"))?;
     }
     for test in TESTS.iter().filter(|test| settings.only.as_deref().is_none_or(|only| test[1] == only)) {
@@ -71,6 +73,13 @@ mod tests {
     fn what_is_made_from_rules_is_current() {
         for (path, contents) in made_from_rules().unwrap() {
             assert!(is_current(path, &contents), "{path} differs from the rules: run `cargo xtask bless`");
+        }
+    }
+
+    #[test]
+    fn manifests_and_pages_have_the_version_of_the_workspace() {
+        for (path, contents) in versions::with_version().unwrap() {
+            assert!(is_current(path, &contents), "{path} has a different version: run `cargo xtask bless versions`");
         }
     }
 }
