@@ -11,6 +11,12 @@ use std::process::Command;
 /// The licences, which must be in every package.
 const LICENCES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
 
+/// The keys that every manifest has.
+const KEYS: [&str; 6] = ["categories", "description", "keywords", "license", "repository", "rust-version"];
+
+/// The plugin for Bevy. It is in a separate workspace, and its test script compiles it and checks its files.
+const PLUGIN: &str = "packages/bevy_lipz";
+
 pub(crate) fn run() -> Result<(), Failure> {
     let mut packages = cargo::workspace()?;
     packages.retain(Package::is_published);
@@ -21,6 +27,7 @@ pub(crate) fn run() -> Result<(), Failure> {
         let found = faults_in(folder)?;
         faults.extend(found.into_iter().map(|fault| format!("{}: {fault}", package.name)));
     }
+    faults.extend(faults_in_plugin()?.into_iter().map(|fault| format!("{PLUGIN}: {fault}")));
     if !faults.is_empty() {
         return Err(faults.join("\n"));
     }
@@ -104,22 +111,36 @@ fn faults_in(folder: &Path) -> Result<Vec<String>, Failure> {
     if readme.is_empty() {
         faults.push("no README.md".into());
     }
-    faults.extend(
-        links(&readme)
-            .filter(|link| !link.starts_with("https://"))
-            .map(|link| format!("the link `{link}` of README.md leads nowhere on crates.io: it needs a whole address")),
-    );
+    faults.extend(dead_links(&readme));
     if folder.join("tests").exists() {
         faults.push("has tests, which need files of the repository: leave them out with `include`".into());
     }
-    let manifest = read("Cargo.toml");
-    for key in ["categories", "description", "keywords", "license", "readme", "repository", "rust-version"] {
-        if !manifest.lines().any(|line| line.starts_with(&format!("{key} = "))) {
-            faults.push(format!("Cargo.toml has no `{key}`"));
-        }
-    }
+    faults.extend(missing_keys(&read("Cargo.toml"), &[&KEYS[..], &["readme"]].concat()));
     faults.extend(missing_includes(&folder.join("src")).map_err(|error| format!("`{}`: {error}", folder.display()))?);
     Ok(faults)
+}
+
+/// Returns problems of the README and the manifest of the plugin for Bevy.
+fn faults_in_plugin() -> Result<Vec<String>, Failure> {
+    let read = |name: &str| {
+        let path = workspace_root().join(PLUGIN).join(name);
+        fs::read_to_string(&path).map_err(|error| format!("`{}`: {error}", path.display()))
+    };
+    Ok([dead_links(&read("README.md")?), missing_keys(&read("Cargo.toml")?, &KEYS)].concat())
+}
+
+/// Returns links of a README that would lead nowhere on crates.io.
+fn dead_links(readme: &str) -> Vec<String> {
+    let relative = links(readme).filter(|link| !link.starts_with("https://"));
+    relative
+        .map(|link| format!("the link `{link}` of README.md leads nowhere on crates.io: it needs a whole address"))
+        .collect()
+}
+
+/// Returns keys that a manifest lacks.
+fn missing_keys(manifest: &str, keys: &[&str]) -> Vec<String> {
+    let is_missing = |key: &&&str| !manifest.lines().any(|line| line.starts_with(&format!("{key} = ")));
+    keys.iter().filter(is_missing).map(|key| format!("Cargo.toml has no `{key}`")).collect()
 }
 
 /// Returns files that sources or the examples in their documentation include, but that are missing in the package.

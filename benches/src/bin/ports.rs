@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 40;
 const CALLS: usize = 200_000;
 const FRAMES_PER_SECOND: usize = 60;
 /// The rendered frames of a clip, which repeat.

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-#define ROUNDS 5
+#define ROUNDS 40
 #define CALLS 200000
 #define FRAMES_PER_SECOND 60
 /* The rendered frames of a clip, which repeat. */

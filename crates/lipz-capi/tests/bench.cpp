@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr int ROUNDS = 5;
+constexpr int ROUNDS = 40;
 constexpr int CALLS = 200'000;
 constexpr int FRAMES_PER_SECOND = 60;
 /// The rendered frames of a clip, which repeat.

@@ -1,4 +1,4 @@
---- Measures the reader: `lua test/bench.lua`, in `packages/lipz-lua`. Prints nanoseconds, the least of five rounds, and
+--- Measures the reader: `lua test/bench.lua`, in `packages/lipz-lua`. Prints nanoseconds, the least of ten rounds, and
 -- bytes of garbage for each call. The questions are those of docs/inside/ports.md.
 
 package.path = "./?.lua;./?/init.lua;" .. package.path
@@ -7,7 +7,7 @@ local files = require("test.files")
 local lipz = require("lipz")
 
 local VERSION = jit and jit.version:match("^LuaJIT %d+%.%d+") or _VERSION
-local ROUNDS = 5
+local ROUNDS = 10
 
 local function measure(name, count, call)
   local least, most = math.huge, 0

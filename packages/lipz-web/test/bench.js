@@ -7,7 +7,7 @@
 import { readFile } from "node:fs/promises";
 import { openDialogue, rig } from "../node.js";
 
-const ROUNDS = 5;
+const ROUNDS = 20;
 const QUERIES = 200_000;
 const TICKS = 20_000;
 const OPENINGS = 20;

@@ -5,6 +5,9 @@ use crate::paths::workspace_root;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// The manifest that also has a whole number, by which Unreal compares versions.
+const WITH_NUMBER: (&str, &str) = ("packages/lipz-unreal/Lipz.uplugin", "\"Version\": ");
+
 /// Files, and the texts before the version. Without such texts, every version in the file is that of lipz.
 const FILES: [(&str, &[&str]); 18] = [
     ("docs/guides/blender.md", &["lipz-blender-"]),
@@ -41,7 +44,8 @@ pub(super) fn with_version() -> Result<Vec<(&'static str, String)>, Failure> {
     let with_version = |(path, before): &(&'static str, &[&str])| {
         let text =
             std::fs::read_to_string(workspace_root().join(path)).map_err(|error| format!("`{path}`: {error}"))?;
-        Ok((*path, changed(&text, before, VERSION).map_err(|error| format!("`{path}`: {error}"))?))
+        let text = changed(&text, before, VERSION).map_err(|error| format!("`{path}`: {error}"))?;
+        Ok((*path, if *path == WITH_NUMBER.0 { with_number(&text, VERSION) } else { text }))
     };
     FILES.iter().map(with_version).collect()
 }
@@ -70,6 +74,13 @@ fn changed(text: &str, before: &[&str], version: &str) -> Result<String, Failure
     if count < before.len().max(1) { Err("lacks a version".to_owned()) } else { Ok(changed + rest) }
 }
 
+/// Returns the text with the number of a version: 10,203 for 1.2.3.
+fn with_number(text: &str, version: &str) -> String {
+    let number = version.split('.').fold(0, |number, part| number * 100 + part.parse().unwrap_or(0));
+    let Some((before, after)) = text.split_once(WITH_NUMBER.1) else { return text.to_owned() };
+    format!("{before}{}{number}{}", WITH_NUMBER.1, after.trim_start_matches(|c: char| c.is_ascii_digit()))
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -81,6 +92,11 @@ mod tests {
         let expected = "schema = \"1.0.0\"\nversion = \"0.2.0\"\nbevy = \"0.1.0\"\n";
         assert_eq!(changed(text, &["\nversion = \""], "0.2.0").unwrap(), expected);
         assert_eq!(changed("lipz 0.1.0. Then v0.1.0, 3.12", &[], "1.0.0").unwrap(), "lipz 1.0.0. Then v1.0.0, 3.12");
+    }
+
+    #[test]
+    fn unreal_compares_numbers() {
+        assert_eq!(with_number("{ \"Version\": 7, \"A\": 1 }", "1.2.3"), "{ \"Version\": 10203, \"A\": 1 }");
     }
 
     #[test]

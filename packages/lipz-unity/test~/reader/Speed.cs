@@ -11,7 +11,7 @@ namespace Lipz.Tests
     internal static class Speed
     {
         private const int Warm = 200000;
-        private const int Rounds = 5;
+        private const int Rounds = 20;
         private const int FramesPerSecond = 60;
 
         internal static string Measure(string fixtures)
@@ -24,8 +24,8 @@ namespace Lipz.Tests
             long sum = 0;
             string measured = Of("open", 2000, i => sum += Bank.Open(drama).ClipCount, mayAllocate: true);
             measured += Of("clip", 200000, i => sum += bank.Clip("act2/otto-eyes").SegmentCount, true);
-            measured += Of("viseme", 2000000, i => sum += clip.VisemeAt(At(i, 4)));
-            measured += Of("tick", 200000, i =>
+            measured += Of("viseme", 500000, i => sum += clip.VisemeAt(At(i, 4)));
+            measured += Of("tick", 100000, i =>
             {
                 ClipTime time = At(i, 4);
                 if (i % (4 * FramesPerSecond) == 0) cursor.Seek(time);
@@ -37,7 +37,7 @@ namespace Lipz.Tests
             Clip spoken = phones.Clip("spoken");
             Rig rig = phones.Rig("arkit");
             float[] weights = new float[rig.WeightNames.Count];
-            measured += Of("weights", 50000, i => sum += spoken.WeightsAt(At(i, 1.4), rig, weights).Length);
+            measured += Of("weights", 10000, i => sum += spoken.WeightsAt(At(i, 1.4), rig, weights).Length);
             return measured;
         }
 
