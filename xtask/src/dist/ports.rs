@@ -48,7 +48,7 @@ static ARCHIVES: [Archive; 6] = [
         manifest: None,
         needed: &["lipz-lua/lipz/init.lua", "lipz-lua/README.md"],
     },
-    // As `packages/lipz-blender/build.py` writes it. The tests of that package install it.
+    // With the files that `packages/lipz-blender/build.py` packs, for whose archive the tests of that package run.
     Archive {
         name: ["lipz-blender-", "zip"],
         folder: "",
