@@ -43,9 +43,10 @@ for compiler in g++ clang++; do
     compilers=$((compilers + 1))
     # The sanitizers and the headers of one compiler are enough.
     builds=("-O0")
-    if [ "$compilers" -eq 1 ]; then
+    if [ "${1:-}" = bench ]; then
+        builds=("-O2")
+    elif [ "$compilers" -eq 1 ]; then
         builds=("-O2" "-O0 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all")
-        [ "${1:-}" != bench ] || builds=("-O2")
         # Each header alone, and all sources of a module as one, as Unreal may do.
         printf '%s\0' "$plugin"/Source/*/Public/*.h "$plugin"/Source/*/Private/*.h | xargs -0 -P "$(nproc)" -I {} \
             "$compiler" "${options[@]}" -fsyntax-only -x c++ -include {} /dev/null
