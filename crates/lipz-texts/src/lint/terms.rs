@@ -3,7 +3,7 @@
 use crate::exchange::decode;
 use crate::formats::csv::separator_of;
 use lipz_diagnostics::{Code, Diagnostic, Report, Source, Span, bound, escape};
-use lipz_file::locale::{canonical_tag, language};
+use lipz_file::locale::{language, language_or_locale};
 use lipz_file::table::{Cell, Rows};
 use lipz_file::text::display;
 use std::borrow::Cow;
@@ -137,7 +137,7 @@ struct TermColumns {
 impl TermColumns {
     /// Reads the header; `None` if no column has the terms.
     fn read(row: &[Cell<'_>], source_locale: &str, found: &mut Vec<Diagnostic>) -> Option<TermColumns> {
-        let names: Vec<Option<String>> = row.iter().map(|cell| column(&cell.text)).collect();
+        let names: Vec<Option<String>> = row.iter().map(|cell| language_or_locale(cell.text.trim(), true)).collect();
         let position = |locale: &str| names.iter().position(|name| name.as_deref() == Some(locale));
         let Some(source) = position(source_locale).or_else(|| position(language(source_locale))) else {
             let ends = row.first().zip(row.last());
@@ -175,13 +175,6 @@ impl Term {
     fn starts(&self, words: &[&str]) -> bool {
         words.len() >= self.words.len() && self.words.iter().zip(words).all(|(own, word)| own == word)
     }
-}
-
-/// Returns the locale or language that a column is named after.
-fn column(name: &str) -> Option<String> {
-    let name = name.trim();
-    let is_language = matches!(name.len(), 2 | 3) && name.bytes().all(|letter| letter.is_ascii_lowercase());
-    if is_language { Some(name.to_owned()) } else { canonical_tag(name, true) }
 }
 
 #[cfg(test)]

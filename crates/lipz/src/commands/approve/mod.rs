@@ -38,8 +38,8 @@ pub(crate) struct Approve {
     #[command(flatten)]
     stdin: StdinFile,
 
-    /// Approve only translations into this locale, and its dubs; may be given several times
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    /// Approve only translations into these locales, and their dubs
+    #[arg(long, value_name = "LOCALE", value_delimiter = ',', value_parser = parse_locale)]
     locale: Vec<String>,
 
     /// Source locale [default: `default-locale` of lipz.toml]

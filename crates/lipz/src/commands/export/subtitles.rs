@@ -25,7 +25,7 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   lipz export subtitles vtt voices -o subtitles
-  lipz export subtitles srt voices -o subtitles --locale de-de --locale fr-fr")]
+  lipz export subtitles srt voices -o subtitles --locale de-de,fr-fr")]
 pub(crate) struct ExportSubtitles {
     /// Format to write
     #[arg(value_enum, value_name = "FORMAT")]
@@ -41,8 +41,8 @@ pub(crate) struct ExportSubtitles {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
-    /// Only this locale; may be given several times [default: all]
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    /// Only these locales, as in de-de,fr-fr [default: all]
+    #[arg(long, value_name = "LOCALE", value_delimiter = ',', value_parser = parse_locale)]
     locale: Vec<String>,
 
     /// Speaker of texts that do not name one

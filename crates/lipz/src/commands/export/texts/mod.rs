@@ -32,7 +32,7 @@ use std::path::PathBuf;
   lipz export texts po voices --locale de-de -o de-de.po
   lipz export texts po voices --locale de-de --state missing,stale -o to-do.po
   lipz export texts po voices --locale de-de --namespace Dialogue -o Content/Localization/Game/de/Game.po
-  lipz export texts xlsx voices --locale de-de --locale fr-fr -o texts.xlsx
+  lipz export texts xlsx voices --locale de-de,fr-fr -o texts.xlsx
   lipz export texts unity voices -o dialogue.csv")]
 pub(crate) struct ExportTexts {
     /// Format to write
@@ -49,8 +49,8 @@ pub(crate) struct ExportTexts {
     #[arg(short, long, value_name = "FILE|FOLDER")]
     pub(super) output: PathBuf,
 
-    /// Locale of the translations, also a new one; may be given several times [default: all]
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    /// Locales of the translations, also new ones, as in de-de,fr-fr [default: all]
+    #[arg(long, value_name = "LOCALE", value_delimiter = ',', value_parser = parse_locale)]
     locale: Vec<String>,
 
     /// Source locale [default: `default-locale` of lipz.toml]

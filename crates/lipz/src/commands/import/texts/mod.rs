@@ -46,8 +46,8 @@ pub(crate) struct ImportTexts {
     #[arg(short, long, value_name = "SOURCES")]
     output: Vec<PathBuf>,
 
-    /// Only this locale, also for files that do not name theirs; may be given several times
-    #[arg(long, value_name = "LOCALE", value_parser = parse_locale)]
+    /// Only these locales, also for files that do not name theirs
+    #[arg(long, value_name = "LOCALE", value_delimiter = ',', value_parser = parse_locale)]
     locale: Vec<String>,
 
     /// Source locale [default: `default-locale` of lipz.toml]
