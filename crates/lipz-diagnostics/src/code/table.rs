@@ -227,7 +227,7 @@ codes! {
     ClipWithoutLine "LZ1920" "clip-without-line" Warning "a clip has no line in the script"
     LineDiffers "LZ1921" "line-differs" Warning "a clip and its line in the script have different texts"
     TermMissing "LZ1922" "term-missing" Warning "a translation lacks the project's translation of a term"
-    EndPunctuation "LZ1923" "end-punctuation" Warning "a translation and its source end with different punctuation"
+    EndPunctuation "LZ1923" "end-punctuation" Warning "punctuation at the end of a translation is missing, added or doubled"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"
