@@ -202,6 +202,24 @@ fn a_deleted_clip_is_not_taken_for_a_renamed_one() {
     }
 }
 
+/// Two clips with the same texts, one of which was deleted and the other renamed, cannot be told apart.
+#[test]
+fn a_clip_that_two_old_keys_fit_is_none_of_them() {
+    let scene = project();
+    let folder = scene.path();
+    let otto = folder.join("voices/otto.lipz");
+    fs::copy(&otto, folder.join("voices/amy.lipz")).unwrap();
+    export(folder, "csv", "de.csv");
+    fs::remove_file(folder.join("voices/amy.lipz")).unwrap();
+    fs::rename(&otto, folder.join("voices/mara.lipz")).unwrap();
+    replace(folder, "de.csv", "Guten Abend.", "Schönen Abend.");
+    let imported = import(folder, &["de.csv"]);
+    for key in ["amy", "otto"] {
+        assert!(imported.stderr.contains(&format!("the project has no clip `{key}`")), "{imported:?}");
+    }
+    assert!(fs::read_to_string(folder.join("voices/mara.lipz")).unwrap().contains("Guten Abend."));
+}
+
 /// Games have placeholders that lipz does not know.
 #[test]
 fn placeholders_of_a_project_are_checked_and_their_patterns_must_be_useful() {
@@ -216,6 +234,13 @@ fn placeholders_of_a_project_are_checked_and_their_patterns_must_be_useful() {
     let different = "the translation has `[item:Seil]` instead of `[item:rope]`";
     let checked = lipz(folder, ["check"]);
     assert!(checked.stderr.contains(different), "{checked:?}");
+    // The cache knows the patterns.
+    scene.write("lipz.toml", settings.replace("[item:*]", "[place:*]"));
+    for cached in [settings.replace("[item:*]", "[place:*]"), settings.to_owned()] {
+        scene.write("lipz.toml", &cached);
+        let checked = lipz(folder, ["check", "--cache", "cache"]);
+        assert_eq!(checked.stderr.contains(different), cached == settings, "{checked:?}");
+    }
     export(folder, "po", "de.po");
     replace(folder, "de.po", "Nimm", "Nehmt");
     let imported = import(folder, &["de.po"]);

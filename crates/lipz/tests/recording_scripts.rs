@@ -127,7 +127,7 @@ fn pick_ups_are_lines_without_a_current_recording() {
     assert_eq!(lipz(scene.path(), ["sync", "--quiet", "--allow", "warnings"]).code, 0);
     scene.write("rec/de/act1/mara-hello.wav", voice(LONG, 2));
     let states = |states: &str| rows(&scene, &["--locale", "de-de", "--state", states]);
-    assert_eq!(states("length")[0][9], "too long (1.60 s)");
+    assert_eq!(states("length")[0][9], "too long (1.600 s)");
     scene.write("rec/de/act1/mara-hello.wav", voice(SECOND, 2));
     assert_eq!(states("recorded").len(), 1);
     assert_eq!(lipz(scene.path(), ["sync", "--quiet", "--allow", "warnings"]).code, 0);
@@ -252,6 +252,33 @@ fn doubtful_takes_are_refused() {
     assert_eq!((copied.code, copied.stdout.as_str()), (0, "takes copied: 1 new, 0 replaced, 0 unchanged\n"));
     let path = |name: &str| fs::read(scene.path().join(name)).unwrap();
     assert!(path("rec/de/act2/mara-bye.wav") == path("takes/act2/mara-bye_1.wav"));
+}
+
+/// Two files may have one name, and the folder of a scene may be the end of a different one.
+#[test]
+fn takes_are_exactly_the_named_files() {
+    let scene = scene();
+    scene.write("voices/x/act1/mara-hello.lipz", "{ \"text_en-us\": \"Hello.\", \"text_de-de\": \"Hallo.\" }");
+    let import = |take: &str| {
+        scene.write("script.csv", format!("key,de-de,take\nact1/mara-hello,Hallo,{take}\n"));
+        lipz(scene.path(), ["import", "recordings", "script.csv", "takes"])
+    };
+    scene.write("takes/x/act1/mara-hello_1.wav", voice(SECOND, 1));
+    let other = import("1");
+    assert!(other.code == 1 && other.stderr.contains("take 1 of `act1/mara-hello` is missing"), "{other:?}");
+    scene.write("takes/act1/mara-hello_1.wav", voice(SECOND, 2));
+    scene.write("takes/act1/mara-hello_1.flac", "not the same sound");
+    for cell in ["1", "act1/mara-hello_1"] {
+        let several = import(cell);
+        assert!(several.code == 1 && several.stderr.contains("may be `act1/mara-hello_1."), "{several:?}");
+    }
+    let missing = import("mara-hello_1.mp3");
+    assert!(missing.code == 1 && missing.stderr.contains("is missing in takes"), "{missing:?}");
+    assert_eq!(import("act1/mara-hello_1.wav").stdout, "takes copied: 1 new, 0 replaced, 0 unchanged\n");
+    let bytes = |name: &str| fs::read(scene.path().join(name)).unwrap();
+    assert!(bytes("rec/de/act1/mara-hello.wav") == bytes("takes/act1/mara-hello_1.wav"));
+    let file = lipz(scene.path(), ["import", "recordings", "script.csv", "takes/act1/mara-hello_1.wav"]);
+    assert!(file.code == 2 && file.stderr.contains("is a file, not a folder of takes"), "{file:?}");
 }
 
 #[test]

@@ -135,6 +135,7 @@ pub(super) const RULES: &[Rule] = &[
             "sha2",
             "similar",
             "twox-hash",
+            "unicode-normalization",
             "unicode-segmentation",
             "zip",
         ],

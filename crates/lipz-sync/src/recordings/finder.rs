@@ -176,6 +176,11 @@ impl Recordings {
         files.flat_map(|files| files.iter().skip(1).filter_map(|file| Some((file.as_path(), files.first()?.as_path()))))
     }
 
+    /// Returns all supported files, several of which may have one path below the folder without extension.
+    pub fn all_files(&self) -> impl Iterator<Item = (&str, &Path)> {
+        self.files.iter().flat_map(|(name, files)| files.iter().map(|file| (name.as_str(), file.as_path())))
+    }
+
     /// Returns unsupported audio files without a supported recording of the same name.
     pub(crate) fn unread(&self) -> impl Iterator<Item = &Path> {
         self.others.iter().filter(|(name, _)| !self.files.contains_key(*name)).map(|(_, path)| path.as_path())

@@ -4,6 +4,7 @@ use lipz_diagnostics::escape;
 use lipz_file::emotion::{Blend, preset};
 use lipz_file::placeholder::PlaceholderPattern;
 use lipz_file::text::{is_white_space, meta as meta_places, trim};
+use std::cmp::Reverse;
 use std::ops::Range;
 
 /// The help for placeholders that differ.
@@ -65,17 +66,33 @@ fn metas<'t>(text: &'t str, own: &[PlaceholderPattern]) -> Vec<Meta<'t>> {
         }
     };
     let places = meta_places(text);
-    let is_apart = |one: &Range<usize>| places.iter().all(|place| place.end <= one.start || one.end <= place.start);
-    let of_project = own.iter().flat_map(|pattern| pattern.find(text)).filter(is_apart);
-    let mut all: Vec<Meta<'_>> = of_project.filter_map(|place| text.get(place)).map(Meta::Engine).collect();
-    all.extend(engine_placeholders(text).map(Meta::Engine));
+    let mut all: Vec<Meta<'_>> = of_project(text, own, &places).into_iter().map(Meta::Engine).collect();
     all.extend(places.into_iter().filter_map(meta));
     all.sort_unstable();
     all
 }
 
-/// Returns the placeholders of `printf` (`%s`, `%2$d`) and variables (`$name`), in order.
-fn engine_placeholders(text: &str) -> impl Iterator<Item = &str> {
+/// Returns the placeholders of engines and of the project that are not within the braces at `places`. Of those that
+/// overlap, the first counts, and then the longest.
+fn of_project<'t>(text: &'t str, own: &[PlaceholderPattern], places: &[Range<usize>]) -> Vec<&'t str> {
+    let is_in_braces = |one: &Range<usize>| {
+        let after = places.partition_point(|place| place.start <= one.start);
+        after.checked_sub(1).and_then(|at| places.get(at)).is_some_and(|place| one.end <= place.end)
+    };
+    let of_patterns = own.iter().flat_map(|pattern| pattern.find(text)).filter(|one| !is_in_braces(one));
+    let mut all: Vec<Range<usize>> = engine_placeholders(text).chain(of_patterns).collect();
+    all.sort_unstable_by_key(|one| (one.start, Reverse(one.end)));
+    let mut end = 0;
+    all.retain(|one| {
+        let is_apart = one.start >= end;
+        end = end.max(one.end);
+        is_apart
+    });
+    all.into_iter().filter_map(|place| text.get(place)).collect()
+}
+
+/// Returns the places of placeholders of `printf` (`%s`, `%2$d`) and variables (`$name`), in order.
+fn engine_placeholders(text: &str) -> impl Iterator<Item = Range<usize>> {
     let is_word = |character: char| character.is_alphanumeric() || character == '_';
     text.match_indices(['%', '$']).filter_map(move |(start, sign)| {
         let rest = text.get(start + 1..)?;
@@ -91,7 +108,7 @@ fn engine_placeholders(text: &str) -> impl Iterator<Item = &str> {
         };
         // A sign after a word is a unit or a price: `US$`.
         let is_first = !text.get(..start)?.ends_with(is_word);
-        text.get(start..start + 1 + length).filter(|_| is_first)
+        is_first.then_some(start..start + 1 + length)
     })
 }
 
@@ -172,6 +189,13 @@ mod tests {
         let expected = "the translation has `[item:Lampe]` instead of `[item:lamp]`";
         assert_eq!(german("Bring $who [item:Lampe] für {0}.").as_deref(), Some(expected));
         assert_eq!(german("Bring [item:lamp], $who.").as_deref(), Some("the translation lacks `{0}`"));
+        // Placeholders in braces belong to these, and overlapping ones count once.
+        let own = ["[item:*]", "[*]", "$*"].map(|pattern| pattern.parse().unwrap());
+        let lost = super::difference("[item:{0}] [item:lamp] $who", "[ding:{0}]", &own);
+        assert_eq!(
+            lost.as_deref(),
+            Some("the translation has `[ding:{0}]` instead of `$who`, `[item:lamp]`, `[item:{0}]`")
+        );
     }
 
     #[test]
@@ -185,7 +209,7 @@ mod tests {
 
     #[test]
     fn placeholders_of_engines_count() {
-        let found = |text| engine_placeholders(text).collect::<Vec<_>>();
+        let found = |text: &'static str| engine_placeholders(text).map(|at| &text[at]).collect::<Vec<_>>();
         assert_eq!(found("Hi $name, %s, %2$d: $unit.name|"), ["$name", "%s", "%2$d", "$unit"]);
         assert_eq!(found("100%ig, 50 % de, $5, US$ish, 5%s, %sth, %"), [""; 0]);
         assert_eq!(difference("%s has $gold", "$gold hat"), Some("the translation lacks `%s`".into()));

@@ -172,7 +172,7 @@ fn keep_comments(incoming: &mut IncomingFile) {
         return;
     }
     let message = format!("the comments of translators on {} clips are missing, and are kept", clips.len());
-    let help = "the program that saved the file has removed them; delete unwanted comments in lipz-texts.txt";
+    let help = "the program that saved the file may have removed them; delete unwanted comments in lipz-texts.txt";
     incoming.diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
     for entry in &mut incoming.entries {
         entry.comments_mark = None;

@@ -8,6 +8,7 @@ use lipz_file::table::{Cell, Rows};
 use lipz_file::text::display;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
+use unicode_normalization::UnicodeNormalization;
 use unicode_segmentation::UnicodeSegmentation;
 
 /// The separator of alternatives in a cell.
@@ -19,17 +20,16 @@ const NOTES: [&str; 5] = ["note", "notes", "comment", "comments", "description"]
 /// Terms with their translations: names, places, and words that always mean the same in a game.
 #[derive(Clone, Debug, Default)]
 pub struct Terms {
-    terms: Vec<Term>,
-    /// By the first word of a term, in lower case: the indices of terms.
-    by_first_word: HashMap<String, Vec<usize>>,
+    /// By their words, in lower case: the terms.
+    terms: HashMap<Vec<String>, Term>,
+    /// By the first word of terms, the numbers of their words, in descending order.
+    lengths: HashMap<String, Vec<usize>>,
 }
 
 #[derive(Clone, Debug)]
 struct Term {
     /// As written.
     text: String,
-    /// Its words in lower case.
-    words: Vec<String>,
     /// By locale or language: the translations, any of which may be used.
     translations: BTreeMap<String, Vec<String>>,
 }
@@ -77,15 +77,22 @@ impl Terms {
             cell.text.split(OR).map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect()
         };
         let cells = (0..).zip(&columns.names).zip(row).filter(|((at, _), _)| *at != columns.source);
-        let translations: BTreeMap<String, Vec<String>> = cells
+        let translations: Vec<(String, Vec<String>)> = cells
             .filter_map(|((_, name), cell)| Some((name.clone()?, alternatives(cell))))
             .filter(|(_, texts)| !texts.is_empty())
             .collect();
         for text in row.get(columns.source).map(alternatives).unwrap_or_default() {
-            let words: Vec<String> = text.unicode_words().map(str::to_lowercase).collect();
+            let words: Vec<String> = comparable(&text).unicode_words().map(str::to_owned).collect();
             let Some(first) = words.first().cloned() else { continue };
-            self.by_first_word.entry(first).or_default().push(self.terms.len());
-            self.terms.push(Term { text, words, translations: translations.clone() });
+            let lengths = self.lengths.entry(first).or_default();
+            if let Err(at) = lengths.binary_search_by(|length| words.len().cmp(length)) {
+                lengths.insert(at, words.len());
+            }
+            // Several rows of a term add alternatives.
+            let term = self.terms.entry(words).or_insert_with(|| Term { text, translations: BTreeMap::new() });
+            for (locale, texts) in &translations {
+                term.translations.entry(locale.clone()).or_default().extend(texts.iter().cloned());
+            }
         }
     }
 
@@ -94,22 +101,22 @@ impl Terms {
         if self.terms.is_empty() {
             return None;
         }
-        let shown = display(source).text.to_lowercase();
-        let words: Vec<&str> = shown.unicode_words().collect();
-        let translation = display(translation).text.to_lowercase();
+        let shown = comparable(&display(source).text);
+        let words: Vec<String> = shown.unicode_words().map(str::to_owned).collect();
+        let translation = comparable(&display(translation).text);
         let mut rest = words.as_slice();
         while let [_, after @ ..] = rest {
-            let Some(term) = self.at_start_of(rest) else {
+            let Some((length, term)) = self.at_start_of(rest) else {
                 rest = after;
                 continue;
             };
             // Of `lamp oil`, neither `lamp` nor `oil` is a term of its own.
-            rest = rest.get(term.words.len()..).unwrap_or_default();
+            rest = rest.get(length..).unwrap_or_default();
             let translations = &term.translations;
             let Some(expected) = translations.get(locale).or_else(|| translations.get(language(locale))) else {
                 continue;
             };
-            if !expected.iter().any(|text| translation.contains(&text.to_lowercase())) {
+            if !expected.iter().any(|text| translation.contains(&comparable(text))) {
                 let expected: Vec<String> = expected.iter().map(|text| escape::quoted(text).to_string()).collect();
                 let term = escape::quoted(&term.text);
                 return Some(format!("the translation lacks {} for the term {term}", expected.join(" or ")));
@@ -118,12 +125,17 @@ impl Terms {
         None
     }
 
-    /// Returns the longest term that the words begin with.
-    fn at_start_of(&self, words: &[&str]) -> Option<&Term> {
-        let here = self.by_first_word.get(*words.first()?)?;
-        let terms = here.iter().filter_map(|number| self.terms.get(*number)).filter(|term| term.starts(words));
-        terms.max_by_key(|term| term.words.len())
+    /// Returns the longest term that the words begin with, and the number of its words.
+    fn at_start_of(&self, words: &[String]) -> Option<(usize, &Term)> {
+        let lengths = self.lengths.get(words.first()?)?;
+        lengths.iter().find_map(|length| Some((*length, self.terms.get(words.get(..*length)?)?)))
     }
+}
+
+/// Returns a text in the form for comparison: in lower case and composed, with single spaces and plain apostrophes.
+fn comparable(text: &str) -> String {
+    let text: String = text.to_lowercase().nfc().map(|one| if one == '\u{2019}' { '\'' } else { one }).collect();
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The columns of a table of terms.
@@ -170,13 +182,6 @@ fn no_source(source_locale: &str, span: Span) -> Diagnostic {
         .help("name a column after each locale in the first row: en-us,de-de")
 }
 
-impl Term {
-    /// Whether the words begin with the term.
-    fn starts(&self, words: &[&str]) -> bool {
-        words.len() >= self.words.len() && self.words.iter().zip(words).all(|(own, word)| own == word)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -216,6 +221,14 @@ mod tests {
             german("Lamp oil?", "Eine Lampe?").as_deref(),
             Some("the translation lacks `Lampenöl` or `Petroleum` for the term `lamp oil`")
         );
+        let table = "en-us,de-de\nlamp,Lampe\nlamp,Leuchte\nDragon's Den,O\u{308}dland\n";
+        let terms_again = Terms::read("terms.csv", table.as_bytes(), "en-us").0;
+        for (source, text) in
+            [("The lamp.", "Die Lampe."), ("A lamp!", "Eine Leuchte!"), ("Dragon\u{2019}s  den", "Ödland")]
+        {
+            assert_eq!(terms_again.difference(source, "de-de", text), None, "{source}");
+        }
+        assert!(terms_again.difference("Dragon\u{2019}s Den", "de-de", "Höhle").is_some());
         assert_eq!(terms.difference("The lighthouse.", "fr-fr", "Le phare."), None, "a column for the language");
         assert_eq!(terms.difference("The lighthouse.", "it-it", "Il faro."), None, "no translation is known");
     }

@@ -5,7 +5,7 @@ use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::joined;
 use crate::exchange::{ClipTexts, Entry, Mark, Words};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The most clips with one source text that are compared. A text that is this frequent identifies no clip.
 const MOST_ALIKE: usize = 64;
@@ -22,29 +22,39 @@ pub fn follow_renamed_clips(
 ) -> Vec<(usize, Diagnostic)> {
     let named: BTreeSet<&str> = entries.iter().map(|entry| entry.key.text.as_str()).collect();
     let index = SourceIndex::new(clips.iter().filter(|(key, _)| !named.contains(key.as_str())), source_locale);
-    let mut by_key: BTreeMap<(usize, String), OldClip<'_>> = BTreeMap::new();
+    let mut by_key: BTreeMap<String, OldClip<'_>> = BTreeMap::new();
     for entry in entries.iter().filter(|entry| entry.mark.is_some() && is_foreign(entry, keys)) {
         let alike = index.alike(entry);
         by_key
-            .entry((entry.file, entry.key.text.clone()))
-            .and_modify(|old| old.new.retain(|key| alike.contains(key)))
-            .or_insert(OldClip { span: entry.key.span, new: alike });
+            .entry(entry.key.text.clone())
+            .and_modify(|old| {
+                old.new.retain(|key| alike.contains(key));
+                old.places.entry(entry.file).or_insert(entry.key.span);
+            })
+            .or_insert(OldClip { places: BTreeMap::from([(entry.file, entry.key.span)]), new: alike });
     }
-    let mut taken = HashSet::new();
-    let mut renamed: HashMap<(usize, String), &str> = HashMap::new();
+    // A clip that several old ones may be now is none of them for certain.
+    let mut claims: HashMap<&str, usize> = HashMap::new();
+    for old in by_key.values() {
+        old.new.iter().for_each(|new| *claims.entry(new).or_default() += 1);
+    }
+    let mut renamed: HashMap<String, &str> = HashMap::new();
     let mut found = Vec::new();
-    for ((file, old), OldClip { span, new }) in by_key {
-        let ([new], Some(shown)) = (new.as_slice(), Some(escape::quoted(&old))) else { continue };
-        if !taken.insert((file, *new)) {
+    for (old, OldClip { places, new }) in by_key {
+        let [new] = new.as_slice() else { continue };
+        if claims.get(new).is_some_and(|count| *count > 1) {
             continue;
         }
-        let message = format!("the clip {shown} is now {}, which has the same texts", escape::quoted(new));
+        let (shown, now) = (escape::quoted(&old).to_string(), escape::quoted(new));
         let help = "its translations are imported; export the texts again, so that the file has the new key";
-        found.push((file, Diagnostic::at(Code::UnknownTextKey, span, message).help(help)));
-        renamed.insert((file, old), new);
+        found.extend(places.into_iter().map(|(file, span)| {
+            let message = format!("the clip {shown} is now {now}, which has the same texts");
+            (file, Diagnostic::at(Code::UnknownTextKey, span, message).help(help))
+        }));
+        renamed.insert(old, new);
     }
-    for entry in entries.iter_mut() {
-        if let Some(new) = renamed.get(&(entry.file, entry.key.text.clone())) {
+    for entry in entries.iter_mut().filter(|entry| entry.mark.is_some()) {
+        if let Some(new) = renamed.get(&entry.key.text) {
             entry.key = Words { text: (*new).to_owned(), span: entry.key.span }.into();
         }
     }
@@ -53,7 +63,8 @@ pub fn follow_renamed_clips(
 
 /// A clip that the project does not have, and the clips that it may be now.
 struct OldClip<'c> {
-    span: Span,
+    /// The first position of its key in each file.
+    places: BTreeMap<usize, Span>,
     new: Vec<&'c str>,
 }
 

@@ -90,7 +90,13 @@ fn seconds(us: u64) -> String {
 
 /// Returns a range of lengths that is inside the allowed one: `1.90 to 2.10`.
 fn seconds_within(range: &RangeInclusive<u64>) -> String {
-    format!("{} to {}", hundredths(range.start().div_ceil(10_000)), hundredths(range.end() / 10_000))
+    let [start, end] = [range.start().div_ceil(10_000), range.end() / 10_000];
+    if start < end {
+        return format!("{} to {}", hundredths(start), hundredths(end));
+    }
+    // Hundredths are too coarse for a short line.
+    let thousandths = |us: u64| format!("{}.{:03}", us / 1_000_000, us / 1000 % 1000);
+    format!("{} to {}", thousandths(range.start().next_multiple_of(1000)), thousandths(*range.end()))
 }
 
 fn hundredths(count: u64) -> String {

@@ -60,7 +60,7 @@ impl Options {
             // A search for `**` at the end finds only folders.
             let files = if pattern.as_str().ends_with("**") { "/*" } else { "" };
             let found = glob::glob_with(&format!("{pattern}{files}"), MATCHING);
-            found.is_ok_and(|mut found| found.any(|path| path.is_ok()))
+            found.is_ok_and(|mut found| found.any(|path| path.is_ok_and(|path| path.is_file())))
         };
         let used: BTreeSet<usize> = names.iter().flat_map(|name| self.matching(name)).collect();
         let of_files = self.files_levels.iter().enumerate();

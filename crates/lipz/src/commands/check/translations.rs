@@ -92,6 +92,7 @@ impl<'p> Translations<'p> {
         // The same record in a different folder belongs to different files.
         let place =
             [&[u8::from(self.file.exists())], self.file.folders().as_slice(), &[0], &self.terms.bytes, &[0]].concat();
+        let place = [place.as_slice(), format!("{:?}", self.placeholders).as_bytes(), &[0]].concat();
         match self.file.renamed.is_empty() {
             true => [place.as_slice(), self.file.bytes()].concat(),
             // Whether a file counts as renamed depends on the deleted files.

@@ -83,6 +83,6 @@ fn pattern(value: &NamedValue<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<
     let help = "begin with the text that all of these placeholders begin with, as in \"[item:*]\"";
     match value.text(diagnostics)?.parse() {
         Ok(pattern) => Some(pattern),
-        Err(error) => value.refuse(&format!("is not a pattern of placeholders: {error}"), help, diagnostics),
+        Err(error) => value.refuse(format!("is not a pattern of placeholders: {error}"), help, diagnostics),
     }
 }

@@ -7,10 +7,11 @@ use crate::reporter::{Abort, Reporter};
 use crate::shared::input_file;
 use crate::shared::inputs::RunResult;
 use crate::shared::settings_file::Project;
+use crate::shared::voices::originals;
 use lipz_compiler::{Compiler, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, bound, escape};
 use lipz_interop::{Script, ScriptLine};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texts::SourceText;
@@ -45,10 +46,7 @@ pub(super) fn check(
     }
     let inputs = &*run.inputs;
     let options = &project.settings.options;
-    let voices = project.settings.voices();
-    let keys: HashSet<&str> = inputs.iter().map(|input| input.key.as_str()).collect();
-    let is_original = |input: &&Input| voices.original_of(&input.key, |key| keys.contains(key)).is_none();
-    let originals: Vec<Input> = inputs.iter().filter(is_original).cloned().collect();
+    let originals: Vec<Input> = originals(inputs, &project.settings.voices()).into_iter().cloned().collect();
     let fitting = fitting_clips(&script, &originals);
     let source_locale = super::translations::source_locale(project, inputs);
     let is_ambiguous = AtomicBool::new(false);

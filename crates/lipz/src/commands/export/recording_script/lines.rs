@@ -124,7 +124,7 @@ impl<'s> Lines<'s> {
             }
             (None, _) => (LineState::Missing, Some("not recorded".to_owned())),
             _ if self.stale.contains(key) => (LineState::Stale, Some("the text has changed".to_owned())),
-            (Some(us), Some(how)) => (LineState::Length, Some(format!("{how} ({:.2} s)", us as f64 / 1e6))),
+            (Some(us), Some(how)) => (LineState::Length, Some(format!("{how} ({:.3} s)", us as f64 / 1e6))),
             _ => (LineState::Recorded, None),
         };
         let recording = self.recordings.place(key);

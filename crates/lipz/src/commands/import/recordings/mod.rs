@@ -84,6 +84,10 @@ impl Run for ImportRecordings {
             let tip = "name the folder of the recordings: folder = \"recordings\" in [audio] of lipz.toml";
             return Err(reporter.usage("the project has no folder of recordings", tip));
         };
+        if self.takes.is_file() {
+            let message = format!("`{}` is a file, not a folder of takes", console::path(&self.takes));
+            return Err(reporter.usage(message, "name the folder that contains the takes"));
+        }
         let (inputs, mut reports) = find_all(settings, reporter)?;
         let original = original_locale(settings, reporter)?;
         let read_options = ReadOptions::new(original.as_str())
@@ -146,8 +150,9 @@ impl ImportRecordings {
     ) -> Result<Option<String>, Abort> {
         let of_table = takes.first().map(|(_, take)| &*take.locales).unwrap_or_default();
         let voice = match (&self.locale, of_table) {
-            (Some(wanted), [only]) if **only != **wanted => {
-                let message = format!("the script is for {only}, not for {wanted}");
+            (Some(wanted), several) if !several.is_empty() && !several.iter().any(|own| **own == **wanted) => {
+                let own: Vec<&str> = several.iter().map(|own| &**own).collect();
+                let message = format!("the script is for {}, not for {wanted}", own.join(" and "));
                 return Err(reporter.usage(message, "leave out `--locale`, or name the script for this voice"));
             }
             (Some(wanted), _) => Some(wanted.clone()),

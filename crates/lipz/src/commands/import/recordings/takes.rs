@@ -2,10 +2,11 @@
 
 use crate::console;
 use lipz_compiler::key::folded;
-use lipz_compiler::settings::without_extension;
+use lipz_compiler::settings::{sound_rank, without_extension};
 use lipz_diagnostics::{DiagnosticsError, escape};
 use lipz_sync::Recordings;
 use std::collections::{BTreeSet, HashMap};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Words before the number of a take.
@@ -55,7 +56,7 @@ impl TakeFiles {
         };
         let mut files = TakeFiles {
             folder: folder.to_owned(),
-            files: found.iter().map(file).collect(),
+            files: found.all_files().map(file).collect(),
             by_number: HashMap::new(),
             by_name: HashMap::new(),
             scenes: HashMap::new(),
@@ -103,12 +104,18 @@ impl TakeFiles {
     fn of_number(&self, line: &str, number: u32, own: &str) -> Vec<&TakeFile> {
         let found = self.by_number.get(&(line.to_owned(), number)).into_iter().flatten();
         let found: Vec<&TakeFile> = found.filter_map(|at| self.files.get(*at)).collect();
-        let of_scene: Vec<&TakeFile> = found.iter().filter(|file| file.is_in(own)).copied().collect();
+        // The folders of `x/act1` also end with `act1`.
+        let scenes = self.scenes.get(line);
+        let scene_of = |file: &TakeFile| {
+            let scenes = scenes.into_iter().flatten().filter(|scene| file.is_in(scene));
+            scenes.max_by_key(|scene| scene.len())
+        };
+        let (of_scene, others): (Vec<&TakeFile>, Vec<&TakeFile>) =
+            found.into_iter().partition(|file| scene_of(file).is_some_and(|scene| scene == own));
         if !of_scene.is_empty() {
             return of_scene;
         }
-        let others = || self.scenes.get(line).into_iter().flatten().filter(|scene| *scene != own);
-        found.into_iter().filter(|file| !others().any(|scene| file.is_in(scene))).collect()
+        others.into_iter().filter(|file| scene_of(file).is_none()).collect()
     }
 
     /// Returns the files whose path below the folder, or the end of it, is this name, with or without extension.
@@ -116,9 +123,13 @@ impl TakeFiles {
         let slashed = cell.replace('\\', "/");
         let name = folded(without_extension(slashed.trim_start_matches("./")));
         let at = self.by_name.get(last(&name)).into_iter().flatten();
-        let files: Vec<&TakeFile> = at.filter_map(|at| self.files.get(*at)).collect();
-        if let Some(exact) = files.iter().find(|file| file.name == name) {
-            return vec![*exact];
+        // Without an extension that is one of a sound, all files with the name are meant.
+        let extension = sound_rank(Path::new(&slashed)).and(Path::new(&slashed).extension());
+        let is_meant = |file: &&TakeFile| extension.is_none_or(|meant| has_extension(&file.path, meant));
+        let files: Vec<&TakeFile> = at.filter_map(|at| self.files.get(*at)).filter(is_meant).collect();
+        let exact: Vec<&TakeFile> = files.iter().filter(|file| file.name == name).copied().collect();
+        if !exact.is_empty() {
+            return exact;
         }
         let is_end = |file: &&TakeFile| file.name.strip_suffix(&name).is_some_and(|rest| rest.ends_with('/'));
         files.into_iter().filter(is_end).collect()
@@ -159,6 +170,10 @@ fn listed(files: &[&TakeFile]) -> String {
     }
 }
 
+fn has_extension(path: &Path, extension: &OsStr) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(extension))
+}
+
 /// Returns the last part of a path or key.
 fn last(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
@@ -192,9 +207,10 @@ fn take_of(stem: &str) -> Option<(&str, u32)> {
 /// Returns the number of a take that a cell states: `3`, `3.0`, `take 3`, `#3`.
 fn number_in(cell: &str) -> Option<u32> {
     let cell = cell.trim().to_lowercase();
-    let cell = cell.strip_suffix(".0").unwrap_or(&cell);
+    let whole = cell.trim_end_matches('0').strip_suffix('.').unwrap_or(&cell);
+    let cell = if whole.is_empty() { &cell } else { whole };
     let rest = TAKE_WORDS.iter().find_map(|word| cell.strip_prefix(word)).unwrap_or(cell);
-    let rest = rest.trim_start_matches(is_separator);
+    let rest = rest.trim_matches(is_separator);
     let is_number = !rest.is_empty() && rest.bytes().all(|digit| digit.is_ascii_digit());
     // A negative number is a mistake.
     let is_negative = cell.starts_with('-');
@@ -219,7 +235,7 @@ mod tests {
 
     #[test]
     fn cells_state_numbers_in_several_ways() {
-        for cell in ["3", " 3 ", "3.0", "03", "take 3", "Take3", "T3", "#3"] {
+        for cell in ["3", " 3 ", "3.0", "3.00", "03", "(3)", "take 3", "Take3", "T3", "#3"] {
             assert_eq!(number_in(cell), Some(3), "{cell}");
         }
         for cell in ["-3", "3.5", "mayor_3", "3/4", "", "t", "99999999999"] {
