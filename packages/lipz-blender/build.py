@@ -14,7 +14,7 @@ def files():
     """Returns the name in the extension and the path of each file."""
     for folder, prefix in ((os.path.join(HERE, "lipz"), ""), (READER, "reader/")):
         for name in sorted(os.listdir(folder)):
-            if name.endswith((".py", ".toml")):
+            if name.endswith((".py", ".toml")) or name.startswith("LICENSE-"):
                 yield prefix + name, os.path.join(folder, name)
     for name in ("LICENSE-APACHE", "LICENSE-MIT"):
         yield name, os.path.join(ROOT, name)

@@ -44,7 +44,8 @@ profiles.add_queries(Bank, "BABL", "babbles", "babble", read)
 function Bank:default_babble() return self:babble("default") or DEFAULT end
 
 local function openness(loop, index, transfer, power)
-  if #loop == 0 or #transfer == 0 or power ~= power then power = 0 end
+  if #loop == 0 or #transfer == 0 then return 0 end
+  if power ~= power then power = 0 end
   local digit = loop:byte(index % #loop + 1)
   local place = math.max(0, math.min(math.floor(power * #transfer), #transfer - 1))
   local factor = transfer:byte(place + 1)

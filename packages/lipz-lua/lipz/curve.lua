@@ -16,12 +16,13 @@ Curve.__index = Curve
 
 --- Returns the index of the last record whose slot is at most `slot`, among records of two numbers in ascending order.
 local function find_slot(section, slot)
-  local low, high = 0, math.floor(section.length / RECORD_BYTES)
+  local count = math.floor(section.length / RECORD_BYTES)
+  local low, high = 0, count
   while low < high do
     local middle = math.floor((low + high) / 2)
     if u32(section, middle * RECORD_BYTES) < slot then low = middle + 1 else high = middle end
   end
-  return u32(section, low * RECORD_BYTES) == slot and low or nil
+  return low < count and u32(section, low * RECORD_BYTES) == slot and low or nil
 end
 Curve.find_slot = find_slot
 
@@ -96,9 +97,9 @@ end
 function Curve:thousandths(frame, part)
   local index = self:index_at(frame)
   local before, value = self:key_thousandths(index)
-  if not before or frame < before then return value or 0 end
+  if not before or not value or frame < before then return value or 0 end
   local after, next_value = self:key_thousandths(index + 1)
-  if not after or after <= frame then return value end
+  if not after or not next_value or after <= frame then return value or 0 end
   local distance, whole = math.abs(next_value - value), (after - before) * 65536
   local done, rest = time.multiply_divide((frame - before) * 65536 + part, distance, whole)
   if rest * 2 >= whole then done = done + 1 end

@@ -1,9 +1,9 @@
 //! `cargo xtask bless`: writes every generated file of the repository.
 //!
 //! First it generates the table of rules and their page, and writes the version of the workspace to the manifests of
-//! packages. Then it runs the tests with committed expected outputs again,
-//! which write these. Read the difference before you commit it. `cargo xtask bless lipz` runs only the tests of one
-//! crate, `cargo xtask bless rules` and `cargo xtask bless versions` run none.
+//! packages. Then it runs the tests with committed expected outputs again, which write these. Read the difference
+//! before you commit it. `cargo xtask bless lipz` runs only the tests of one crate, `cargo xtask bless rules` and
+//! `cargo xtask bless versions` run none.
 
 mod diagnostics_page;
 mod rules;

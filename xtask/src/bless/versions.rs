@@ -9,13 +9,38 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 const WITH_NUMBER: (&str, &str) = ("packages/lipz-unreal/Lipz.uplugin", "\"Version\": ");
 
 /// Files, and the texts before the version. Without such texts, every version in the file is that of lipz.
-const FILES: [(&str, &[&str]); 18] = [
+const FILES: [(&str, &[&str]); 20] = [
     ("docs/guides/blender.md", &["lipz-blender-"]),
     ("docs/guides/c.md", &["liblipz-v", "liblipz.so."]),
     ("docs/guides/continuous-integration.md", &[]),
     ("docs/guides/install.md", &["lipz-v"]),
     ("editors/vscode/package.json", &["\n  \"version\": \""]),
     ("editors/vscode/package-lock.json", &["\n  \"version\": \"", "\"name\": \"lipz\",\n      \"version\": \""]),
+    (
+        "firmware/Cargo.lock",
+        &[
+            "\"lipz-bank\"\nversion = \"",
+            "\"lipz-layout\"\nversion = \"",
+            "\"lipz-testkit\"\nversion = \"",
+            "\"lipz-types\"\nversion = \"",
+        ],
+    ),
+    (
+        "fuzz/Cargo.lock",
+        &[
+            "\"lipz-bank\"\nversion = \"",
+            "\"lipz-compiler\"\nversion = \"",
+            "\"lipz-diagnostics\"\nversion = \"",
+            "\"lipz-file\"\nversion = \"",
+            "\"lipz-interop\"\nversion = \"",
+            "\"lipz-layout\"\nversion = \"",
+            "\"lipz-speech\"\nversion = \"",
+            "\"lipz-sync\"\nversion = \"",
+            "\"lipz-testkit\"\nversion = \"",
+            "\"lipz-texts\"\nversion = \"",
+            "\"lipz-types\"\nversion = \"",
+        ],
+    ),
     (
         "packages/bevy_lipz/Cargo.lock",
         &[

@@ -37,7 +37,7 @@ static ARCHIVES: [Archive; 6] = [
     Archive {
         name: ["lipz-godot-v", "zip"],
         folder: "",
-        parts: &[("packages/lipz-godot/addons", "addons")],
+        parts: &[("packages/lipz-godot/README.md", "addons/lipz/README.md"), ("packages/lipz-godot/addons", "addons")],
         manifest: None,
         needed: &["addons/lipz/lipz_player.gd", "addons/lipz/icon.svg"],
     },
@@ -62,6 +62,7 @@ static ARCHIVES: [Archive; 6] = [
         parts: &[
             ("packages/lipz-renpy/README.md", "README.md"),
             ("packages/lipz-renpy/lipz.rpy", "game/lipz.rpy"),
+            ("packages/lipz-renpy/sample", "sample"),
             ("packages/lipz-python/lipz/reader", "game/python-packages/lipz_reader"),
         ],
         manifest: None,

@@ -9,7 +9,7 @@ namespace Lipz
         private byte[] bytes;
 
         /// <summary>Makes an asset from the bytes of a text bank, for example of a download.</summary>
-        /// <exception cref="BankException">The bytes are not a text bank, or they are damaged.</exception>
+        /// <exception cref="BankException">The bytes are not a file of lipz, or they are damaged.</exception>
         public static LipzTexts From(byte[] bytes)
         {
             Bank.VerifyTexts(bytes);

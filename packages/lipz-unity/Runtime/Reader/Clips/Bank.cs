@@ -73,7 +73,7 @@ namespace Lipz
         /// Checks the header and the directory of a text bank (<c>.lipztexts</c>), and compares its checksum with all
         /// bytes.
         /// </summary>
-        /// <exception cref="BankException">The bytes are not a text bank, or they are damaged.</exception>
+        /// <exception cref="BankException">The bytes are not a file of lipz, or they are damaged.</exception>
         public static void VerifyTexts(byte[] bytes)
         {
             var texts = new BankFile(bytes);
