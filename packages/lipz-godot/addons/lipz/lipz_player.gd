@@ -14,7 +14,8 @@ signal segment_began(segment: int, event_string: String)
 signal subtitle_changed(text: String)
 ## Emitted when the viseme changes, one character; `-` is rest.
 signal viseme_changed(viseme: String)
-## Emitted when a clip has ended, and also when it was stopped. A receiver may play the next clip.
+## Emitted when a clip has ended, and also when it was stopped. A receiver may play the next clip, unless
+## [method play] has replaced the clip that ended.
 signal finished
 
 enum Hold {
@@ -48,6 +49,8 @@ var clip: LipzClip
 ## The name of the character who speaks the clip.
 var speaker := ""
 var _cursor: LipzCursor
+## Whether [method play] stops the clip before it begins the next one.
+var _is_replacing := false
 var _locale: LipzLocale
 ## The missing language that was reported last.
 var _reported_locale := ""
@@ -64,9 +67,14 @@ var _due_events: Array[LipzEvent] = []
 
 
 ## Plays a clip, with its recording if there is an audio player. The speaker is the character to whom events without a
-## name belong. Returns false if the bank does not have the clip.
+## name belong. Returns false if the bank does not have the clip, or if a receiver of [signal finished] plays a clip
+## while another one begins.
 func play(key: String, of_speaker := "", recording: AudioStream = null) -> bool:
+	if _is_replacing:
+		return false
+	_is_replacing = true
 	stop()
+	_is_replacing = false
 	var found := bank.clip(key) if bank != null else null
 	if found == null:
 		push_error("lipz: the bank does not have the clip ", key)

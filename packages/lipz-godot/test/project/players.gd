@@ -80,6 +80,19 @@ func _test_next_line_at_the_end() -> void:
 	player.free()
 
 
+## A line that replaces another one begins, whatever a receiver of the end plays.
+func _test_replaced_line() -> void:
+	var player := _player()
+	player.play(_LINE, "mara")
+	player.finished.connect(func() -> void: player.play(_LINE, "mara"))
+	_log()
+	_expect("a new line", player.play(_NEXT, "otto"), true)
+	_expect("a replaced line", _log(),
+		"'' | finished | otto feels sad | 'Es ist seit zwanzig Jahren unterwegs.'")
+	_expect("the line that plays", player.clip.key, _NEXT)
+	player.free()
+
+
 ## A receiver of a viseme stops the line.
 func _test_stop_by_a_viseme() -> void:
 	var player := _player()
@@ -117,6 +130,7 @@ func run() -> String:
 	_test_next_line_while_skipping()
 	_test_skip_in_a_receiver()
 	_test_next_line_at_the_end()
+	_test_replaced_line()
 	_test_stop_by_a_viseme()
 	_test_languages()
-	return "\n".join(_problems) if not _problems.is_empty() else "5 tests"
+	return "\n".join(_problems) if not _problems.is_empty() else "6 tests"
