@@ -1,4 +1,4 @@
-extends RefCounted
+extends "node_test.gd"
 ## The nodes: each event once, subtitles, rest after the end, and the shapes of a model.
 
 const Files := preload("files.gd")
@@ -6,31 +6,6 @@ const Files := preload("files.gd")
 const _LINE := "act1/mara-good-evening"
 const _EVENTS := "feels neutral, sees otto, points fog"
 const _SHAPES := 67
-
-var _root: Node
-var _heard := PackedStringArray()
-var _problems := PackedStringArray()
-
-
-func _init(root: Node) -> void:
-	_root = root
-
-
-func _expect(what: String, found: Variant, expected: Variant) -> void:
-	if found != expected:
-		_problems.append("FAILED %s: %s instead of %s" % [what, found, expected])
-
-
-## Returns a player that the test advances itself.
-func _player(bank: LipzBank) -> LipzPlayer:
-	var player := LipzPlayer.new()
-	player.bank = bank
-	player.locale = "de-de"
-	_root.add_child(player)
-	player.set_process(false)
-	_heard.clear()
-	player.event_fired.connect(func(event: LipzEvent) -> void: _heard.append(str(event)))
-	return player
 
 
 func _test_loading() -> void:

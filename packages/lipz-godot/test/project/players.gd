@@ -1,4 +1,4 @@
-extends RefCounted
+extends "node_test.gd"
 ## Players whose receivers skip lines or play the next one, and the languages of subtitles.
 
 const Files := preload("files.gd")
@@ -6,29 +6,10 @@ const Files := preload("files.gd")
 const _LINE := "act1/mara-good-evening"
 const _NEXT := "act1/otto-twenty-years"
 
-var _root: Node
-var _heard := PackedStringArray()
-var _problems := PackedStringArray()
 
-
-func _init(root: Node) -> void:
-	_root = root
-
-
-func _expect(what: String, found: Variant, expected: Variant) -> void:
-	if found != expected:
-		_problems.append("FAILED %s: %s instead of %s" % [what, found, expected])
-
-
-## Returns a player that the test advances itself. The log has events, subtitles in quotation marks, and ends.
-func _player() -> LipzPlayer:
-	var player := LipzPlayer.new()
-	player.bank = Files.bank("drama")
-	player.locale = "de-de"
-	_root.add_child(player)
-	player.set_process(false)
-	_heard.clear()
-	player.event_fired.connect(func(event: LipzEvent) -> void: _heard.append(str(event)))
+## Returns a player whose log also has subtitles in quotation marks, and ends.
+func _speaker() -> LipzPlayer:
+	var player := _player(Files.bank("drama"))
 	player.subtitle_changed.connect(func(text: String) -> void: _heard.append("'%s'" % text))
 	player.finished.connect(func() -> void: _heard.append("finished"))
 	return player
@@ -42,7 +23,7 @@ func _log() -> String:
 
 ## A receiver of the last event of a skipped line plays the next line, which must not be stopped.
 func _test_next_line_while_skipping() -> void:
-	var player := _player()
+	var player := _speaker()
 	player.event_fired.connect(func(event: LipzEvent) -> void:
 		if event.object == "fog":
 			player.play(_NEXT, "otto"))
@@ -57,7 +38,7 @@ func _test_next_line_while_skipping() -> void:
 
 ## A receiver of the first event skips the line: all events follow, each once, and in order.
 func _test_skip_in_a_receiver() -> void:
-	var player := _player()
+	var player := _speaker()
 	player.event_fired.connect(func(event: LipzEvent) -> void:
 		if event.verb == "feels":
 			player.skip())
@@ -69,7 +50,7 @@ func _test_skip_in_a_receiver() -> void:
 
 ## A receiver of the end plays the next line.
 func _test_next_line_at_the_end() -> void:
-	var player := _player()
+	var player := _speaker()
 	player.finished.connect(func() -> void: player.play(_NEXT, "otto"), CONNECT_ONE_SHOT)
 	player.play(_LINE, "mara")
 	_log()
@@ -82,7 +63,7 @@ func _test_next_line_at_the_end() -> void:
 
 ## A line that replaces another one begins, whatever a receiver of the end plays.
 func _test_replaced_line() -> void:
-	var player := _player()
+	var player := _speaker()
 	player.play(_LINE, "mara")
 	player.finished.connect(func() -> void: player.play(_LINE, "mara"))
 	_log()
@@ -95,7 +76,7 @@ func _test_replaced_line() -> void:
 
 ## A receiver of a viseme stops the line.
 func _test_stop_by_a_viseme() -> void:
-	var player := _player()
+	var player := _speaker()
 	player.viseme_changed.connect(func(_viseme: String) -> void: player.stop())
 	player.play(_LINE, "mara")
 	_expect("a stop by a viseme", _log(), "mara feels neutral | finished")
@@ -103,7 +84,7 @@ func _test_stop_by_a_viseme() -> void:
 
 
 func _test_languages() -> void:
-	var player := _player()
+	var player := _speaker()
 	var german := "'Guten Abend, Otto.'"
 	var english := "'Good evening, Otto.'"
 	var languages: Dictionary[String, String] = {
