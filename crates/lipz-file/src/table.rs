@@ -48,7 +48,7 @@ impl QuoteFault {
     }
 }
 
-/// The rows of a table, without empty lines. After an error, there are no more rows.
+/// Iterates over the rows of a table and skips empty lines. Ends after the first error.
 #[derive(Clone, Debug)]
 pub struct Rows<'t> {
     text: &'t str,

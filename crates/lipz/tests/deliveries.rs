@@ -5,34 +5,8 @@ mod support;
 
 use std::fs;
 use std::path::Path;
-use support::{Outcome, Scene, lipz};
-
-/// Returns a project of one clip with a German text.
-fn project() -> Scene {
-    let scene = Scene::new();
-    scene.write("lipz.toml", "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n");
-    scene.write(
-        "voices/otto.lipz",
-        "{ \"visemes\": \"MA|EO\", \"text_en-us\": \"Good evening.|You?\", \"text_de-de\": \"Guten Abend.|Du?\" }\n",
-    );
-    scene
-}
-
-fn export(folder: &Path, format: &str, name: &str) {
-    let written = lipz(folder, ["export", "texts", format, "--locale", "de-de", "-o", name]);
-    assert_eq!((written.code, written.stderr.as_str()), (0, ""));
-}
-
-fn import(folder: &Path, names: &[&str]) -> Outcome {
-    lipz(folder, ["import", "texts"].iter().chain(names))
-}
-
-/// Replaces a text in a file, and requires that it is there.
-fn replace(folder: &Path, name: &str, from: &str, to: &str) {
-    let text = fs::read_to_string(folder.join(name)).unwrap();
-    assert!(text.contains(from), "{name} has no {from}: {text}");
-    fs::write(folder.join(name), text.replace(from, to)).unwrap();
-}
+use support::delivery::{export, import, project, replace};
+use support::{Scene, lipz};
 
 fn clip(folder: &Path) -> String {
     fs::read_to_string(folder.join("voices/otto.lipz")).unwrap()
@@ -152,102 +126,6 @@ fn a_rejection_counts_even_if_a_copy_of_the_file_has_none() {
         let checked = lipz(folder, ["check", "--output-format", "concise"]);
         assert_eq!(checked.stdout.matches("LZ1911").count(), 0, "{checked:?}");
     }
-}
-
-#[test]
-fn a_file_with_the_old_key_of_a_renamed_clip_is_imported() {
-    for (format, name) in [("po", "de.po"), ("xlsx", "de.xlsx"), ("csv", "de.csv"), ("xliff", "de.xlf")] {
-        let scene = project();
-        let folder = scene.path();
-        scene.write("voices/yes.lipz", "{ \"text_en-us\": \"Good evening.|Me!\" }");
-        export(folder, format, name);
-        fs::rename(folder.join("voices/otto.lipz"), folder.join("voices/mara.lipz")).unwrap();
-        if format != "xlsx" {
-            replace(folder, name, "Guten Abend.", "Schönen Abend.");
-        }
-        let imported = import(folder, &[name]);
-        assert!(imported.code == 0 && imported.stderr.contains("`otto` is now `mara`"), "{format}: {imported:?}");
-        let clip = fs::read_to_string(folder.join("voices/mara.lipz")).unwrap();
-        assert!(format == "xlsx" || clip.contains("Schönen Abend.|Du?"), "{format}: {clip}");
-    }
-    // Two clips with this text may be meant, and a file that lipz has not exported may be of a different game.
-    let scene = project();
-    let folder = scene.path();
-    export(folder, "po", "de.po");
-    fs::copy(folder.join("voices/otto.lipz"), folder.join("voices/mara.lipz")).unwrap();
-    fs::rename(folder.join("voices/otto.lipz"), folder.join("voices/nell.lipz")).unwrap();
-    assert!(import(folder, &["de.po"]).stderr.contains("the project has no clip `otto`"));
-    fs::remove_file(folder.join("voices/mara.lipz")).unwrap();
-    let text = fs::read_to_string(folder.join("de.po")).unwrap();
-    let unmarked: String =
-        text.lines().filter(|line| !line.contains("as exported")).map(|line| format!("{line}\n")).collect();
-    fs::write(folder.join("de.po"), unmarked).unwrap();
-    assert!(import(folder, &["de.po"]).stderr.contains("the project has no clip `otto`"));
-}
-
-/// A deleted clip is not an existing one with the same source text, whose translation would be replaced.
-#[test]
-fn a_deleted_clip_is_not_taken_for_a_renamed_one() {
-    for german in [", \"text_de-de\": \"Tag.|Sie?\"", ""] {
-        let scene = project();
-        let folder = scene.path();
-        let alike = format!("{{ \"text_en-us\": \"Good evening.|You?\"{german} }}");
-        scene.write("voices/mara.lipz", &alike);
-        export(folder, "po", "de.po");
-        fs::remove_file(folder.join("voices/otto.lipz")).unwrap();
-        replace(folder, "de.po", "Guten Abend.", "Schönen Abend.");
-        let imported = import(folder, &["de.po"]);
-        assert!(imported.stderr.contains("the project has no clip `otto`"), "{imported:?}");
-        assert_eq!(fs::read_to_string(folder.join("voices/mara.lipz")).unwrap(), alike);
-    }
-}
-
-/// Two clips with the same texts, one of which was deleted and the other renamed, cannot be told apart.
-#[test]
-fn a_clip_that_two_old_keys_fit_is_none_of_them() {
-    let scene = project();
-    let folder = scene.path();
-    let otto = folder.join("voices/otto.lipz");
-    fs::copy(&otto, folder.join("voices/amy.lipz")).unwrap();
-    export(folder, "csv", "de.csv");
-    fs::remove_file(folder.join("voices/amy.lipz")).unwrap();
-    fs::rename(&otto, folder.join("voices/mara.lipz")).unwrap();
-    replace(folder, "de.csv", "Guten Abend.", "Schönen Abend.");
-    let imported = import(folder, &["de.csv"]);
-    for key in ["amy", "otto"] {
-        assert!(imported.stderr.contains(&format!("the project has no clip `{key}`")), "{imported:?}");
-    }
-    assert!(fs::read_to_string(folder.join("voices/mara.lipz")).unwrap().contains("Guten Abend."));
-}
-
-/// Games have placeholders that lipz does not know.
-#[test]
-fn placeholders_of_a_project_are_checked_and_their_patterns_must_be_useful() {
-    let scene = Scene::new();
-    let folder = scene.path();
-    let settings = "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[text]\nplaceholders = [\"[item:*]\"]\n";
-    scene.write("lipz.toml", settings);
-    scene.write(
-        "voices/otto.lipz",
-        "{ \"text_en-us\": \"Take [item:rope].\", \"text_de-de\": \"Nimm [item:Seil].\" }\n",
-    );
-    let different = "the translation has `[item:Seil]` instead of `[item:rope]`";
-    let checked = lipz(folder, ["check"]);
-    assert!(checked.stderr.contains(different), "{checked:?}");
-    // The cache knows the patterns.
-    scene.write("lipz.toml", settings.replace("[item:*]", "[place:*]"));
-    for cached in [settings.replace("[item:*]", "[place:*]"), settings.to_owned()] {
-        scene.write("lipz.toml", &cached);
-        let checked = lipz(folder, ["check", "--cache", "cache"]);
-        assert_eq!(checked.stderr.contains(different), cached == settings, "{checked:?}");
-    }
-    export(folder, "po", "de.po");
-    replace(folder, "de.po", "Nimm", "Nehmt");
-    let imported = import(folder, &["de.po"]);
-    assert!(imported.stderr.contains(different), "{imported:?}");
-    scene.write("lipz.toml", settings.replace("[item:*]", "*]"));
-    let refused = lipz(folder, ["check"]);
-    assert!(refused.code != 0 && refused.stderr.contains("the pattern has no text before `*`"), "{refused:?}");
 }
 
 /// A changed text with the old problem is a decision about this delivery.

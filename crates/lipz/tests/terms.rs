@@ -1,8 +1,9 @@
-//! Terms of a project, and the punctuation at the ends of translations.
+//! Terms and placeholders of a project, and the punctuation at the ends of translations.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod support;
 
+use support::delivery::{export, import, replace};
 use support::{Scene, lipz};
 
 const SETTINGS: &str =
@@ -45,4 +46,34 @@ fn ends_of_texts_are_compared_on_request() {
     assert_eq!(lipz(scene.path(), ["check", "--quiet"]).stderr, "");
     scene.expect("LZ1923-end-punctuation", &["check", "--quiet", "--warn", "end-punctuation"]);
     scene.finish(1);
+}
+
+/// Games have placeholders that lipz does not know.
+#[test]
+fn placeholders_of_a_project_are_checked_and_their_patterns_must_be_useful() {
+    let scene = Scene::new();
+    let folder = scene.path();
+    let settings = "sources = [\"voices\"]\ndefault-locale = \"en-us\"\n[text]\nplaceholders = [\"[item:*]\"]\n";
+    scene.write("lipz.toml", settings);
+    scene.write(
+        "voices/otto.lipz",
+        "{ \"text_en-us\": \"Take [item:rope].\", \"text_de-de\": \"Nimm [item:Seil].\" }\n",
+    );
+    let different = "the translation has `[item:Seil]` instead of `[item:rope]`";
+    let checked = lipz(folder, ["check"]);
+    assert!(checked.stderr.contains(different), "{checked:?}");
+    // The cache knows the patterns.
+    scene.write("lipz.toml", settings.replace("[item:*]", "[place:*]"));
+    for cached in [settings.replace("[item:*]", "[place:*]"), settings.to_owned()] {
+        scene.write("lipz.toml", &cached);
+        let checked = lipz(folder, ["check", "--cache", "cache"]);
+        assert_eq!(checked.stderr.contains(different), cached == settings, "{checked:?}");
+    }
+    export(folder, "po", "de.po");
+    replace(folder, "de.po", "Nimm", "Nehmt");
+    let imported = import(folder, &["de.po"]);
+    assert!(imported.stderr.contains(different), "{imported:?}");
+    scene.write("lipz.toml", settings.replace("[item:*]", "*]"));
+    let refused = lipz(folder, ["check"]);
+    assert!(refused.code != 0 && refused.stderr.contains("the pattern has no text before `*`"), "{refused:?}");
 }

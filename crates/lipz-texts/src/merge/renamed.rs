@@ -33,7 +33,7 @@ pub fn follow_renamed_clips(
             })
             .or_insert(OldClip { places: BTreeMap::from([(entry.file, entry.key.span)]), new: alike });
     }
-    // A clip that several old ones may be now is none of them for certain.
+    // If several old keys fit a clip, lipz cannot tell which one it had.
     let mut claims: HashMap<&str, usize> = HashMap::new();
     for old in by_key.values() {
         old.new.iter().for_each(|new| *claims.entry(new).or_default() += 1);

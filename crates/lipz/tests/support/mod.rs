@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test stops at the first surprise")]
 
 pub(crate) mod approved;
+pub(crate) mod delivery;
 pub(crate) mod editor;
 pub(crate) mod forge;
 pub(crate) mod preview;
