@@ -3,7 +3,7 @@
 use super::Options;
 use crate::util::patterns::MATCHING;
 use glob::{Pattern, PatternError};
-use lipz_diagnostics::{Code, Levels, Report, Severity};
+use lipz_diagnostics::{Code, Levels, Report, Severity, Span};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
@@ -16,6 +16,8 @@ pub struct FileLevels {
     /// The pattern of whole paths.
     pattern: Pattern,
     levels: Levels,
+    /// The position of the pattern in the settings.
+    span: Span,
 }
 
 impl FileLevels {
@@ -28,7 +30,13 @@ impl FileLevels {
         Pattern::new(pattern)?; // positions in an error refer to the pattern
         let below = pattern.strip_prefix("./").unwrap_or(pattern);
         let whole = format!("{}/{below}", Pattern::escape(whole(folder).trim_end_matches('/')));
-        Ok(FileLevels { written: pattern.to_owned(), pattern: Pattern::new(&whole)?, levels })
+        Ok(FileLevels { written: pattern.to_owned(), pattern: Pattern::new(&whole)?, levels, span: Span::default() })
+    }
+
+    /// Sets the position of the pattern in the settings, for [`Options::unused_patterns`].
+    #[must_use]
+    pub fn at(self, span: Span) -> FileLevels {
+        FileLevels { span, ..self }
     }
 }
 
@@ -53,9 +61,9 @@ impl Options {
         levels
     }
 
-    /// Returns the patterns of [`file_levels`](Options::file_levels) that match none of these files and no other file or
-    /// folder on disk, because levels apply to recordings and other files too.
-    pub fn unused_patterns(&self, names: &[String]) -> Vec<&str> {
+    /// Returns the patterns of [`file_levels`](Options::file_levels) that match none of these files and no other file on
+    /// disk, because levels apply to recordings and other files too, with their positions in the settings.
+    pub fn unused_patterns(&self, names: &[String]) -> Vec<(&str, Span)> {
         let is_on_disk = |pattern: &Pattern| {
             // A search for `**` at the end finds only folders.
             let files = if pattern.as_str().ends_with("**") { "/*" } else { "" };
@@ -65,7 +73,7 @@ impl Options {
         let used: BTreeSet<usize> = names.iter().flat_map(|name| self.matching(name)).collect();
         let of_files = self.files_levels.iter().enumerate();
         let is_unused = |(at, one): &(usize, &FileLevels)| !used.contains(at) && !is_on_disk(&one.pattern);
-        of_files.filter(is_unused).map(|(_, one)| one.written.as_str()).collect()
+        of_files.filter(is_unused).map(|(_, one)| (one.written.as_str(), one.span)).collect()
     }
 
     /// Applies the levels for a report's file to its diagnostics.

@@ -32,7 +32,7 @@ impl SettingsReader<'_> {
         };
         let Some(status) = status else { return };
         let statuses: &mut SyncStatuses = &mut self.settings.audio.sync_statuses;
-        if let Err(error) = statuses.insert(pattern, status) {
+        if let Err(error) = statuses.insert(pattern, status, span(&value.key)) {
             let message = format!("{} is not a pattern of keys: {}", escape::quoted(pattern), error.msg);
             let help = "write keys such as `cutscenes/**`; `*` matches all but a slash";
             self.diagnostics.push(Diagnostic::at(Code::SettingValue, span(&value.key), message).help(help));

@@ -160,7 +160,7 @@ impl SettingsReader<'_> {
         self.levels = project.1;
         of_files.extend(std::mem::replace(&mut self.settings.options.levels, project_levels));
         match FileLevels::new(self.folder, pattern, of_files) {
-            Ok(of_files) => self.settings.options.files_levels.push(of_files),
+            Ok(of_files) => self.settings.options.files_levels.push(of_files.at(span(&value.key))),
             Err(error) => {
                 let message = format!("{} is not a file pattern: {}", escape::quoted(pattern), error.msg);
                 let help =

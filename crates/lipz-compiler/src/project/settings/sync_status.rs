@@ -2,6 +2,7 @@
 
 use crate::util::patterns::MATCHING;
 use glob::{Pattern, PatternError};
+use lipz_diagnostics::Span;
 use std::ops::RangeInclusive;
 
 /// How closely a dub must follow the time of its original, in the terms of recording studios ("Surviving Audio
@@ -65,33 +66,47 @@ impl SyncStatus {
     }
 }
 
+/// A pattern of keys.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct KeyPattern {
+    pattern: Pattern,
+    status: SyncStatus,
+    /// Its position in the settings.
+    span: Span,
+}
+
 /// The sync statuses of a project's lines, by patterns of the keys of their originals.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct SyncStatuses {
     /// In the order of the file.
-    patterns: Vec<(Pattern, SyncStatus)>,
+    patterns: Vec<KeyPattern>,
 }
 
 impl SyncStatuses {
-    /// Sets the status of the lines whose keys match a pattern such as `cutscenes/**`. Later patterns override earlier
-    /// ones.
+    /// Sets the status of the lines whose keys match a pattern such as `cutscenes/**`, which is at `span` in the settings.
+    /// Later patterns override earlier ones.
     ///
     /// # Errors
     /// If the pattern is invalid.
-    pub fn insert(&mut self, pattern: &str, status: SyncStatus) -> Result<(), PatternError> {
-        self.patterns.push((Pattern::new(pattern)?, status));
+    pub fn insert(&mut self, pattern: &str, status: SyncStatus, span: Span) -> Result<(), PatternError> {
+        self.patterns.push(KeyPattern { pattern: Pattern::new(pattern)?, status, span });
         Ok(())
     }
 
-    /// Returns the patterns that match none of these keys.
-    pub fn unused(&self, keys: &[&str]) -> Vec<&str> {
-        let is_unused = |pattern: &&Pattern| !keys.iter().any(|key| pattern.matches_with(key, MATCHING));
-        self.patterns.iter().map(|(pattern, _)| pattern).filter(is_unused).map(Pattern::as_str).collect()
+    /// Returns the patterns that match none of these keys, with their positions in the settings.
+    pub fn unused(&self, keys: &[&str]) -> Vec<(&str, Span)> {
+        let unused = self.patterns.iter().filter(|one| !keys.iter().any(|key| one.matches(key)));
+        unused.map(|one| (one.pattern.as_str(), one.span)).collect()
     }
 
     /// Returns the status of the line whose original has this key.
     pub fn of(&self, key: &str) -> SyncStatus {
-        let matching = |(pattern, _): &&(Pattern, SyncStatus)| pattern.matches_with(key, MATCHING);
-        self.patterns.iter().rev().find(matching).map_or(SyncStatus::VoiceOver, |(_, status)| *status)
+        self.patterns.iter().rev().find(|one| one.matches(key)).map_or(SyncStatus::VoiceOver, |one| one.status)
+    }
+}
+
+impl KeyPattern {
+    fn matches(&self, key: &str) -> bool {
+        self.pattern.matches_with(key, MATCHING)
     }
 }
