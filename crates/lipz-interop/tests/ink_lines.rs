@@ -15,7 +15,7 @@ fn tavern() -> Vec<u8> {
 /// The expected texts are those that the runtime of inkjs 2.4.0 prints. Those that vary between runs are empty.
 #[test]
 fn a_story_has_the_lines_of_its_runtime() {
-    let (script, source, found) = Script::read_lines("tavern.ink.json", &tavern());
+    let (script, source, found) = Script::read_lines("tavern.ink.json", &tavern(), None);
     assert_eq!(found, []);
     let expected = [
         ("mara_hello", "Hello, Otto."),
@@ -76,7 +76,7 @@ fn a_story_has_the_lines_of_its_runtime() {
 fn stories_without_alternatives() {
     let read = |root: &str| {
         let story = format!("{{\"inkVersion\":20,\"root\":{root},\"listDefs\":{{}}}}");
-        Script::read_lines("a.json", story.as_bytes())
+        Script::read_lines("a.json", story.as_bytes(), None)
     };
     // Until version 20, tags are objects.
     let (script, _, _) = read(r##"[["^Hello.",{"#":"id: Mara_Hello"},"\n","end",null],"done",null]"##);
@@ -113,13 +113,13 @@ fn damaged_stories_are_read_in_bounded_time() {
         story(format!("[{}\"#\",\"^id: a\",\"/#\",\"\\n\",null]", one.repeat(1000))),
         story(format!("[{}\"#\",\"^id: a\",\"/#\",\"\\n\",null]", two.repeat(1000))),
     ] {
-        let (_, _, found) = Script::read_lines("a.json", text.as_bytes());
+        let (_, _, found) = Script::read_lines("a.json", text.as_bytes(), None);
         assert!(found.len() <= 1, "{found:?}");
     }
-    let (_, _, found) = Script::read_lines("a.json", nested("[", ",0,null]", 200).as_bytes());
+    let (_, _, found) = Script::read_lines("a.json", nested("[", ",0,null]", 200).as_bytes(), None);
     assert_eq!(found[0].message, "the containers of the story are nested too deeply");
     let whole = String::from_utf8(tavern()).unwrap();
     for end in whole.char_indices().map(|(at, _)| at).step_by(97) {
-        assert_ne!(Script::read_lines("a.json", &whole.as_bytes()[..end]).2, []);
+        assert_ne!(Script::read_lines("a.json", &whole.as_bytes()[..end], None).2, []);
     }
 }

@@ -279,6 +279,13 @@ fn takes_are_exactly_the_named_files() {
     assert!(bytes("rec/de/act1/mara-hello.wav") == bytes("takes/act1/mara-hello_1.wav"));
     let file = lipz(scene.path(), ["import", "recordings", "script.csv", "takes/act1/mara-hello_1.wav"]);
     assert!(file.code == 2 && file.stderr.contains("is a file, not a folder of takes"), "{file:?}");
+    let missing = lipz(scene.path(), ["import", "recordings", "script.csv", "nothing"]);
+    assert!(missing.code == 2 && missing.stderr.contains("`nothing` does not exist"), "{missing:?}");
+    let unnamed = lipz(scene.path(), ["import", "recordings", "-", "takes"]);
+    assert!(unnamed.code == 2 && unnamed.stderr.contains("--stdin-filename"), "{unnamed:?}");
+    scene.write("script.csv", b"PK\x03\x04\x14\x00\x86");
+    let archive = lipz(scene.path(), ["import", "recordings", "script.csv", "takes"]);
+    assert!(archive.stderr.contains("the file is a spreadsheet or an archive"), "{archive:?}");
 }
 
 #[test]
@@ -289,6 +296,11 @@ fn a_project_without_recordings_has_a_script() {
     scene.write("voices/act2/silent.lipz", "{ \"events\": \"feels joy\" }");
     let written = export(&scene, &["csv", "--locale", "de-de", "-o", "script.csv"]);
     assert!(written.stdout.contains("; left out 1 clip without a text in en-us"), "{written:?}");
+    assert!(written.stdout.contains("; no recordings: `rec` does not exist"), "{written:?}");
+    // The script is also a list of the lines.
+    fs::create_dir(scene.path().join("rec")).unwrap();
+    let lines = lipz(scene.path(), ["check", "--lines", "script.csv", "--allow", "warnings", "--warn", "LZ1921"]);
+    assert!(!lines.stderr.contains("LZ1921") && lines.code == 0, "{lines:?}");
     let folder = export(&scene, &["csv", "--locale", "de-de", "-o", "voices"]);
     assert!(folder.code == 2 && folder.stderr.contains("`voices` is a folder"), "{folder:?}");
     let unknown = export(&scene, &["csv", "--locale", "fr-fr", "-o", "-"]);

@@ -58,11 +58,14 @@ impl ScriptLine<'_> {
 
 /// The use of a script.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Purpose {
+enum Purpose<'l> {
     /// The texts of recordings, which are named by their files.
     Recordings,
     /// The lines of a game, which have IDs.
-    Lines,
+    Lines {
+        /// The locale of their texts, if it is known.
+        locale: Option<&'l str>,
+    },
 }
 
 impl Script {
@@ -81,16 +84,20 @@ impl Script {
     }
 
     /// Reads the lines of a game. Like [`read`](Script::read), but a column with IDs has priority over one with files.
-    pub fn read_lines(path: &str, bytes: &[u8]) -> (Script, Source, Vec<Diagnostic>) {
-        Script::read_for(Purpose::Lines, path, bytes, None)
+    /// In a table with the texts of several locales, those in `locale` are used.
+    pub fn read_lines(path: &str, bytes: &[u8], locale: Option<&str>) -> (Script, Source, Vec<Diagnostic>) {
+        Script::read_for(Purpose::Lines { locale }, path, bytes, None)
     }
 
     fn read_for(
-        purpose: Purpose,
+        purpose: Purpose<'_>,
         path: &str,
         bytes: &[u8],
         encoding: Option<&'static Encoding>,
     ) -> (Script, Source, Vec<Diagnostic>) {
+        if bytes.starts_with(ZIP) {
+            return (Script::default(), Source::new(path, ""), vec![without_text()]);
+        }
         let mut diagnostics = Vec::new();
         let utf8 = to_utf8(bytes, encoding, true, &mut diagnostics);
         let text = String::from_utf8_lossy(without_byte_order_mark(&utf8)).into_owned();
@@ -98,13 +105,12 @@ impl Script {
         let (mut script, found) = match extension.as_str() {
             "msg" => of_entries(&text),
             "json" => json::of_json(&text, purpose),
-            _ if text.starts_with(ZIP) => (Script::default(), vec![without_text()]),
             _ if text.trim_start().starts_with('{') => json::of_json(&text, purpose),
             _ => table::of_rows(&text, purpose),
         };
         script.file = path.to_owned();
         diagnostics.extend(found);
-        if purpose == Purpose::Lines && script.is_empty() && diagnostics.iter().all(|found| !found.is_error()) {
+        if purpose != Purpose::Recordings && script.is_empty() && diagnostics.iter().all(|found| !found.is_error()) {
             let without = Diagnostic::new(Code::ForeignSyntax, "no entry of the script has a sound");
             diagnostics.push(without.help("write entries as {number}{sound}{text}, such as {104}{hak001}{Greetings.}"));
         }
@@ -197,7 +203,7 @@ impl Script {
 }
 
 /// The start of ZIP archives, such as `.xlsx` and `.ods` files.
-const ZIP: &str = "PK\u{3}\u{4}";
+const ZIP: &[u8] = b"PK\x03\x04";
 
 fn without_text() -> Diagnostic {
     Diagnostic::new(Code::ForeignSyntax, "the script is a spreadsheet or an archive")

@@ -49,17 +49,17 @@ fn folders_tell_recordings_of_one_name_apart() {
 
 #[test]
 fn other_files_are_not_read_as_tables() {
-    let (_, _, found) = Script::read_lines("lines.xlsx", b"PK\x03\x04\x14\x00id,text");
+    let (_, _, found) = Script::read_lines("lines.xlsx", b"PK\x03\x04\x14\x00id,text", None);
     assert!(found.iter().any(|found| found.message == "the script is a spreadsheet or an archive"), "{found:?}");
-    let (script, _, found) = Script::read_lines("ELDER.MSG", b"{100}{Eld_1}{Greetings.}{101}{}{Silent.}");
+    let (script, _, found) = Script::read_lines("ELDER.MSG", b"{100}{Eld_1}{Greetings.}{101}{}{Silent.}", None);
     assert_eq!((script.lines()[0].path, script.len(), found), ("Eld_1", 1, Vec::new()));
-    let (_, _, found) = Script::read_lines("a.msg", b"{100}{}{Greetings.}");
+    let (_, _, found) = Script::read_lines("a.msg", b"{100}{}{Greetings.}", None);
     assert_eq!(found[0].message, "no entry of the script has a sound");
 }
 
 #[test]
 fn paths_of_lines_are_compared_without_case() {
-    let (script, _, _) = Script::read_lines("a.csv", "id,text\nAct1\\Mäyor,One.\n".as_bytes());
+    let (script, _, _) = Script::read_lines("a.csv", "id,text\nAct1\\Mäyor,One.\n".as_bytes(), None);
     let line = script.line_of("act1/ma\u{308}yor").unwrap();
     assert_eq!(line.path, "Act1\\Mäyor");
     assert!(line.has_path("ACT1/mäyor") && !line.has_path("mäyor"));

@@ -4,6 +4,9 @@ use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 use lipz_diagnostics::{Code, Diagnostic, Report, escape};
 use std::borrow::Cow;
 
+/// The first bytes of archives, such as `.xlsx` and `.ods` files.
+const ZIP: &[u8] = b"PK\x03\x04";
+
 /// The greatest size of a file in bytes, as for Lipz files.
 const MAX_BYTES: usize = lipz_file::MAX_FILE_BYTES;
 
@@ -16,6 +19,11 @@ pub(crate) fn text<'b>(
 ) -> Option<Cow<'b, str>> {
     if bytes.len() > MAX_BYTES {
         diagnostics.push(Diagnostic::new(Code::FileTooLarge, Code::FileTooLarge.summary()).help("split the file"));
+        return None;
+    }
+    if bytes.starts_with(ZIP) {
+        let found = Diagnostic::new(Code::ExchangeSyntax, "the file is a spreadsheet or an archive, despite its name");
+        diagnostics.push(found.help("name it after its format, such as .xlsx or .ods, or save it as text"));
         return None;
     }
     if let Some(label) = named.filter(|label| wide(bytes).is_none() && !is_known(label)) {

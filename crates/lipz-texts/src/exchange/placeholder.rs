@@ -8,7 +8,7 @@ use std::cmp::Reverse;
 use std::ops::Range;
 
 /// The help for placeholders that differ.
-pub(crate) const HELP: &str = "repeat `{…}` as in the source, for games and actors";
+pub(crate) const HELP: &str = "repeat placeholders as in the source, for games and actors";
 
 /// The help for other meta that differ.
 pub(crate) const META_HELP: &str = "repeat it; you may translate the part after `:`, and notes for people";
@@ -72,8 +72,7 @@ fn metas<'t>(text: &'t str, own: &[PlaceholderPattern]) -> Vec<Meta<'t>> {
     all
 }
 
-/// Returns the placeholders of engines and of the project that are not within the braces at `places`. Of those that
-/// overlap, the first counts, and then the longest.
+/// Returns the placeholders of engines, and those of the project outside the braces at `places`. Of those that overlap, the first counts, and then the longest.
 fn of_project<'t>(text: &'t str, own: &[PlaceholderPattern], places: &[Range<usize>]) -> Vec<&'t str> {
     let is_in_braces = |one: &Range<usize>| {
         let after = places.partition_point(|place| place.start <= one.start);

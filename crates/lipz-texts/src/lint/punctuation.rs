@@ -6,8 +6,8 @@ use lipz_file::text::display;
 /// Languages that end sentences without a sign.
 const WITHOUT_SIGNS: [&str; 4] = ["th", "lo", "km", "my"];
 
-/// The signs at the ends of sentences in all scripts.
-const SIGNS: &str = ".。．।۔｡։!！՜?？;\u{37e}؟՞…⋯,，、،:：；؛-–—―─‥・";
+/// The signs at the ends of sentences in many scripts.
+const SIGNS: &str = ".。．।۔｡։!！՜?？;\u{37e}؟՞…⋯,，、،:：；؛-–—―─‥・～〜॥።፧፡፣፤།";
 
 pub(super) const HELP: &str = "end both texts with a sign or neither, or allow `end-punctuation` for these files";
 
@@ -26,7 +26,7 @@ pub(super) fn difference(source: [&str; 2], translation: [&str; 2]) -> Option<St
     match [end(&source), end(&translation)] {
         [Some(from), None] => Some(format!("the translation lacks the `{from}` at the end")),
         [None, Some(to)] => Some(format!("the translation ends with `{to}`, but the source does not")),
-        // Translators may exclaim what the source states.
+        // Which sign it is depends on the language and the translator.
         [Some(_), Some(_)] | [None, None] => None,
     }
 }
@@ -71,6 +71,8 @@ mod tests {
             ("Stop.", "de-de", "Halt!"),
             ("I am…", "ja-jp", "僕は・・・"),
             ("If—", "zh-cn", "如果──"),
+            ("He goes home.", "am-et", "ወደ ቤት ይሄዳል።"),
+            ("Who goes there?", "bo-cn", "དེ་སུ་རེད།"),
             ("Go {to: amy}", "de-de", "Geh {to: amy}"),
         ] {
             assert_eq!(difference([source, "en-us"], [translation, locale]), None, "{translation}");

@@ -91,7 +91,10 @@ impl Terms {
             // Several rows of a term add alternatives.
             let term = self.terms.entry(words).or_insert_with(|| Term { text, translations: BTreeMap::new() });
             for (locale, texts) in &translations {
-                term.translations.entry(locale.clone()).or_default().extend(texts.iter().cloned());
+                let known = term.translations.entry(locale.clone()).or_default();
+                for text in texts.iter().filter(|text| !known.contains(text)).cloned().collect::<Vec<_>>() {
+                    known.push(text);
+                }
             }
         }
     }

@@ -64,6 +64,9 @@ pub(crate) fn refused(code: Code, name: &str, error: &io::Error, [missing, folde
     match error.kind() {
         io::ErrorKind::NotFound => diagnostic("does not exist").help(missing),
         io::ErrorKind::IsADirectory => diagnostic("is a folder").help(folder),
+        io::ErrorKind::PermissionDenied => {
+            diagnostic(&format!("cannot be read: {error}")).help("check its permissions")
+        }
         _ => diagnostic(&format!("cannot be read: {error}")),
     }
 }

@@ -40,7 +40,7 @@ mod tests {
             {"Type":"DialogueFragment","Properties":{"TechnicalName":"DFr_3","Text":"DFr_3.Text"}},
             {"Type":"MyLine","Properties":{"TechnicalName":"DFr_4","Text":"A template.","Speaker":"0x01"}},
             {"Type":"Hub","Properties":{"TechnicalName":"Hub_1","Text":"not spoken"}}]}]}"#;
-        let (script, source, found) = Script::read_lines("export.json", project.as_bytes());
+        let (script, source, found) = Script::read_lines("export.json", project.as_bytes(), None);
         assert_eq!(found, []);
         let lines: Vec<(&str, &str)> = script.lines().iter().map(|line| (line.path, line.text)).collect();
         assert_eq!(lines, [("DFr_1", "Hello."), ("DFr_3", ""), ("DFr_4", "A template.")]);

@@ -18,7 +18,7 @@ struct ExportedLine {
 }
 
 /// Reads the lines of a JSON file. Their positions are those of their IDs.
-pub(super) fn of_json(text: &str, purpose: Purpose) -> (Script, Vec<Diagnostic>) {
+pub(super) fn of_json(text: &str, purpose: Purpose<'_>) -> (Script, Vec<Diagnostic>) {
     let mut script = Script::default();
     let mut found = Vec::new();
     let Some(file) = root(text, &mut found) else { return (script, found) };
@@ -39,7 +39,7 @@ pub(super) fn of_json(text: &str, purpose: Purpose) -> (Script, Vec<Diagnostic>)
         found.push(Diagnostic::new(Code::ForeignSyntax, message));
     }
     // A recording needs a text of its own.
-    let is_used = |line: &ExportedLine| purpose == Purpose::Lines || !line.text.is_empty();
+    let is_used = |line: &ExportedLine| purpose != Purpose::Recordings || !line.text.is_empty();
     for ExportedLine { id, text, span } in lines.into_iter().filter(is_used) {
         if !script.add(&id, text, span) {
             let message = format!("{} has a different text above", escape::quoted(&id));
@@ -75,12 +75,12 @@ mod tests {
             ),
             (r#"{"Packages":[]}"#, "the project has no dialogue fragment with a technical name and a text"),
         ] {
-            let (_, _, found) = Script::read_lines("a.json", file.as_bytes());
+            let (_, _, found) = Script::read_lines("a.json", file.as_bytes(), None);
             assert_eq!(found.iter().map(|found| found.message.as_str()).collect::<Vec<_>>(), [message]);
         }
-        let (_, source, found) = Script::read_lines("a.JSON", b"{\n  \"a\": }");
+        let (_, source, found) = Script::read_lines("a.JSON", b"{\n  \"a\": }", None);
         assert_eq!(source.text.get(found[0].start() as usize..), Some("}"), "{found:?}");
-        let empty = Script::read_lines("a.json", b"").2;
+        let empty = Script::read_lines("a.json", b"", None).2;
         assert!(empty[0].message.contains("JSON"), "{empty:?}");
     }
 }

@@ -33,12 +33,11 @@ const FILES: [&str; 20] = [
 const IDS: [&str; 7] = ["clip", "key", "lineid", "utteranceid", "stringid", "id", "identifier"];
 
 /// The names of the column with the texts, the best first.
-const TEXTS: [&str; 17] = [
+const TEXTS: [&str; 16] = [
     "text",
     "transcript",
     "transcription",
     "script",
-    "line",
     "dialogue",
     "dialog",
     "dialogueline",
@@ -52,6 +51,9 @@ const TEXTS: [&str; 17] = [
     "source",
     "sourcetext",
 ];
+
+/// The name of a column with texts, unless columns are named after locales: then it has the numbers of lines.
+const LINE: [&str; 1] = ["line"];
 
 /// The characters that may separate columns. Where the comma is the decimal point, spreadsheets write semicolons.
 const DELIMITERS: [u8; 4] = [b',', b';', b'\t', b'|'];
@@ -77,12 +79,12 @@ pub(super) enum TableOrigin {
 }
 
 /// Returns the columns by the names in the first line of a script.
-pub(super) fn find(script: &str, purpose: Purpose) -> Result<Columns, Box<Diagnostic>> {
+pub(super) fn find(script: &str, purpose: Purpose<'_>) -> Result<Columns, Box<Diagnostic>> {
     let of = |delimiter| Some((delimiter, head(script, delimiter)?));
     let heads: Vec<(u8, Vec<String>)> = DELIMITERS.into_iter().filter_map(of).collect();
     let both = |(delimiter, names): &(u8, Vec<String>)| {
         let (name, is_id, origin) = name(names, purpose)?;
-        Some(Columns { delimiter: *delimiter, name, text: text(names, name)?, origin, is_id })
+        Some(Columns { delimiter: *delimiter, name, text: text(names, name, purpose)?, origin, is_id })
     };
     heads.iter().find_map(both).ok_or_else(|| {
         // The delimiter that divides the line into most columns is the one that was meant.
@@ -97,7 +99,7 @@ fn head(script: &str, delimiter: u8) -> Option<Vec<String>> {
 }
 
 /// Returns the column with the names of recordings or the IDs of lines, whether it has IDs, and the tool.
-fn name(names: &[String], purpose: Purpose) -> Option<(usize, bool, TableOrigin)> {
+fn name(names: &[String], purpose: Purpose<'_>) -> Option<(usize, bool, TableOrigin)> {
     if let Some((id, origin)) = id(names) {
         return Some((id, true, origin));
     }
@@ -106,7 +108,7 @@ fn name(names: &[String], purpose: Purpose) -> Option<(usize, bool, TableOrigin)
     match purpose {
         // Scripts of recordings may have the names of files in such a column, with extensions.
         Purpose::Recordings => file().or_else(|| Some((id()?, false, TableOrigin::Other))),
-        Purpose::Lines => id().map(|id| (id, true, TableOrigin::Other)).or_else(file),
+        Purpose::Lines { .. } => id().map(|id| (id, true, TableOrigin::Other)).or_else(file),
     }
 }
 
@@ -125,17 +127,24 @@ fn id(names: &[String]) -> Option<(usize, TableOrigin)> {
     })
 }
 
-/// Returns the column with the texts: by its name, or the only one named after a locale, `en-us` or `text_en-us`.
-fn text(names: &[String], name: usize) -> Option<usize> {
-    let is_locale = |name: &str| {
+/// Returns the column with the texts: by its name, or the one named after the wanted or the only locale, `en-us` or
+/// `text_en-us`.
+fn text(names: &[String], name: usize, purpose: Purpose<'_>) -> Option<usize> {
+    let locale_of = |name: &String| {
         let tag = name.strip_prefix("text_").unwrap_or(name);
         // A language alone may be a word, such as `key`.
-        tag.contains(['-', '_']) && canonical_tag(tag, true).is_some()
+        tag.contains(['-', '_']).then(|| canonical_tag(tag, true))?
     };
-    let mut of_locales = (0..names.len()).filter(|&at| at != name && names.get(at).is_some_and(|name| is_locale(name)));
-    column(names, &TEXTS).filter(|text| *text != name).or_else(|| {
-        let first = of_locales.next()?;
-        of_locales.next().is_none().then_some(first)
+    let all = (0..).zip(names).filter(|(at, _)| *at != name);
+    let of_locales: Vec<(usize, String)> = all.filter_map(|(at, name)| Some((at, locale_of(name)?))).collect();
+    let named = |known: &[&str]| column(names, known).filter(|text| *text != name);
+    named(&TEXTS).or_else(|| match (of_locales.as_slice(), purpose) {
+        ([], _) => named(&LINE),
+        ([(only, _)], _) => Some(*only),
+        (several, Purpose::Lines { locale }) => {
+            several.iter().find(|(_, tag)| Some(tag.as_str()) == locale).map(|(at, _)| *at)
+        }
+        (_, Purpose::Recordings) => None,
     })
 }
 
@@ -145,13 +154,13 @@ fn plain(name: &str) -> String {
 }
 
 /// Returns the diagnostic for a first line that does not name both columns.
-fn without_columns(script: &str, names: &[String], purpose: Purpose) -> Diagnostic {
+fn without_columns(script: &str, names: &[String], purpose: Purpose<'_>) -> Diagnostic {
     let wanted = match purpose {
         Purpose::Recordings => "file",
-        Purpose::Lines => "id",
+        Purpose::Lines { .. } => "id",
     };
     let name = name(names, purpose).map(|(name, ..)| name);
-    let missing = match (name, text(names, name.unwrap_or(usize::MAX))) {
+    let missing = match (name, text(names, name.unwrap_or(usize::MAX), purpose)) {
         (Some(_), None) => Some("text"),
         (None, Some(_)) => Some(wanted),
         _ => None,
@@ -212,11 +221,15 @@ mod tests {
             ("file,id,text", 1, true, 2),
             ("key,recording,text_en-us", 0, true, 2),
             ("Filename;Transcript;Notes", 0, false, 1),
+            ("id,Line", 0, true, 1),
+            ("line,key,speaker,de_DE,en-us,take", 1, true, 4),
+            ("line,key,text_de-de", 1, true, 2),
         ] {
-            let found = find(head, Purpose::Lines).map(|columns| (columns.name, columns.is_id, columns.text));
+            let found = find(head, Purpose::Lines { locale: Some("en-us") })
+                .map(|columns| (columns.name, columns.is_id, columns.text));
             assert_eq!(found, Ok((name, is_id, text)), "{head}");
         }
-        let without = find("who,text", Purpose::Lines).unwrap_err();
+        let without = find("who,text", Purpose::Lines { locale: None }).unwrap_err();
         assert_eq!(without.message, "the first line has no column `id`");
         assert_eq!(without.help.as_deref(), Some("name the columns `id` and `text`; other columns are ignored"));
     }

@@ -11,7 +11,7 @@ use lipz_file::table::{Cell, Rows};
 const YARN_LINE: &str = "line:";
 
 /// Reads the rows of a table.
-pub(super) fn of_rows(text: &str, purpose: Purpose) -> (Script, Vec<Diagnostic>) {
+pub(super) fn of_rows(text: &str, purpose: Purpose<'_>) -> (Script, Vec<Diagnostic>) {
     let (mut script, mut found) = (Script::default(), Vec::new());
     let columns = match columns::find(text, purpose) {
         Ok(columns) => columns,

@@ -40,7 +40,7 @@ type Lines = Vec<(String, String)>;
 
 /// Returns the lines of a table, and its problems with their lines and columns.
 fn lines(table: &str) -> (Lines, Vec<(String, usize, usize)>) {
-    let (script, source, found) = Script::read_lines("a.csv", table.as_bytes());
+    let (script, source, found) = Script::read_lines("a.csv", table.as_bytes(), None);
     let lines = script.lines().iter().map(|line| (line.path.to_owned(), line.text.to_owned())).collect();
     let problem = |found: &lipz_diagnostics::Diagnostic| {
         let before = &source.text[..found.start() as usize];
@@ -60,7 +60,7 @@ fn ids_have_priority_and_are_shown_as_written() {
     assert_eq!(lines(table), (owned(&[("Mara.Hello", "Hello."), ("Otto_Yes", "Yes.")]), vec![]));
     let yarn = "language,id,text,file,node,lineNumber\nen,line:0a1B,Hello.,a.yarn,Start,1\n";
     assert_eq!(lines(yarn).0, owned(&[("0a1B", "Hello.")]));
-    let (_, _, found) = Script::read_lines("a.csv", b"id,text\n,Hello.\n");
+    let (_, _, found) = Script::read_lines("a.csv", b"id,text\n,Hello.\n", None);
     assert_eq!(found[0].message, "the row has no ID");
     assert_eq!(lines("File,Text\nAct1\\Mara.WAV,Hello.\n").0, owned(&[("Act1\\Mara", "Hello.")]));
 }
@@ -74,7 +74,7 @@ fn tables_of_renpy_have_strings_and_raw_quotes() {
     );
     let expected = owned(&[("start_a1", "\"Stop!\" she said."), ("start_b2", "One two \"three\".")]);
     assert_eq!(lines(&table), (expected, vec![]));
-    let (_, _, found) = Script::read_lines("dialogue.tab", format!("{head}\t\tOpen\ta.rpy\t4\n").as_bytes());
+    let (_, _, found) = Script::read_lines("dialogue.tab", format!("{head}\t\tOpen\ta.rpy\t4\n").as_bytes(), None);
     assert_eq!(found[0].message, "no row of the table has an identifier");
     assert!(found[0].is_error() && found[0].help.as_ref().unwrap().contains("tab-delimited"), "{found:?}");
 }

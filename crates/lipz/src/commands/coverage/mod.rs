@@ -37,7 +37,7 @@ use voices::Look;
   lipz coverage voices --show missing,stale --locale de-de --as csv > to-do.csv
   lipz coverage dialogue.lipzbank --min-coverage 95 --min-coverage de-de=100
 
-Exit codes: 0 sufficient coverage, 1 coverage below the minimum, 2 the tool could not run, 130 interrupted.")]
+Exit codes: 0 sufficient coverage, 1 coverage below the minimum or errors in the input, 2 the tool could not run, 130 interrupted.")]
 pub(crate) struct CoverageArguments {
     #[command(flatten)]
     dialogue: DialogueArguments,
@@ -55,7 +55,7 @@ pub(crate) struct CoverageArguments {
     locale: Option<String>,
 
     /// Price per translated word, to show the cost of the remaining work
-    #[arg(long, value_name = "PRICE", value_parser = parse_cost)]
+    #[arg(long, value_name = "PRICE", allow_negative_numbers = true, value_parser = parse_cost)]
     cost_per_word: Option<f64>,
 
     /// Minimum percentage of clips with text in each locale, or in one: 90, de-de=100

@@ -39,16 +39,16 @@ pub(super) fn check(
 ) -> Result<bool, Abort> {
     let bytes = input_file::read(path).map_err(|error| reporter.fail(input_file::unreadable(path, &error)))?;
     let name = console::path(path);
-    let (script, source, found) = Script::read_lines(&name, &bytes);
+    let inputs = &*run.inputs;
+    let source_locale = super::translations::source_locale(project, inputs);
+    let (script, source, found) = Script::read_lines(&name, &bytes, source_locale.as_deref());
     let unreadable = Report::new(source.clone(), found);
     if unreadable.has_errors() {
         return Err(reporter.refuse(vec![unreadable]));
     }
-    let inputs = &*run.inputs;
     let options = &project.settings.options;
     let originals: Vec<Input> = originals(inputs, &project.settings.voices()).into_iter().cloned().collect();
     let fitting = fitting_clips(&script, &originals);
-    let source_locale = super::translations::source_locale(project, inputs);
     let is_ambiguous = AtomicBool::new(false);
     // `lipz check` reports files that cannot be read.
     let compared = Compiler::new(options.clone()).each_file(&originals, |input, bytes| {

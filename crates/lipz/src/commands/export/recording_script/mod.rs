@@ -129,6 +129,9 @@ impl Run for ExportRecordingScript {
                 format!("; left out {clips} without a text in {}", escape::text(&script.source_locale))
             }
         };
+        let folder = settings.audio.folder.as_deref().filter(|folder| !folder.exists());
+        let no_recordings = folder.map(|folder| format!("; no recordings: `{}` does not exist", console::path(folder)));
+        let left_out = left_out + &no_recordings.unwrap_or_default();
         self.deliver(&script, &left_out, reports, reporter)
     }
 }

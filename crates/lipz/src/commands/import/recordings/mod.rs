@@ -38,7 +38,7 @@ use takes::TakeFiles;
   lipz import recordings script.xlsx takes
   lipz import recordings pick-ups.csv monday --overwrite")]
 pub(crate) struct ImportRecordings {
-    /// Recording script: .xlsx, .csv, .tsv, .ods; `-` is standard input
+    /// Recording script: .xlsx, .csv, .tsv, .ods; `-` is standard input, with --stdin-filename
     #[arg(value_name = "SCRIPT")]
     script: PathBuf,
 
@@ -84,8 +84,9 @@ impl Run for ImportRecordings {
             let tip = "name the folder of the recordings: folder = \"recordings\" in [audio] of lipz.toml";
             return Err(reporter.usage("the project has no folder of recordings", tip));
         };
-        if self.takes.is_file() {
-            let message = format!("`{}` is a file, not a folder of takes", console::path(&self.takes));
+        if !self.takes.is_dir() {
+            let is_what = if self.takes.exists() { "is a file, not a folder of takes" } else { "does not exist" };
+            let message = format!("`{}` {is_what}", console::path(&self.takes));
             return Err(reporter.usage(message, "name the folder that contains the takes"));
         }
         let (inputs, mut reports) = find_all(settings, reporter)?;
@@ -135,6 +136,10 @@ impl ImportRecordings {
             Some(lipz_texts::Format::Csv | lipz_texts::Format::Xlsx)
         ) {
             return Ok(());
+        }
+        if named.is_none() {
+            let tip = "name it with `--stdin-filename script.csv`";
+            return Err(reporter.usage("the format of the script on standard input is not known", tip));
         }
         let message = format!("`{}` is not a table with chosen takes", console::path(&self.script));
         Err(reporter.usage(message, "use a .xlsx, .ods, .csv or .tsv file of `lipz export recording-script`"))

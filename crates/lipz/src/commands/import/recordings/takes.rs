@@ -94,7 +94,7 @@ impl TakeFiles {
             }),
             several => Err(NoTake {
                 message: format!("{what} may be {}", listed(several)),
-                help: format!("write the path of the file below {folder} into the cell"),
+                help: format!("write the path of the file below {folder}, with its extension, into the cell"),
             }),
         }
     }
