@@ -5,7 +5,7 @@ import { Clip } from "./clip.js";
 import { ABSENT, LipzError, NONE, OK, remedyFor } from "./error.js";
 import { ArticulationProfile, Rig } from "./articulation.js";
 import { FaceProfile } from "./face-profile.js";
-import { Locale, Voice } from "./handle.js";
+import { Locale, Voice, handleOf } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
 import * as c from "./structs.js";
 
@@ -112,6 +112,14 @@ export class Dialogue {
   get defaultLocale() {
     const found = this.#memory.ask(c.lipz_locale, "lipz_dialogue_locale", ...NULL);
     return found && new Locale(this.#memory, found);
+  }
+
+  variant(locale, key) {
+    for (let names = key.split("-"); names.length > 0; names.pop()) {
+      const found = this.locale(`${handleOf(Locale, locale).tag}-x-${names.join("-")}`);
+      if (found !== undefined) return found;
+    }
+    return locale;
   }
 
   voice(tag) {

@@ -136,6 +136,12 @@ export class Dialogue {
   /** The default locale, from the topmost file that sets one. */
   readonly defaultLocale: Locale | undefined;
   /**
+   * The locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz files. A
+   * key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names are left
+   * out from the end of the key, and in the end the locale itself is returned. Look variants up once per locale.
+   */
+  variant(locale: Locale, key: string): Locale;
+  /**
    * The voice in this locale; undefined if there are no dubs, or if the project has no such voice. Play the clips
    * unchanged then.
    *

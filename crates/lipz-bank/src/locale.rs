@@ -36,6 +36,29 @@ impl Locale {
     }
 }
 
+/// Whether `tag` is that of a variant of a locale: `pl-pl-x-few` has the key `few`, and varies `pl-pl`.
+fn is_variant(tag: &str, varied: &str, key: &str) -> bool {
+    let behind = tag.strip_prefix(varied).and_then(|tag| tag.strip_prefix("-x-"));
+    !varied.is_empty() && behind == Some(key)
+}
+
+/// Returns the variant of a locale with the most names of the key among `tags`, or the locale.
+pub(crate) fn variant_among<'t, I: Iterator<Item = (Locale, &'t str)>>(
+    (locale, varied): (Locale, &str),
+    key: &str,
+    tags: impl Fn() -> I,
+) -> Locale {
+    let mut key = key;
+    loop {
+        let found = tags().find(|(_, tag)| is_variant(tag, varied, key));
+        match (found, key.rfind('-')) {
+            (Some((variant, _)), _) => return variant,
+            (None, Some(end)) => key = key.get(..end).unwrap_or(""),
+            (None, None) => return locale,
+        }
+    }
+}
+
 /// The locales of a file with their texts: four of a bank's sections, and all sections of a text bank.
 #[derive(Clone, Copy)]
 pub(crate) struct LocaleTable<'data> {
@@ -136,6 +159,17 @@ impl<'data> Bank<'data> {
     pub fn locale_tag(&self, locale: Locale) -> &'data str {
         let tag = if locale.origin == self.origin { self.texts.tag(usize::from(locale.index)) } else { None };
         tag.unwrap_or("")
+    }
+
+    /// Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
+    /// files. Clips without the variant show their text in the locale.
+    ///
+    /// A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has that variant, names are left
+    /// out from the end of the key. In the end, the locale itself is returned. Look variants up once per locale: they
+    /// are compared with the tags of all locales.
+    pub fn variant(&self, locale: Locale, key: &str) -> Locale {
+        let tags = || self.locales().map(|other| (other, self.locale_tag(other)));
+        variant_among((locale, self.locale_tag(locale)), key, tags)
     }
 
     /// Returns the text of the segment with this index of a clip of the bank, if the locale belongs to the bank.

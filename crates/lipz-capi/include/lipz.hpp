@@ -450,6 +450,11 @@ class Dialogue {
     std::optional<lipz_locale> locale(std::string_view tag) const noexcept {
         return answer<lipz_locale>([&](auto *out) { return lipz_dialogue_locale(get(), tag.data(), tag.size(), out); });
     }
+    /// Returns the locale for texts of a variant, such as `few` or `few-fem`; the locale itself if no clip has such texts.
+    std::optional<lipz_locale> variant(const lipz_locale &locale, std::string_view key) const noexcept {
+        return answer<lipz_locale>(
+            [&](auto *out) { return lipz_dialogue_variant(get(), &locale, key.data(), key.size(), out); });
+    }
     std::optional<lipz_voice> voice(std::string_view tag) const noexcept {
         return answer<lipz_voice>([&](auto *out) { return lipz_dialogue_voice(get(), tag.data(), tag.size(), out); });
     }

@@ -2,7 +2,7 @@
 
 use crate::dialogue::{Dialogue, not_found, of_project, reader};
 use crate::pointer::{answer, text};
-use crate::status::{LIPZ_NONE, Status};
+use crate::status::{LIPZ_NONE, LIPZ_NULL_POINTER, Status};
 use crate::string::{String, c_char};
 use core::mem::MaybeUninit;
 
@@ -140,6 +140,25 @@ pub unsafe extern "C" fn lipz_dialogue_locale_by_index(
         // SAFETY: the contract of the crate, which the caller keeps.
         let dialogue = unsafe { reader(dialogue) }?;
         Ok(Locale::from_reader(dialogue, dialogue.locales().nth(index as usize).ok_or(LIPZ_NONE)?))
+    })
+}
+
+/// Writes the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
+/// files. A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names
+/// are left out from the end of the key, and in the end the locale itself is written. Look variants up once per locale.
+#[no_mangle]
+pub unsafe extern "C" fn lipz_dialogue_variant(
+    dialogue: Option<&Dialogue>,
+    locale: Option<&Locale>,
+    key: *const c_char,
+    key_length_bytes: usize,
+    variant: Option<&mut MaybeUninit<Locale>>,
+) -> Status {
+    answer(variant, || {
+        // SAFETY: the contract of the crate, which the caller keeps.
+        let (dialogue, key) = unsafe { (reader(dialogue)?, text(key, key_length_bytes)?) };
+        let locale = locale.ok_or(LIPZ_NULL_POINTER)?.to_reader();
+        Ok(Locale::from_reader(dialogue, dialogue.variant(locale, key)))
     })
 }
 

@@ -15,6 +15,9 @@ const LIPZ_LOCALE: &str = "[a-z]{2}-[a-z]{2}";
 /// Language, script, region and variants of BCP 47 (RFC 5646, section 2.1), in lower case.
 const EXTENDED_LOCALE: &str = "[a-z]{2,3}(-[a-z]{4})?(-([a-z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*";
 
+/// A variant: names of at most eight letters and digits, as in [`is_variant_key`](crate::locale::is_variant_key).
+const VARIANT: &str = "(-x(-([a-wyz0-9]|[a-z0-9]{2,8}))+)?";
+
 /// Returns the schema (draft 2020-12) as indented JSON text.
 ///
 /// With `extended_locales`, it accepts any BCP 47 language tag in the names of texts, in lower case.
@@ -25,7 +28,7 @@ const EXTENDED_LOCALE: &str = "[a-z]{2,3}(-[a-z]{4})?(-([a-z]{2}|[0-9]{3}))?(-([
 /// ```
 pub fn json_schema(extended_locales: bool) -> String {
     let locale = if extended_locales { EXTENDED_LOCALE } else { LIPZ_LOCALE };
-    let text_name = format!("^text_{locale}$");
+    let text_name = format!("^text_{locale}{VARIANT}$");
     let schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": ID,
@@ -55,7 +58,8 @@ pub fn json_schema(extended_locales: bool) -> String {
             text_name.as_str(): {
                 "title": "Subtitle",
                 "description": "The text in one language and country. `|` separates segments, as many as in \
-                                `visemes`; `{…}` is meta, which is not displayed.",
+                                `visemes`; `{…}` is meta, which is not displayed. After `-x-`, the name has the key \
+                                of a variant: `text_pl-pl-x-few`.",
                 "type": "string",
                 "examples": ["Mayor?|{louder} Mayor!"],
             },

@@ -57,6 +57,12 @@ impl Dialogue {
         self.view().locale_tag(locale)
     }
 
+    /// Returns the locale for texts of a variant, such as `few` or `few-fem`; the locale itself if no clip has texts of
+    /// the variant. Look variants up once per locale.
+    pub fn variant(&self, locale: Locale, key: &str) -> Locale {
+        self.view().variant(locale, key)
+    }
+
     /// Returns the voice in this locale, spelled as in the files (`de-de`). `None` if there are no dubs, or if the
     /// project does not define this voice: play the clips unchanged.
     pub fn voice(&self, tag: &str) -> Option<Voice> {

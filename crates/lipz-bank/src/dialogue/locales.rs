@@ -3,7 +3,7 @@
 use super::file::Contents;
 use super::stack::{ClipLocation, Level};
 use super::{Answers, Base, Dialogue, Layer};
-use crate::locale::LocaleTable;
+use crate::locale::{LocaleTable, variant_among};
 use crate::text::FoundText;
 use crate::{Bank, Locale};
 use lipz_layout::{ClipRecord, LAYER_DEFAULT_LOCALE};
@@ -82,6 +82,17 @@ impl<'a> Dialogue<'a> {
             Answers::Alone(bank) => bank.locale_tag(locale),
             Answers::Together(queries) => (queries.locale_tag)(self, locale),
         }
+    }
+
+    /// Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
+    /// files. Clips without the variant show their text in the locale.
+    ///
+    /// A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has that variant, names are left
+    /// out from the end of the key. In the end, the locale itself is returned. Look variants up once per locale: they
+    /// are compared with the tags of all locales.
+    pub fn variant(&self, locale: Locale, key: &str) -> Locale {
+        let tags = || self.locales().map(|other| (other, self.locale_tag(other)));
+        variant_among((locale, self.locale_tag(locale)), key, tags)
     }
 
     /// Returns the tags of all locales, each once, those of the topmost file first.

@@ -6,6 +6,7 @@ use crate::project::pseudo_locale::is_pseudo;
 use crate::project::{MinCoverage, Options};
 use lipz_bank::{Clip, Dialogue, Locale, Text};
 use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::locale::is_variant;
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -43,7 +44,8 @@ impl Coverage {
     }
 }
 
-/// Returns the coverage of each locale of a verified dialogue, sorted by tag. Keys are sorted too.
+/// Returns the coverage of each locale of a verified dialogue, sorted by tag. Keys are sorted too. Variants of texts are
+/// left out, because clips need none.
 ///
 /// A text bank contains copies of the texts that its locale borrows. These are attributed to the first locale with the
 /// same text, in the default order of [fallback](Options::fallback).
@@ -63,7 +65,8 @@ impl Coverage {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn coverage(dialogue: &Dialogue<'_>) -> Vec<Coverage> {
-    let locales = locales_by_tag(dialogue);
+    let mut locales = locales_by_tag(dialogue);
+    locales.retain(|locale| !is_variant(locale.tag));
     let default = locales.iter().position(|locale| locale.is_default);
     let empty = |locale: &TaggedLocale<'_>| Coverage {
         tag: locale.tag.to_owned(),

@@ -2,11 +2,12 @@
 //! a new file needs one more line here.
 
 use super::trigger::{Check, CheckedClip, CheckedText, CleanFile, Run, Trigger};
-use super::{blank, closed_lips, readability, texts, visemes};
+use super::{blank, closed_lips, readability, texts, variants, visemes};
 use crate::project::Options;
 use lipz_diagnostics::Diagnostic;
 
-const LISTS: [&[Check]; 5] = [texts::CHECKS, readability::CHECKS, visemes::CHECKS, blank::CHECKS, closed_lips::CHECKS];
+const LISTS: [&[Check]; 6] =
+    [texts::CHECKS, readability::CHECKS, visemes::CHECKS, blank::CHECKS, variants::CHECKS, closed_lips::CHECKS];
 
 fn all() -> impl Iterator<Item = &'static Check> {
     LISTS.into_iter().flatten()

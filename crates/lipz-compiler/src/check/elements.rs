@@ -7,6 +7,7 @@ use crate::clip::Locales;
 use crate::project::Options;
 use foldhash::HashMap;
 use lipz_diagnostics::{Code, Diagnostic, bound};
+use lipz_file::locale::is_variant;
 use lipz_file::{Document, Element};
 use lipz_file::{JsonString, RawJson, curve, phones};
 
@@ -78,7 +79,7 @@ impl<'d> Roles<'d> {
     }
 
     /// Returns the texts: first the one in the locale of the voice, then the one in the default locale, then the rest
-    /// by tag.
+    /// by tag, variants last.
     pub(super) fn texts_by_voice(
         &self,
         options: &Options,
@@ -88,7 +89,7 @@ impl<'d> Roles<'d> {
         let mut texts: Vec<_> = self.texts.iter().collect();
         texts.sort_by_key(|text| {
             let tag = locales.tag(text.locale);
-            (spoken.locale != Some(tag), Some(tag) != options.default_locale.as_deref(), tag)
+            (spoken.locale != Some(tag), Some(tag) != options.default_locale.as_deref(), is_variant(tag), tag)
         });
         texts
     }

@@ -3,7 +3,7 @@
 use crate::clip::Locales;
 use crate::project::Options;
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
-use lipz_file::locale::{self, TextName};
+use lipz_file::locale::{self, LanguageTag, TextName};
 use lipz_file::{Document, Element};
 use std::collections::HashMap;
 
@@ -22,7 +22,8 @@ pub(super) fn text_locale(
     let name = locale::text_name(name)?;
     let before = diagnostics.len();
     let tag = tag_of(element, name, options, diagnostics);
-    Some(tag.map(|tag| locales.number(&tag, diagnostics.len() == before)))
+    // `clean` neither fills blank segments of variants nor checks them.
+    Some(tag.map(|tag| locales.number(&tag, diagnostics.len() == before && !locale::is_variant(&tag))))
 }
 
 /// Returns the tag in the name of a text element.
@@ -118,6 +119,15 @@ pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagn
 
 /// Returns the diagnostic for a locale that the options do not allow. `is_tag` states whether it is a tag of BCP 47.
 fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Options) -> Diagnostic {
+    if let (base, Some(key)) = locale::split_variant(&locale.to_ascii_lowercase())
+        && LanguageTag::parse(base).is_some()
+        && !locale::is_variant_key(key)
+    {
+        let message = format!("{} is not the key of a variant", escape::quoted(key));
+        return Diagnostic::at(Code::LocaleShape, element.name.span(), message)
+            .note("a key is one or more names of at most 8 letters and digits, joined by hyphens")
+            .help(format!("write a shorter key: \"text_{base}-x-few\", \"text_{base}-x-few-fem\""));
+    }
     let shown = escape::quoted(locale);
     let diagnostic = if options.extended_locales {
         Diagnostic::at(Code::LocaleShape, element.name.span(), format!("{shown} is not a BCP 47 language tag"))
@@ -139,6 +149,7 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
 
 /// Returns the warning for a language or a country that is not in an ISO list.
 fn unknown_parts(element: &Element<'_>, tag: &str) -> Option<Diagnostic> {
+    let (tag, _) = locale::split_variant(tag);
     let diagnostic = Diagnostic::at(Code::UnknownLocale, element.name.span(), in_no_list(tag)?);
     Some(diagnostic.help(match tag {
         "en-uk" => "write \"text_en-gb\"; the code of the United Kingdom is gb",

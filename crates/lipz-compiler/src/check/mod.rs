@@ -23,6 +23,7 @@ mod segments;
 mod texts;
 mod trigger;
 mod types;
+mod variants;
 mod visemes;
 mod word_clock;
 
@@ -102,6 +103,7 @@ pub(crate) fn check(
         }
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
+    variants::fill_blanks(locales, clip);
     if let Some(string) = roles.events {
         clip.has_events = true;
         events::trimmed(string, options, diagnostics).into_iter().for_each(|event| clip.events.push(event));

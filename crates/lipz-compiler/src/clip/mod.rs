@@ -160,9 +160,15 @@ impl ClipData {
 
     /// Assigns the run that was pushed to `self.runs` to a locale.
     pub(crate) fn end_run(&mut self, locale: u32, is_fallback: bool) {
-        let (place, hash) = self.runs.end();
-        let own = ClipText { locale, start: place.start as u32, end: place.end as u32, hash: hash as u32 };
+        let own = self.run(locale, std::iter::empty());
         self.texts.push(if is_fallback { own.as_fallback_of(locale) } else { own });
+    }
+
+    /// Ends the run with these texts of its last segments. Returns the text of a locale, which is not among the clip's.
+    pub(crate) fn run<'b>(&mut self, locale: u32, texts: impl Iterator<Item = &'b [u8]>) -> ClipText {
+        texts.for_each(|text| self.runs.push(text));
+        let (place, hash) = self.runs.end();
+        ClipText { locale, start: place.start as u32, end: place.end as u32, hash: hash as u32 }
     }
 
     /// Returns the run of a text: the segments, and the end of each of them.

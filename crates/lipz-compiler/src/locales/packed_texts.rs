@@ -4,14 +4,17 @@ use crate::clip::{ClipData, ClipText, Locales};
 use crate::locales::fallback::Fallbacks;
 use crate::project::Options;
 use foldhash::HashMap;
+use lipz_file::locale::{VARIANT_SEPARATOR, split_variant};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 impl ClipData {
-    /// Keeps the texts of the `packed` locales. A locale without a text that falls back to an unpacked locale gets a
-    /// copy of its text, marked as a fallback.
+    /// Keeps the texts of the `packed` locales and their variants. A locale without a text that falls back to an unpacked
+    /// locale gets a copy of its text and of the variants, marked as a fallback.
     pub(crate) fn keep_texts(&mut self, packed: &BTreeSet<String>, locales: &mut Locales, options: &Options) {
         let own: Vec<ClipText> = std::mem::take(&mut self.texts);
         let tags: Vec<String> = own.iter().map(|text| locales.tag(text.locale).to_owned()).collect();
+        let packed = &*with_variants(packed, &tags);
         // Own texts are sorted by tag.
         let own_of = |tag: &String| tags.binary_search(tag).ok();
         let missing: Vec<&String> = packed.iter().filter(|tag| own_of(tag).is_none()).collect();
@@ -39,4 +42,20 @@ impl ClipData {
         }
         // The packed locales are sorted by tag, and so are these texts.
     }
+}
+
+/// Returns the packed locales with the variants of a clip that has texts with these tags: its own ones, and those that a
+/// packed locale may borrow.
+fn with_variants<'p>(packed: &'p BTreeSet<String>, tags: &[String]) -> Cow<'p, BTreeSet<String>> {
+    let mut all = Cow::Borrowed(packed);
+    for tag in tags {
+        let (locale, Some(key)) = split_variant(tag) else { continue };
+        if packed.contains(locale) {
+            all.to_mut().insert(tag.clone());
+            continue;
+        }
+        let borrowers = packed.iter().filter(|packed| !tags.contains(packed));
+        all.to_mut().extend(borrowers.map(|packed| format!("{packed}{VARIANT_SEPARATOR}{key}")));
+    }
+    all
 }

@@ -58,6 +58,7 @@ codes! {
     LocaleWithoutTexts "LZ0514" "locale-without-texts" Warning "no clip has a text in a requested locale"
     BlankSegment "LZ0515" "blank-segment" Warning "a segment shows nothing where the default locale has a text"
     OtherScript "LZ0516" "other-script" Warning "a locale does not fall back to another script"
+    VariantWithoutText "LZ0517" "variant-without-text" Warning "a variant has no text to vary"
 
     "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"

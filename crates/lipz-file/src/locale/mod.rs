@@ -2,13 +2,15 @@
 
 mod iso;
 mod tag;
+mod variant;
 
 pub use tag::LanguageTag;
+pub use variant::{VARIANT_SEPARATOR, is_variant, is_variant_key, shorter_keys, split_variant};
 
 /// The locale in the name of a text element.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum TextName {
-    /// `text_ll-cc`: the locale.
+    /// `text_ll-cc`, or `text_ll-cc-x-key` for a [variant](is_variant): the tag.
     Canonical(String),
     /// A different spelling of a locale, `text-en_us`, `text_EN-US`: the intended locale.
     Misspelt(String),
@@ -25,6 +27,7 @@ pub enum TextName {
 /// use lipz_file::locale::{TextName, text_name};
 /// assert_eq!(text_name("text_es-mx"), Some(TextName::Canonical("es-mx".into())));
 /// assert_eq!(text_name("text-en_us"), Some(TextName::Misspelt("en-us".into())));
+/// assert_eq!(text_name("text_pl-pl-x-few"), Some(TextName::Canonical("pl-pl-x-few".into())));
 /// assert_eq!(text_name("texture"), None);
 /// ```
 pub fn text_name(name: &str) -> Option<TextName> {
@@ -38,19 +41,21 @@ pub fn text_name(name: &str) -> Option<TextName> {
         return Some(TextName::NoLocale);
     }
     // Nearly every name has the correct spelling.
-    if separator == '_' && has_lipz_shape(locale) {
+    if separator == '_' && is_lipz_tag(locale) {
         return Some(TextName::Canonical(locale.to_owned()));
     }
     let tag = locale.to_ascii_lowercase().replace('_', "-");
-    if has_lipz_shape(&tag) {
+    if is_lipz_tag(&tag) {
         return Some(TextName::Misspelt(tag));
     }
-    let extended = LanguageTag::parse(&tag).is_some().then_some(tag);
+    let (language, key) = split_variant(&tag);
+    let is_tag = LanguageTag::parse(language).is_some() && key.is_none_or(is_variant_key);
+    let extended = is_tag.then_some(tag);
     Some(TextName::OtherShape(locale.to_owned(), extended))
 }
 
 impl TextName {
-    /// Returns the tag in canonical spelling, of the form `ll-cc` or of BCP 47; `None` for a name without a locale, or
+    /// Returns the tag in canonical spelling, of the form `ll-cc` or of BCP 47, with its variant; `None` for a name without a locale, or
     /// with one that is not a language tag.
     pub fn tag(self) -> Option<String> {
         match self {
@@ -62,7 +67,7 @@ impl TextName {
 }
 
 /// Returns the canonical form of a locale tag (`en-us` for `en_US`). `None` if it does not have the form `ll-cc` or,
-/// with `extended`, is not a BCP 47 language tag.
+/// with `extended`, is not a BCP 47 language tag, and for a [variant](is_variant), which is not a locale.
 ///
 /// ```
 /// use lipz_file::locale::canonical_tag;
@@ -76,6 +81,7 @@ pub fn canonical_tag(tag: &str, extended: bool) -> Option<String> {
         TextName::OtherShape(_, tag) if extended => tag,
         _ => None,
     }
+    .filter(|tag| !is_variant(tag))
 }
 
 /// Returns the canonical form of a tag that stands for a locale (`ja-jp` for `ja_JP`), or for all locales of a language
@@ -96,6 +102,12 @@ pub fn language_or_locale(tag: &str, extended: bool) -> Option<String> {
         3 => code.bytes().all(|letter| letter.is_ascii_lowercase()).then_some(code),
         _ => canonical_tag(tag, extended),
     }
+}
+
+/// Whether a tag has the form `ll-cc`, or `ll-cc-x-key`.
+fn is_lipz_tag(tag: &str) -> bool {
+    let (locale, key) = split_variant(tag);
+    has_lipz_shape(locale) && key.is_none_or(is_variant_key)
 }
 
 /// Whether a tag has the form `ll-cc`: two lower-case letters, a hyphen, two lower-case letters.
@@ -124,6 +136,9 @@ mod tests {
         for name in ["text-en_us", "text_en_us", "text_EN-US", "text-en-us", "text_En_uS"] {
             assert_eq!(text_name(name), misspelt("en-us"), "{name}");
         }
+        for name in ["text_en-US-x-One", "text-en-us-x-one", "text_en_us_x_one"] {
+            assert_eq!(text_name(name), misspelt("en-us-x-one"), "{name}");
+        }
         for name in ["text", "text_", "text-"] {
             assert_eq!(text_name(name), Some(TextName::NoLocale), "{name}");
         }
@@ -131,6 +146,10 @@ mod tests {
         assert_eq!(text_name("text_es-419"), other("es-419", Some("es-419")));
         assert_eq!(text_name("text_zh-Hant"), other("zh-Hant", Some("zh-hant")));
         assert_eq!(text_name("text_en"), other("en", Some("en")));
+        assert_eq!(text_name("text_es-419-x-few"), other("es-419-x-few", Some("es-419-x-few")));
+        assert_eq!(text_name("text_en-us-x-"), other("en-us-x-", None));
+        assert_eq!(text_name("text_en-us-x-feminine1"), other("en-us-x-feminine1", None));
+        assert_eq!(text_name("text_x-one"), other("x-one", None));
         assert_eq!(text_name("text_englisch-deutsch"), other("englisch-deutsch", None));
         for name in ["texture", "Text_en-us", "visemes", "texten-us"] {
             assert_eq!(text_name(name), None, "{name}");

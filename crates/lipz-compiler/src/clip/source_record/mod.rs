@@ -11,6 +11,8 @@ pub(crate) use recorder::Recorder;
 use crate::clip::{ClipData, ClipText, Locales};
 use crate::project::Options;
 use foldhash::HashMap;
+use lipz_file::locale::is_variant;
+use lipz_file::text::{display, segments};
 use lipz_file::{Document, Element, Value, curve, phones};
 use std::collections::HashSet;
 
@@ -85,7 +87,7 @@ pub(crate) fn encode(document: &Document<'_>, options: &Options, locales: &Local
         let held = held_bytes(name, own_text.map(|(_, text)| text), clip);
         match &element.value {
             Value::String(string) if is_written_so(name, &string.text, clip) => record.push(ValueKind::AsInBank as u8),
-            Value::String(string) if is_joined(name, &string.text, clip) => {
+            Value::String(string) if is_joined(name, &string.text, clip) || is_filled(name, &string.text) => {
                 push_spelled(&mut record, ValueKind::String, &string.text);
             }
             Value::String(string) => push_text(&mut record, &string.text, held, clip.starts.len()),
@@ -139,6 +141,11 @@ fn is_joined(name: &str, text: &str, clip: &ClipData) -> bool {
     clip.has_joined && name != "viseme_type" && lipz_file::text::segment_count(text) != clip.starts.len()
 }
 
+/// Whether the bank contains a variant of a text whose blank segments are those of the text.
+fn is_filled(name: &str, text: &str) -> bool {
+    is_variant(name) && segments(text).any(|range| display(&text[range]).text.is_empty())
+}
+
 /// Whether the bank contains the curves or phones of an element in their exact spelling.
 fn is_written_so(name: &str, text: &str, clip: &ClipData) -> bool {
     let curves = || clip.curves.iter().map(|(name, keys)| (name, keys.iter().copied()));
@@ -177,7 +184,7 @@ fn is_as_spelled(length: usize, held: usize, segment_count: usize) -> bool {
 /// Appends a string that the bank contains with different blanks or not at all.
 fn push_other_text(record: &mut Vec<u8>, text: &str, held: Option<usize>) {
     let blank = ' ';
-    let segments = || lipz_file::text::segments(text).map(|range| &text[range]);
+    let segments = || segments(text).map(|range| &text[range]);
     let sides = |segment: &str| {
         let behind = segment.trim_start_matches(blank);
         (segment.len() - behind.len(), behind.len() - behind.trim_end_matches(blank).len())

@@ -10,7 +10,7 @@ pub(crate) use nearest::Fallbacks;
 use crate::project::Options;
 use crate::project::pseudo_locale::is_pseudo;
 use cldr::ancestors;
-use lipz_file::locale::language;
+use lipz_file::locale::{is_variant, language};
 
 /// Returns the indexes in `tags` of the locales that `tags[locale]` falls back to, in order.
 ///
@@ -18,7 +18,7 @@ use lipz_file::locale::language;
 /// first a text for Latin America (`es-419`), then one for Spain; then other locales of the same language in the same
 /// script, then the default locale. Among equals, the default locale goes first, then the order of the tags applies.
 ///
-/// [`Fallbacks`] returns the same answers for many locales at once.
+/// [`Fallbacks`] returns the same answers for many locales at once, and also those for variants.
 pub(crate) fn chain<T: AsRef<str>>(tags: &[T], locale: usize, options: &Options) -> Vec<usize> {
     let place = |tag: &str| tags.iter().position(|known| known.as_ref() == tag);
     if let Some(named) = options.fallbacks.get(tags[locale].as_ref()) {
@@ -28,7 +28,7 @@ pub(crate) fn chain<T: AsRef<str>>(tags: &[T], locale: usize, options: &Options)
     let own = tags[locale].as_ref();
     let wanted = ancestors(own);
     let mut ranked: Vec<_> = (0..tags.len())
-        .filter(|&other| other != locale && !is_pseudo(tags[other].as_ref()))
+        .filter(|&other| other != locale && !is_pseudo(tags[other].as_ref()) && !is_variant(tags[other].as_ref()))
         .filter(|&other| script(tags[other].as_ref()) == script(own))
         .filter_map(|other| {
             let distance = distance(&wanted, &ancestors(tags[other].as_ref()));

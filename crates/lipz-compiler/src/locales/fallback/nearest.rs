@@ -4,12 +4,14 @@ use super::cldr::{ancestors, script};
 use crate::project::Options;
 use crate::project::pseudo_locale::is_pseudo;
 use foldhash::{HashMap, HashSet};
-use lipz_file::locale::language;
+use lipz_file::locale::{language, shorter_keys, split_variant};
 
 /// The locales of a bank or a clip, and their inheritance.
 pub(crate) struct Fallbacks {
     locales: Vec<Locale>,
     default: Option<usize>,
+    /// The variants, by the number of their locale and their key.
+    variants: HashMap<(usize, Box<str>), usize>,
     /// The nearest locale with a text for each group.
     nearest: Vec<Option<Rank>>,
     /// The groups that have one.
@@ -25,6 +27,8 @@ struct Locale {
     /// The groups of locales in which it looks for a text, in order: those that share an ancestor, then those of its
     /// language, all in its script.
     groups: Vec<u32>,
+    /// If it is a variant: the number of the locale that it varies, if there is one, and the key.
+    variant: Option<(Option<usize>, Box<str>)>,
 }
 
 /// The distance of a locale from the ancestor that a group shares, whether it is not the default locale, and its
@@ -37,7 +41,15 @@ impl Fallbacks {
         let numbers: HashMap<&str, usize> = tags.iter().map(AsRef::as_ref).zip(0..).collect();
         let mut groups: HashMap<(String, Option<String>), u32> = HashMap::default();
         let mut locales = Vec::with_capacity(tags.len());
+        let mut variants = HashMap::default();
         for (number, tag) in tags.iter().map(AsRef::as_ref).enumerate() {
+            if let (varied, Some(key)) = split_variant(tag) {
+                let varied = numbers.get(varied).copied();
+                variants.extend(varied.map(|varied| ((varied, key.into()), number)));
+                let variant = Some((varied, key.into()));
+                locales.push(Locale { named: None, is_offered: false, groups: Vec::new(), variant });
+                continue;
+            }
             let script = script(tag);
             // Tags contain no slash, so that groups of languages and of ancestors have different names.
             let names = ancestors(tag).into_iter().chain([format!("{}/", language(tag))]);
@@ -50,10 +62,10 @@ impl Fallbacks {
                 known.filter(|&other| other != number).collect()
             });
             let groups = names.map(&mut group).collect();
-            locales.push(Locale { named, is_offered: !is_pseudo(tag), groups });
+            locales.push(Locale { named, is_offered: !is_pseudo(tag), groups, variant: None });
         }
         let default = options.default_locale.as_deref().and_then(|tag| numbers.get(tag).copied());
-        Fallbacks { locales, default, nearest: vec![None; groups.len()], found: Vec::new() }
+        Fallbacks { locales, default, variants, nearest: vec![None; groups.len()], found: Vec::new() }
     }
 
     /// Calls `show` for each of the `missing` locales with its fallback, in a clip that has texts in the locales `own`:
@@ -68,7 +80,7 @@ impl Fallbacks {
         for number in own {
             has_text.insert(number);
             let Some(locale) = self.locales.get(number).filter(|locale| locale.is_offered) else { continue };
-            let last = locale.groups.len() - 1;
+            let last = locale.groups.len() - 1; // only variants are in no group
             for (depth, &group) in locale.groups.iter().enumerate() {
                 // In the group of a language, all have the same rank.
                 let depth = if depth == last { 0 } else { depth };
@@ -82,13 +94,9 @@ impl Fallbacks {
         }
         for number in missing {
             let Some(locale) = self.locales.get(number) else { continue };
-            let other = match &locale.named {
-                Some(named) => named.iter().copied().find(|other| has_text.contains(other)),
-                None => {
-                    let of_group = |&group: &u32| self.nearest[group as usize].map(|(_, _, other)| other);
-                    let default = || self.default.filter(|default| has_text.contains(default));
-                    locale.groups.iter().find_map(of_group).or_else(default)
-                }
+            let other = match &locale.variant {
+                Some((varied, key)) => varied.and_then(|varied| self.in_place_of_variant(varied, key, &has_text)),
+                None => self.in_place_of(locale, &has_text),
             };
             if let Some(other) = other {
                 show(number, other);
@@ -97,6 +105,26 @@ impl Fallbacks {
         for group in self.found.drain(..) {
             self.nearest[group as usize] = None;
         }
+    }
+
+    /// Returns the locale whose text a clip shows in place of a missing one.
+    fn in_place_of(&self, locale: &Locale, has_text: &HashSet<usize>) -> Option<usize> {
+        if let Some(named) = &locale.named {
+            return named.iter().copied().find(|other| has_text.contains(other));
+        }
+        let of_group = |&group: &u32| self.nearest[group as usize].map(|(_, _, other)| other);
+        let default = || self.default.filter(|default| has_text.contains(default));
+        locale.groups.iter().find_map(of_group).or_else(default)
+    }
+
+    /// Returns the locale or variant whose text a clip shows in place of a missing variant: in the locale whose text it
+    /// shows in general, the variant with the most names of the key, or else that text.
+    fn in_place_of_variant(&self, varied: usize, key: &str, has_text: &HashSet<usize>) -> Option<usize> {
+        let has_text_in = |number: &usize| has_text.contains(number);
+        let own = Some(varied).filter(has_text_in);
+        let shown = own.or_else(|| self.in_place_of(self.locales.get(varied)?, has_text))?;
+        let variant = |key: &str| self.variants.get(&(shown, key.into())).copied().filter(has_text_in);
+        shorter_keys(key).find_map(variant).or(Some(shown))
     }
 }
 
@@ -110,6 +138,27 @@ mod tests {
         "de-at", "de-ch", "de-de", "en-au", "en-gb", "en-us", "en-xa", "es-419", "es-ar", "es-es", "es-mx", "hi-latn",
         "nb-no", "nn-no", "pt-ao", "pt-br", "pt-pt", "qq-xx", "sr-me", "sr-rs", "zh-cn", "zh-tw",
     ];
+
+    #[test]
+    fn a_variant_falls_back_within_the_shown_locale() {
+        let tags =
+            ["de-at", "de-at-x-few", "de-de", "de-de-x-few", "de-de-x-few-fem", "de-de-x-one", "en-us", "en-us-x-one"];
+        let number = |tag: &str| tags.iter().position(|known| *known == tag).unwrap();
+        let mut fallbacks = Fallbacks::new(&tags, &Options::new().default_locale("en-us").unwrap());
+        let mut shown = |own: &[&str], missing: &str| {
+            let mut found = None;
+            let own = own.iter().map(|tag| number(tag));
+            fallbacks.resolve(own, [number(missing)].into_iter(), |_, other| found = Some(tags[other]));
+            found
+        };
+        assert_eq!(shown(&["de-de", "de-de-x-few"], "de-de-x-few-fem"), Some("de-de-x-few"), "a part of the key");
+        assert_eq!(shown(&["de-de", "de-de-x-one"], "de-de-x-few"), Some("de-de"));
+        assert_eq!(shown(&["de-de", "de-de-x-few"], "de-at-x-few"), Some("de-de-x-few"), "that of the fallback");
+        assert_eq!(shown(&["de-at", "de-de", "de-de-x-few"], "de-at-x-few"), Some("de-at"), "a text of its own first");
+        assert_eq!(shown(&["en-us", "en-us-x-one"], "de-de-x-one"), Some("en-us-x-one"));
+        assert_eq!(shown(&["de-de-x-one"], "de-de"), None, "no locale falls back to a variant");
+        assert_eq!(shown(&[], "de-de-x-few"), None);
+    }
 
     proptest! {
         #[test]

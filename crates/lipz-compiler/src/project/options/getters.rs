@@ -8,7 +8,7 @@ use crate::project::rigs::RigSettings;
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::Levels;
-use lipz_file::locale::language;
+use lipz_file::locale::{language, split_variant};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Options {
@@ -72,8 +72,9 @@ impl Options {
         self.text_limits
     }
 
-    /// Returns the limits of texts in a locale.
+    /// Returns the limits of texts in a locale, or in a variant of it.
     pub fn get_text_limits_of(&self, locale: &str) -> TextLimits {
+        let (locale, _) = split_variant(locale);
         let of = |tag: &str| self.locale_limits.get(tag).copied().unwrap_or_default();
         match self.locale_limits.is_empty() {
             true => self.text_limits,

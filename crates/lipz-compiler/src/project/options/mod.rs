@@ -24,7 +24,7 @@ use crate::project::rigs::{RigSettings, WeightSpec};
 use crate::project::{Voices, WordTimes};
 use lipz_bank::{Fps, Recording, VisemeType};
 use lipz_diagnostics::{Code, Levels, Report, escape};
-use lipz_file::locale::TextName;
+use lipz_file::locale::{TextName, split_variant};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The options of a project for its Lipz files. New versions may add options: start with [`Options::new`] and set those
@@ -150,12 +150,13 @@ impl Options {
         })
     }
 
-    /// Whether the element with this name is packed: all elements except texts in unpacked locales.
+    /// Whether the element with this name is packed: all elements except texts in unpacked locales. A variant is packed
+    /// with its locale.
     pub(crate) fn packs(&self, name: &str) -> bool {
         let Some(packed) = &self.locales else { return true };
         match lipz_file::locale::text_name(name) {
             Some(TextName::NoLocale) => self.default_locale.as_ref().is_none_or(|tag| packed.contains(tag)),
-            text => text.and_then(TextName::tag).is_none_or(|tag| packed.contains(&tag)),
+            text => text.and_then(TextName::tag).is_none_or(|tag| packed.contains(split_variant(&tag).0)),
         }
     }
 

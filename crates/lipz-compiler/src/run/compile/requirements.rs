@@ -125,7 +125,7 @@ fn lonely_voice(voice: &str, locales: &[String]) -> Diagnostic {
 fn crossed(bank: &Bank<'_>, options: &Options) -> Vec<(String, String, usize)> {
     let mut of_language: BTreeMap<&str, Vec<(Locale, Option<&str>)>> = BTreeMap::new();
     let tag = |locale: &Locale| bank.locale_tag(*locale);
-    for locale in bank.locales().filter(|locale| !is_pseudo(tag(locale))) {
+    for locale in bank.locales().filter(|locale| !is_pseudo(tag(locale)) && !locale::is_variant(tag(locale))) {
         let (tag, script) = (tag(&locale), script(tag(&locale)));
         of_language.entry(locale::language(tag)).or_default().push((locale, script));
     }

@@ -1,0 +1,118 @@
+//! Variants of texts: packing, fallback, unpacking and queries.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use lipz_bank::files::DialogueFile;
+use lipz_bank::{Bank, Clip, Dialogue, Locale};
+use lipz_compiler::{Compiled, Compiler, Documents, Input, Options, SplitBank, coverage};
+use lipz_diagnostics::Code;
+use lipz_testkit::dialogues::with;
+
+const GUARDS: &str = r#"{ "visemes": "M|A", "text_en-us": "Look!|{n} guards.", "text_en-us-x-one": " | One guard.",
+    "text_pl-pl": "Patrz!|{n} strażników.", "text_pl-pl-x-one": "|Jeden strażnik.", "text_pl-pl-x-few": "|{n} strażnicy.",
+    "text_pl-pl-x-few-fem": "Popatrz!|{n} strażniczki." }"#;
+const PLAIN: &str = r#"{ "visemes": "A", "text_en-us": "Aye.", "text_pl-pl": "Tak." }"#;
+const ENGLISH: &str = r#"{ "visemes": "A", "text_en-us": "{n} left.", "text_en-us-x-one": "One left." }"#;
+
+fn options() -> Options {
+    Options::new().default_locale("en-us").unwrap().literal_braces(true)
+}
+
+fn compiled(options: &Options, files: &[(&str, &str)]) -> Compiled {
+    let inputs: Vec<Input> = files.iter().map(|(key, file)| Input::from_bytes(*key, *file)).collect();
+    Compiler::new(options.clone()).compile(&inputs)
+}
+
+fn packed(options: &Options) -> Vec<u8> {
+    let compiled = compiled(options, &[("english", ENGLISH), ("guards", GUARDS), ("plain", PLAIN)]);
+    assert!(compiled.reports.is_empty(), "{:?}", compiled.reports);
+    compiled.bank.unwrap()
+}
+
+fn texts(clip: &Clip<'_>, locale: Locale) -> String {
+    clip.segments().map(|segment| segment.text(locale).unwrap().as_str().to_owned()).collect::<Vec<_>>().join("|")
+}
+
+fn shown(dialogue: &Dialogue<'_>, clip: &str, tag: &str, key: &str) -> String {
+    let locale = dialogue.variant(dialogue.locale(tag).unwrap(), key);
+    texts(&dialogue.clip_by_key(clip).unwrap(), locale)
+}
+
+#[test]
+fn a_key_selects_a_text() {
+    let bank = packed(&options());
+    with(&[&bank], |dialogue| {
+        let shown = |clip, tag, key| shown(dialogue, clip, tag, key);
+        assert_eq!(shown("guards", "en-us", "one"), "Look!|One guard.", "blank segments are those of the text");
+        assert_eq!(shown("guards", "pl-pl", "few"), "Patrz!|{n} strażnicy.");
+        assert_eq!(shown("guards", "pl-pl", "few-fem"), "Popatrz!|{n} strażniczki.");
+        assert_eq!(shown("guards", "pl-pl", "one-fem"), "Patrz!|Jeden strażnik.", "without the second name");
+        assert_eq!(shown("guards", "pl-pl", "many"), "Patrz!|{n} strażników.", "no such variant");
+        assert_eq!(shown("plain", "pl-pl", "few"), "Tak.", "no variant of this clip");
+        assert_eq!(shown("english", "pl-pl", "one"), "One left.", "a variant of the fallback locale");
+        assert_eq!(shown("english", "pl-pl", "few"), "{n} left.");
+    });
+    let bank = Bank::open(&bank).unwrap().verify().unwrap();
+    let polish = bank.locale("pl-pl").unwrap();
+    assert_eq!(bank.locale_tag(bank.variant(polish, "few-masc")), "pl-pl-x-few");
+    assert_eq!(bank.variant(polish, ""), polish);
+    assert_eq!(bank.variant(polish, "--"), polish);
+    let foreign = Locale::from_words([7, 7]);
+    assert_eq!(bank.variant(foreign, "few"), foreign);
+}
+
+#[test]
+fn files_come_back_with_their_blanks() {
+    with(&[&packed(&options())], |dialogue| {
+        let documents = Documents::from_dialogue(dialogue).unwrap();
+        assert!(documents.is_exact());
+        for (document, file) in documents.iter().zip([ENGLISH, GUARDS, PLAIN]) {
+            assert_eq!(document.unwrap().1, lipz_file::parse(file.as_bytes()).document.unwrap());
+        }
+    });
+}
+
+#[test]
+fn a_locale_is_packed_with_its_variants() {
+    let bank = packed(&options().locales(["pl-pl"]).unwrap());
+    with(&[&bank], |dialogue| {
+        let mut tags: Vec<_> = dialogue.locales().map(|locale| dialogue.locale_tag(locale)).collect();
+        tags.sort_unstable();
+        assert_eq!(tags, ["pl-pl", "pl-pl-x-few", "pl-pl-x-few-fem", "pl-pl-x-one"]);
+        assert_eq!(shown(dialogue, "english", "pl-pl", "one"), "One left.", "with the variants that it borrows");
+        assert_eq!(shown(dialogue, "guards", "pl-pl", "few"), "Patrz!|{n} strażnicy.");
+    });
+}
+
+#[test]
+fn text_banks_have_variants() {
+    let split = SplitBank::from_bytes(&packed(&options())).unwrap();
+    let mut files: Vec<&[u8]> = vec![&split.base];
+    files.extend(split.texts.iter().map(|(_, texts)| texts.as_slice()));
+    let mut opened = [DialogueFile::ABSENT; 8];
+    let dialogue = Dialogue::open(&mut opened, files).unwrap();
+    assert_eq!(shown(&dialogue, "guards", "pl-pl", "few-fem"), "Popatrz!|{n} strażniczki.");
+    assert_eq!(shown(&dialogue, "guards", "en-us", "one"), "Look!|One guard.");
+}
+
+#[test]
+fn variants_are_no_locales_of_their_own() {
+    let bank = packed(&options());
+    let covered = with(&[&bank], |dialogue| coverage(dialogue));
+    let percents: Vec<_> = covered.iter().map(|locale| (locale.tag.as_str(), locale.own_count)).collect();
+    assert_eq!(percents, [("en-us", 3), ("pl-pl", 2)]);
+    assert!(Options::new().default_locale("en-us-x-one").is_err());
+    assert!(Options::new().locales(["en-us-x-one"]).is_err());
+}
+
+#[test]
+fn names_of_variants_are_checked() {
+    let codes = |file: &str| -> Vec<Code> {
+        let compiled = compiled(&options(), &[("a", file)]);
+        compiled.reports.iter().flat_map(|report| &report.diagnostics).map(|diagnostic| diagnostic.code).collect()
+    };
+    assert_eq!(codes(r#"{ "text_en-us-x-one": "One." }"#), [Code::VariantWithoutText]);
+    assert_eq!(codes(r#"{ "text_en-us": "a", "text_en-us-x-masculine": "b" }"#), [Code::LocaleShape]);
+    assert_eq!(codes(r#"{ "text_en-us": "a", "text_en-us-x-One": "b" }"#), [Code::LocaleSpelling]);
+    assert_eq!(codes(r#"{ "text_en-uk": "a", "text_en-uk-x-one": "b" }"#), [Code::UnknownLocale; 2]);
+    assert_eq!(codes(r#"{ "text_en-us": "a|b", "text_en-us-x-one": "c" }"#), [Code::SegmentCount]);
+}

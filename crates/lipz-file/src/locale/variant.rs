@@ -1,0 +1,53 @@
+//! Variants of texts: the subtags after `-x-` in the tag of a locale (BCP 47, section 2.2.7, "Private Use Subtags").
+//!
+//! A variant is the text of a locale for a number, a gender or a form of address: `text_pl-pl-x-few` is the Polish text
+//! for two to four things. Its key consists of one or more names of at most eight letters and digits: `few`, `fem`,
+//! `few-fem`. Because a variant has a tag like a locale, a bank and its readers need nothing else for it.
+
+/// The subtag between a locale and the key of a variant, with its hyphens.
+pub const VARIANT_SEPARATOR: &str = "-x-";
+
+/// The longest name in the key of a variant, in bytes (BCP 47).
+const LONGEST_NAME: usize = 8;
+
+/// Splits the tag of a text into its locale and the key of its variant, if it has one.
+///
+/// ```
+/// use lipz_file::locale::split_variant;
+/// assert_eq!(split_variant("pl-pl-x-few-fem"), ("pl-pl", Some("few-fem")));
+/// assert_eq!(split_variant("pl-pl"), ("pl-pl", None));
+/// ```
+pub fn split_variant(tag: &str) -> (&str, Option<&str>) {
+    match tag.split_once(VARIANT_SEPARATOR) {
+        Some((locale, key)) => (locale, Some(key)),
+        None => (tag, None),
+    }
+}
+
+/// Whether a tag is that of a variant.
+pub fn is_variant(tag: &str) -> bool {
+    split_variant(tag).1.is_some()
+}
+
+/// Whether `key` can be the key of a variant: names of one to eight lower-case letters and digits, joined by hyphens.
+///
+/// ```
+/// use lipz_file::locale::is_variant_key;
+/// assert!(is_variant_key("few") && is_variant_key("one-fem"));
+/// assert!(!is_variant_key("Few") && !is_variant_key("masculine") && !is_variant_key("one--fem"));
+/// ```
+pub fn is_variant_key(key: &str) -> bool {
+    let is_letter = |byte: u8| byte.is_ascii_lowercase() || byte.is_ascii_digit();
+    key.split('-').all(|name| matches!(name.len(), 1..=LONGEST_NAME) && name != "x" && name.bytes().all(is_letter))
+}
+
+/// Returns the key and its beginnings, from long to short, which is the order in which a game's key finds a text:
+/// `few-fem`, `few`.
+///
+/// ```
+/// use lipz_file::locale::shorter_keys;
+/// assert_eq!(shorter_keys("few-fem").collect::<Vec<_>>(), ["few-fem", "few"]);
+/// ```
+pub fn shorter_keys(key: &str) -> impl Iterator<Item = &str> {
+    std::iter::successors(Some(key), |key| Some(key.rsplit_once('-')?.0))
+}
