@@ -938,6 +938,15 @@ lipz_status lipz_dialogue_locale(const lipz_dialogue *dialogue, const char *tag,
 // Writes the locale with this index. Call it from 0 on until `LIPZ_NONE`.
 lipz_status lipz_dialogue_locale_by_index(const lipz_dialogue *dialogue, uint32_t index, lipz_locale *locale);
 
+// Writes the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
+// files. A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names
+// are left out from the end of the key, and in the end the locale itself is written. Look variants up once per locale.
+lipz_status lipz_dialogue_variant(const lipz_dialogue *dialogue,
+                                  const lipz_locale *locale,
+                                  const char *key,
+                                  size_t key_length_bytes,
+                                  lipz_locale *variant);
+
 // Writes the voice in this locale, spelled as in the files. `LIPZ_NONE` if there are no dubs, or if the project does
 // not define this voice: play the clips unchanged. `LIPZ_ABSENT` if it is not found while a bank of a set is missing,
 // because a bank without dubs lists no voices.

@@ -97,7 +97,7 @@ fn text_banks_have_variants() {
 #[test]
 fn variants_are_no_locales_of_their_own() {
     let bank = packed(&options());
-    let covered = with(&[&bank], |dialogue| coverage(dialogue));
+    let covered = with(&[&bank], coverage);
     let percents: Vec<_> = covered.iter().map(|locale| (locale.tag.as_str(), locale.own_count)).collect();
     assert_eq!(percents, [("en-us", 3), ("pl-pl", 2)]);
     assert!(Options::new().default_locale("en-us-x-one").is_err());

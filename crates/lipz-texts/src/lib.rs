@@ -21,13 +21,14 @@ mod exchange;
 mod formats;
 mod lint;
 mod merge;
+mod plural;
 mod progress;
 mod record;
 mod script;
 
 pub use exchange::{
-    ChosenTake, ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment, Shape, State,
-    Translation, Unit, Words, WriteOptions, difference, texts_of, words,
+    ChosenTake, ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment, Shape,
+    SourceTexts, State, Translation, Unit, Words, WriteOptions, difference, texts_of, words,
 };
 pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};

@@ -125,6 +125,8 @@ pub(super) const RULES: &[Rule] = &[
         direct: &[
             "csv",
             "encoding_rs",
+            "icu_locale_core",
+            "icu_plurals",
             "lipz-diagnostics",
             "lipz-file",
             "quick-xml",

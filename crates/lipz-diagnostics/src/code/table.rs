@@ -229,6 +229,7 @@ codes! {
     LineDiffers "LZ1921" "line-differs" Warning "a clip and its line in the script have different texts"
     TermMissing "LZ1922" "term-missing" Warning "a translation lacks the project's translation of a term"
     EndPunctuation "LZ1923" "end-punctuation" Warning "punctuation at the end of a translation is missing, added or doubled"
+    VariantMissing "LZ1924" "variant-missing" Warning "a translation lacks a variant that its language needs"
 
     "Dubs"
     DubWithoutOriginal "LZ2001" "dub-without-original" Warning "a dub has no original"

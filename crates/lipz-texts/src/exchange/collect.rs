@@ -1,8 +1,10 @@
 //! Conversion of a clip to a unit: its texts, and information for translators.
 
-use crate::exchange::clip_texts::{strings, trimmed};
+use crate::exchange::clip_texts::{strings, texts_of, trimmed};
 use crate::exchange::model::{Segment, State, Translation, Unit};
+use crate::exchange::variants::{SourceTexts, VariantKey, variant_keys, variant_tag};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
+use lipz_file::locale::{is_variant, split_variant};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, speakers};
 use lipz_file::{Document, Value};
@@ -88,6 +90,49 @@ impl Collect {
         };
         let translations = self.locales.iter().map(translation).collect();
         Some(Unit { key: key.to_owned(), segments: self.segments(clip, &sources), translations, ..Unit::default() })
+    }
+
+    /// Returns the units of the clip's variants: those of the source, and those that one of the locales needs or has.
+    pub fn variants(&self, unit: &Unit, clip: &Document<'_>) -> Vec<Unit> {
+        let texts = texts_of(clip, self.default_locale.as_deref());
+        if !texts.keys().any(|tag| is_variant(tag)) {
+            return Vec::new();
+        }
+        let of_locales: Vec<Vec<VariantKey>> =
+            self.locales.iter().map(|locale| variant_keys(&texts, &self.source_locale, locale)).collect();
+        // The plural forms of a PO file come from the source, even if its own language has only one.
+        let of_source = texts.keys().map(|tag| split_variant(tag)).filter(|(locale, _)| *locale == self.source_locale);
+        let all =
+            of_locales.iter().flatten().map(|known| known.key.as_str()).chain(of_source.filter_map(|(_, key)| key));
+        let mut keys: Vec<&str> = Vec::new();
+        for key in all {
+            if !keys.contains(&key) {
+                keys.push(key);
+            }
+        }
+        let variant = |key: &str| {
+            let tag = variant_tag(&self.source_locale, key);
+            let sources = SourceTexts::of(&texts, &self.source_locale, &tag)?;
+            let segment = |(whole, source): (&Segment, &String)| match source.is_empty() {
+                true => Segment::default(),
+                false => Segment { source: source.clone(), ..whole.clone() },
+            };
+            let translation = |(locale, keys): (&String, &Vec<VariantKey>)| {
+                let own = texts.get(&variant_tag(locale, key)).filter(|own| own.len() == sources.texts.len());
+                let is_unneeded = keys.iter().all(|known| known.key != key);
+                let state = if own.is_none() { State::Initial } else { State::Translated };
+                let texts = own.cloned().unwrap_or_else(|| vec![String::new(); sources.texts.len()]);
+                Translation { texts, state, is_unneeded, ..Translation::default() }
+            };
+            Some(Unit {
+                key: unit.key.clone(),
+                variant: Some(key.to_owned()),
+                segments: unit.segments.iter().zip(&*sources.texts).map(segment).collect(),
+                translations: self.locales.iter().zip(&of_locales).map(translation).collect(),
+                ..Unit::default()
+            })
+        };
+        keys.into_iter().filter_map(variant).collect()
     }
 
     fn segments(&self, clip: &Document<'_>, sources: &[String]) -> Vec<Segment> {

@@ -1,8 +1,10 @@
 //! The results of readers: texts, their clips, and their positions in the file.
 
+use crate::exchange::model::VARIANT_MARK;
+use crate::exchange::variants::variant_tag;
 use crate::exchange::{Mark, State};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
-use lipz_file::locale::{canonical_tag, has_lipz_shape, language};
+use lipz_file::locale::{canonical_tag, has_lipz_shape, is_variant_key, language, split_variant};
 use lipz_file::text::DELIMITER;
 use std::sync::Arc;
 
@@ -150,6 +152,7 @@ impl ReadOptions {
 
     /// Whether the texts of a locale are wanted.
     pub(crate) fn wants(&self, locale: &str) -> bool {
+        let (locale, _) = split_variant(locale);
         !self.wants_takes
             && locale != self.source_locale
             && (self.wanted.is_empty() || self.wanted.iter().any(|wanted| wanted == locale))
@@ -183,6 +186,27 @@ impl ReadOptions {
             [] => Some(canonical),
             _ => None,
         }
+    }
+}
+
+impl Entry {
+    /// Moves the key of a variant from the ID of the clip to the locale.
+    pub(crate) fn find_variant(&mut self) {
+        let Some((key, variant)) = self.key.text.rsplit_once(VARIANT_MARK) else { return };
+        if is_variant_key(variant) {
+            self.locale = variant_tag(&self.locale, variant).into();
+            self.key = Words { text: key.to_owned(), span: self.key.span }.into();
+        }
+    }
+}
+
+impl Entry {
+    /// Makes the entry that of the variant with this plural category, or leaves it unchanged for `""`.
+    pub(crate) fn add_category(&mut self, category: &str) {
+        let (locale, rest) = split_variant(&self.locale);
+        let key =
+            [category, rest.unwrap_or("")].into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join("-");
+        self.locale = variant_tag(locale, &key).into();
     }
 }
 

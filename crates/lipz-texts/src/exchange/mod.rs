@@ -13,6 +13,7 @@ pub(crate) mod model;
 pub(crate) mod placeholder;
 pub(crate) mod tag;
 pub(crate) mod unreal;
+pub(crate) mod variants;
 mod words;
 pub(crate) mod write_options;
 
@@ -21,5 +22,6 @@ pub use collect::Collect;
 pub use entry::{ChosenTake, Entry, IncomingFile, ReadOptions, Words};
 pub use mark::Mark;
 pub use model::{Division, Exchange, Segment, State, Translation, Unit};
+pub use variants::SourceTexts;
 pub use words::words;
 pub use write_options::{Shape, WriteOptions};

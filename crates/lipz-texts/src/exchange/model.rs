@@ -21,6 +21,8 @@ pub struct Exchange {
 pub struct Unit {
     /// The key of the clip.
     pub key: String,
+    /// The key of the variant, if the texts are those of a variant: `few`.
+    pub variant: Option<String>,
     /// The path of the Lipz file.
     pub file: Option<String>,
     /// The path of the recording.
@@ -59,6 +61,8 @@ pub struct Translation {
     pub made_from: Option<Vec<String>>,
     /// The comments of translators, one line each.
     pub comments: Vec<String>,
+    /// Whether the locale neither has nor needs a text of the unit, such as a variant for `few` in English.
+    pub is_unneeded: bool,
 }
 
 /// The state of a translation; each includes those before it. The names are those of XLIFF 2.1.
@@ -155,9 +159,14 @@ pub(crate) struct Item<'u> {
 }
 
 impl Exchange {
-    /// Returns the items of a file: each clip, or each of its segments that has a text.
-    pub(crate) fn items(&self, division: Division) -> impl Iterator<Item = Item<'_>> {
-        self.units.iter().flat_map(move |unit| {
+    /// Returns the items of a file with all locales, or with the one at `at`: each clip, or each of its segments that has
+    /// a text. Variants that the locale does not need are left out.
+    pub(crate) fn items(&self, at: Option<usize>, division: Division) -> impl Iterator<Item = Item<'_>> {
+        let is_needed = move |unit: &&Unit| match at {
+            Some(at) => unit.translations.get(at).is_none_or(|translation| !translation.is_unneeded),
+            None => unit.variant.is_none() || unit.translations.iter().any(|translation| !translation.is_unneeded),
+        };
+        self.units.iter().filter(is_needed).flat_map(move |unit| {
             let all = || unit.segments.iter().enumerate();
             match division {
                 Division::Clip => vec![Item { unit, number: None, segments: all().collect() }],
@@ -174,18 +183,62 @@ impl Exchange {
     }
 }
 
+impl Unit {
+    /// Returns the ID: the key, and that of the variant after `|x-`. Keys never contain a `|`.
+    pub(crate) fn id(&self) -> String {
+        match &self.variant {
+            Some(variant) => format!("{}{VARIANT_MARK}{variant}", self.key),
+            None => self.key.clone(),
+        }
+    }
+}
+
+/// The characters between the key of a clip and that of a variant.
+pub(crate) const VARIANT_MARK: &str = "|x-";
+
 impl Item<'_> {
-    /// Returns the ID: the key, and the number of the segment after a `|`, which keys never contain.
+    /// Returns the ID: that of the unit, and the number of the segment after a `|`.
     pub(crate) fn id(&self) -> String {
         match self.number {
-            Some(number) => format!("{}{DELIMITER}{number}", self.unit.key),
-            None => self.unit.key.clone(),
+            Some(number) => format!("{}{DELIMITER}{number}", self.unit.id()),
+            None => self.unit.id(),
         }
     }
 
     /// Returns the source text.
     pub(crate) fn source(&self) -> String {
         joined(&self.segments.iter().map(|(_, segment)| segment.source.as_str()).collect::<Vec<_>>())
+    }
+
+    /// Returns the source text of a variant, `unit`, with that of this item in the segments that do not vary; empty if
+    /// none of them varies.
+    pub(crate) fn source_of_variant(&self, unit: &Unit) -> String {
+        let source = |(number, _): &(usize, &Segment)| unit.segments.get(*number).map_or("", |other| &other.source);
+        self.filled(self.segments.iter().map(source), |segment| &segment.1.source)
+    }
+
+    /// Returns the translation of a variant, an item with the same segments, with the text of this item in the segments
+    /// that do not vary; empty if it has none.
+    pub(crate) fn text_of_variant(&self, variant: &Item<'_>, [own, of_variant]: [&Translation; 2]) -> String {
+        let text = |(number, _): &(usize, &Segment)| of_variant.texts.get(*number).map_or("", String::as_str);
+        self.filled(variant.segments.iter().map(text), |(number, _)| {
+            let varies = variant.segments.iter().any(|(other, segment)| other == number && !segment.source.is_empty());
+            own.texts.get(*number).filter(|_| !varies).map_or("", String::as_str)
+        })
+    }
+
+    fn filled<'t>(
+        &'t self,
+        texts: impl Iterator<Item = &'t str>,
+        own: impl Fn(&'t (usize, &'t Segment)) -> &'t str,
+    ) -> String {
+        let texts: Vec<&str> = texts.collect();
+        if texts.iter().all(|text| text.is_empty()) {
+            return String::new();
+        }
+        let filled =
+            texts.into_iter().zip(&self.segments).map(|(text, part)| if text.is_empty() { own(part) } else { text });
+        joined(&filled.collect::<Vec<_>>())
     }
 
     /// Returns the text of a translation.
@@ -212,6 +265,7 @@ impl Item<'_> {
     /// Returns information for translators, in lines.
     pub(crate) fn comments(&self) -> Vec<String> {
         let mut comments = Vec::new();
+        comments.extend(self.unit.variant.as_ref().map(|variant| format!("variant: {variant}")));
         let mut speaker = None;
         for (number, segment) in &self.segments {
             if let Some(name) = segment.speaker.as_deref().filter(|name| Some(*name) != speaker) {

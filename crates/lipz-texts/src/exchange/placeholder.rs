@@ -111,6 +111,13 @@ fn engine_placeholders(text: &str) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
+/// Whether all placeholders of a text are also in `whole`.
+pub(crate) fn are_among(text: &str, whole: &str, own: &[PlaceholderPattern]) -> bool {
+    let is_checked = |meta: &Meta<'_>| !matches!(meta, Meta::Named(_) | Meta::Note);
+    let known = metas(whole, own);
+    metas(text, own).into_iter().filter(is_checked).all(|meta| known.contains(&meta))
+}
+
 /// Whether a text has placeholders that are all plain names or numbers, `{name}` and `{0}`, and no other braces.
 pub(crate) fn are_plain(text: &str) -> bool {
     let is_word = |character: char| character.is_ascii_alphanumeric() || character == '_';

@@ -26,7 +26,7 @@ struct FileOut<'a> {
 
 #[derive(Serialize)]
 struct ClipOut<'a> {
-    key: &'a str,
+    key: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -87,7 +87,7 @@ pub(crate) fn write(exchange: &Exchange) -> Vec<u8> {
 impl<'a> ClipOut<'a> {
     fn new(unit: &'a Unit, locales: &'a [String]) -> ClipOut<'a> {
         ClipOut {
-            key: &unit.key,
+            key: unit.id(),
             file: unit.file.as_deref(),
             recording: unit.recording.as_deref(),
             note: unit.note.as_deref(),
@@ -121,6 +121,7 @@ impl<'a> SegmentOut<'a> {
             end_ms: segment.time_ms.map(|(_, end)| end),
             max_characters: segment.max_characters,
             translations: translations
+                .filter(|(_, translation)| !translation.is_unneeded)
                 .map(|(locale, translation)| (locale.as_str(), TranslationOut::new(at, segment, translation)))
                 .collect(),
         }

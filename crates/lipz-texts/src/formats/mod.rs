@@ -158,6 +158,7 @@ pub fn read(format: Format, bytes: &[u8], options: &ReadOptions) -> IncomingFile
         incoming.diagnostics.push(diagnostic);
     }
     incoming.entries.retain(|entry: &Entry| options.wants(&entry.locale));
+    incoming.entries.iter_mut().for_each(Entry::find_variant);
     keep_comments(&mut incoming);
     incoming
 }

@@ -7,15 +7,16 @@ mod punctuation;
 mod same;
 mod stale;
 mod terms;
+mod variants;
 
 pub use terms::Terms;
 
 use crate::exchange::clip_texts::{tag_of, trimmed};
-use crate::exchange::{markup, placeholder};
+use crate::exchange::{SourceTexts, markup, placeholder, texts_of};
 use crate::record::TextRecord;
 use characters::OddPlace;
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
-use lipz_file::locale::language;
+use lipz_file::locale::{language, split_variant};
 use lipz_file::placeholder::PlaceholderPattern;
 use lipz_file::text;
 use lipz_file::{Document, JsonString, Value};
@@ -91,9 +92,15 @@ impl<'r> TextLints<'r> {
         }
         let others = self.record.map(|record| record.source_locales_of(file)).unwrap_or_default();
         let others = others.into_iter().filter(|locale| *locale != self.source_locale);
+        let texts = texts_of(clip, self.default_locale.as_deref());
         for source_locale in others.chain([self.source_locale.as_str()]) {
-            let Some(source) = self.texts(clip).find(|text| text.locale == source_locale) else { continue };
-            for translation in self.texts(clip).filter(|text| text.locale != source_locale) {
+            let is_translation = |text: &LocaleText<'_>| split_variant(&text.locale).0 != source_locale;
+            for translation in self.texts(clip).filter(is_translation) {
+                let Some(from) = SourceTexts::of(&texts, source_locale, &translation.locale) else { break };
+                let of_variant = self.texts(clip).find(|text| text.locale == from.locale);
+                let of_locale = || self.texts(clip).find(|text| text.locale == source_locale);
+                let Some(string) = of_variant.or_else(of_locale).map(|text| text.string) else { break };
+                let source = LocaleText { locale: from.locale.to_string(), string, segments: from.texts.to_vec() };
                 if translation.segments.len() != source.segments.len() {
                     continue; // reported separately
                 }
@@ -102,7 +109,8 @@ impl<'r> TextLints<'r> {
                 }
                 // A translation should match the text in the project's own locale, whichever its source was.
                 if source_locale == self.source_locale {
-                    self.compare(&source, &translation, diagnostics);
+                    self.compare(&from, &source, &translation, diagnostics);
+                    variants::check(&texts, source_locale, &translation, diagnostics);
                 }
                 bound::limit_many(diagnostics);
             }
@@ -113,7 +121,14 @@ impl<'r> TextLints<'r> {
     }
 
     /// Reports translations whose content differs from the source, in segments that both have.
-    fn compare(&self, source: &LocaleText<'_>, translation: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
+    fn compare(
+        &self,
+        from_texts: &SourceTexts<'_>,
+        source: &LocaleText<'_>,
+        translation: &LocaleText<'_>,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
+        let locale = split_variant(&translation.locale).0;
         let is_other_language = language(&source.locale) != language(&translation.locale);
         let mut found: [FewDiagnostics; 7] = Default::default();
         let [same, placeholders, metas, tags, numbers, of_terms, ends] = &mut found;
@@ -130,7 +145,7 @@ impl<'r> TextLints<'r> {
                 as missing";
                 same.add(|| differs(Code::UntranslatedText, message, "the same text", help));
             }
-            if let Some(message) = placeholder::difference(from, to, self.placeholders) {
+            if let Some(message) = from_texts.placeholder_difference(at, to, self.placeholders) {
                 placeholders.add(|| differs(Code::Placeholder, message, "the source", placeholder::HELP));
             }
             if let Some(message) = placeholder::meta_difference(from, to) {
@@ -143,11 +158,11 @@ impl<'r> TextLints<'r> {
                 let help = "compare the texts, and correct one of the two";
                 numbers.add(|| differs(Code::NumbersDiffer, message, "the source", help));
             }
-            if let Some(message) = self.terms.and_then(|terms| terms.difference(from, &translation.locale, to)) {
+            if let Some(message) = self.terms.and_then(|terms| terms.difference(from, locale, to)) {
                 let help = "use the term, or add this translation to the table of terms";
                 of_terms.add(|| differs(Code::TermMissing, message, "the source", help));
             }
-            if let Some(message) = punctuation::difference([from, &source.locale], [to, &translation.locale]) {
+            if let Some(message) = punctuation::difference([from, &source.locale], [to, locale]) {
                 ends.add(|| differs(Code::EndPunctuation, message, "the source", punctuation::HELP));
             }
         }
@@ -189,7 +204,7 @@ impl LocaleText<'_> {
 fn odd_characters(text: &LocaleText<'_>, diagnostics: &mut Vec<Diagnostic>) {
     let mut found = FewDiagnostics::default();
     for (at, segment) in text.segments.iter().enumerate() {
-        if let Some(OddPlace { range, message, help }) = characters::odd(segment, &text.locale) {
+        if let Some(OddPlace { range, message, help }) = characters::odd(segment, split_variant(&text.locale).0) {
             found.add(|| Diagnostic::at(Code::OddCharacters, text.span(at, Some(range)), message).help(help));
         }
     }

@@ -4,8 +4,9 @@ use super::keys::is_foreign;
 use crate::exchange::Entry;
 use crate::exchange::clip_texts::{strings, trimmed};
 use crate::exchange::model::joined;
-use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use lipz_file::Document;
+use lipz_file::locale::is_variant;
 use std::collections::btree_map::Entry as Slot;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -26,6 +27,12 @@ impl<'e> TextTranslations<'e> {
         let mut found = Vec::new();
         let is_usable = |entry: &&Entry| is_foreign(entry, keys) && !entry.text.text.trim().is_empty();
         for entry in entries.iter().filter(is_usable) {
+            if is_variant(&entry.locale) {
+                let message = "a plural form or other variant belongs to no clip, and is not imported";
+                found.push((entry.file, Diagnostic::at(Code::UnknownTextKey, entry.text.span, message)));
+                bound::limit_many_of_files(&mut found);
+                continue;
+            }
             let Some(source) = entry.source.as_ref().map(|source| joined(&trimmed(&source.text))) else { continue };
             match known.entry((source, &*entry.locale)) {
                 Slot::Vacant(slot) => drop(slot.insert(Some(entry))),

@@ -3,7 +3,7 @@
 use super::Merge;
 use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::{State, joined};
-use crate::exchange::{Entry, Mark, markup, placeholder};
+use crate::exchange::{Entry, Mark, SourceTexts, markup, placeholder};
 use lipz_diagnostics::{Code, Diagnostic, Span, bound, escape};
 use lipz_file::text::{DELIMITER, trim};
 use std::collections::BTreeMap;
@@ -22,15 +22,17 @@ pub(super) struct ClipChanges {
 /// Diagnostics, with the number of the file.
 type NumberedDiagnostics = Vec<(usize, Diagnostic)>;
 
-/// Merges the entries. `sources` are the current source texts, `own` those of the locale.
+/// Merges the entries. `from` has the current source texts, `own` those of the locale, and `whole`
+/// those that a variant varies.
 pub(super) fn merge(
     merge: &Merge<'_>,
-    sources: &[String],
-    own: Option<&[String]>,
+    from: &SourceTexts<'_>,
+    [own, whole]: [Option<&[String]>; 2],
     entries: &[&Entry],
     found: &mut NumberedDiagnostics,
 ) -> ClipChanges {
     let mut result = ClipChanges::default();
+    let sources = &*from.texts;
     if let (Some(own), Some(first)) = (own, entries.first())
         && own.len() != sources.len()
     {
@@ -42,7 +44,7 @@ pub(super) fn merge(
         return result;
     }
     let empty = vec![String::new(); sources.len()];
-    let clip = ClipMerge { merge, sources, own: own.unwrap_or(&empty) };
+    let clip = ClipMerge { merge, from, whole: whole.unwrap_or_default(), sources, own: own.unwrap_or(&empty) };
     let mut places: BTreeMap<usize, (&Entry, String)> = BTreeMap::new();
     for entry in entries {
         let Some(parts) = clip.parts(entry, found) else { continue };
@@ -72,6 +74,9 @@ fn twice(entry: &Entry) -> Diagnostic {
 
 struct ClipMerge<'m> {
     merge: &'m Merge<'m>,
+    from: &'m SourceTexts<'m>,
+    /// For a variant, the texts that it varies. A blank segment stands for theirs.
+    whole: &'m [String],
     sources: &'m [String],
     own: &'m [String],
 }
@@ -96,7 +101,7 @@ impl ClipMerge<'_> {
                 self.refuse(entry, Code::TextSegments, span, &message, "delete it; the text is for one segment", found);
                 return None;
             }
-            return Some(vec![(number - 1, text.to_owned())]);
+            return Some(vec![(number - 1, self.said(number - 1, text))]);
         }
         let texts = trimmed(&entry.text.text);
         if texts.iter().all(String::is_empty) {
@@ -111,7 +116,13 @@ impl ClipMerge<'_> {
             self.refuse(entry, Code::TextSegments, entry.text.span, &message, help, found);
             return None;
         }
-        Some(texts.into_iter().enumerate().collect())
+        Some(texts.iter().enumerate().map(|(at, text)| (at, self.said(at, text))).collect())
+    }
+
+    /// Returns the text of a segment: the project's, if it is spelled out there, but left blank in the file of a variant.
+    fn said(&self, at: usize, text: &str) -> String {
+        let own = self.own.get(at).filter(|own| text.is_empty() && self.whole.get(at) == Some(own));
+        own.map_or(text, String::as_str).to_owned()
     }
 
     /// Applies the texts of an entry, unless there is a conflict.
@@ -184,7 +195,7 @@ impl ClipMerge<'_> {
             return;
         }
         let source = self.sources.get(at).map_or("", String::as_str);
-        if let Some(message) = placeholder::difference(source, text, self.merge.placeholders) {
+        if let Some(message) = self.from.placeholder_difference(at, text, self.merge.placeholders) {
             let diagnostic = Diagnostic::at(Code::Placeholder, entry.text.span, message);
             found.push((entry.file, diagnostic.help(placeholder::HELP)));
         }

@@ -16,11 +16,12 @@ pub use options::Merge;
 pub use renamed::follow_renamed_clips;
 pub use results::{ConfirmedTranslations, Counts, MergedFile, TranslatorComments};
 
-use crate::exchange::clip_texts::{strings, trimmed};
-use crate::exchange::{Entry, Mark};
+use crate::exchange::clip_texts::strings;
+use crate::exchange::{Entry, Mark, SourceTexts, texts_of};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::Document;
 use lipz_file::format::Style;
+use lipz_file::locale::split_variant;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,12 +47,11 @@ impl Merge<'_> {
             by_locale.entry(&entry.locale).or_default().push(entry);
         }
         let strings = strings(clip, self.default_locale);
-        let trimmed = |locale: &str| strings.get(locale).map(|string| trimmed(&string.text));
-        let sources = trimmed(self.source_locale);
+        let clip_texts = texts_of(clip, self.default_locale);
         let mut texts = Vec::new();
         for (locale, entries) in by_locale {
             merged.comments.push(comments(locale, &entries));
-            let Some(sources) = &sources else {
+            let Some(sources) = SourceTexts::of(&clip_texts, self.source_locale, locale) else {
                 let first = entries.first().map(|entry| (entry.file, entry.key.span)).unwrap_or_default();
                 let message = format!("the clip has no text in {}, the source of the translation", self.source_locale);
                 merged.found.push((first.0, Diagnostic::at(Code::OutdatedSource, first.1, message)));
@@ -59,14 +59,17 @@ impl Merge<'_> {
                 continue;
             };
             let mut found = Vec::new();
-            let own = trimmed(locale);
-            let project = [sources.as_slice(), own.as_deref().unwrap_or_default()];
+            let own = clip_texts.get(locale).map(Vec::as_slice);
+            let (varied, key) = split_variant(locale);
+            let whole = key.and_then(|_| clip_texts.get(varied)).map(Vec::as_slice);
+            let project = [&*sources.texts, own.unwrap_or_default()];
             let entries: Vec<_> = entries.into_iter().map(|entry| line_ends::of_project(entry, &project)).collect();
             let entries: Vec<&Entry> = entries.iter().map(Cow::as_ref).collect();
-            let result = clip::merge(self, sources, own.as_deref(), &entries, &mut found);
+            let result = clip::merge(self, &sources, [own, whole], &entries, &mut found);
+            let sources = &*sources.texts;
             let is_refused = self.report(found, &mut merged.found);
             if !is_refused {
-                let now = ConfirmedTranslations::new(locale, sources, own.as_deref(), &result.texts);
+                let now = ConfirmedTranslations::new(locale, sources, own, &result.texts);
                 merged.confirmed.extend(confirmed::of_older(now.clone(), &entries, &result.texts));
                 merged.confirmed.extend(confirmed::of_entries(now, &entries));
                 merged.other_sources.extend(confirmed::other_sources(sources, &entries));

@@ -5,6 +5,7 @@ use crate::exchange::clip_texts::trimmed;
 use crate::exchange::model::joined;
 use crate::exchange::{ClipTexts, Entry, Mark, Words};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use lipz_file::locale::is_variant;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The most clips with one source text that are compared. A text that is this frequent identifies no clip.
@@ -23,7 +24,9 @@ pub fn follow_renamed_clips(
     let named: BTreeSet<&str> = entries.iter().map(|entry| entry.key.text.as_str()).collect();
     let index = SourceIndex::new(clips.iter().filter(|(key, _)| !named.contains(key.as_str())), source_locale);
     let mut by_key: BTreeMap<String, OldClip<'_>> = BTreeMap::new();
-    for entry in entries.iter().filter(|entry| entry.mark.is_some() && is_foreign(entry, keys)) {
+    // Variants follow their text.
+    let is_text = |entry: &&Entry| entry.mark.is_some() && !is_variant(&entry.locale);
+    for entry in entries.iter().filter(is_text).filter(|entry| is_foreign(entry, keys)) {
         let alike = index.alike(entry);
         by_key
             .entry(entry.key.text.clone())

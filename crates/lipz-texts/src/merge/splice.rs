@@ -2,6 +2,7 @@
 
 use lipz_diagnostics::Span;
 use lipz_file::format::{LineEnding, Style, format, rewrite};
+use lipz_file::locale::{TextName, is_variant, split_variant, text_name};
 use lipz_file::text::{DELIMITER, segments, trim};
 use lipz_file::{Document, Element, JsonString, Value, literal, parse};
 use std::borrow::Cow;
@@ -71,13 +72,19 @@ fn changes_of(string: &JsonString<'_>, new: &BTreeMap<usize, String>) -> Vec<(Sp
     changes
 }
 
-/// Adds a text in a new locale after the last text.
+/// Adds a text in a new locale after the last text, or a variant after the last text of its locale.
 fn add(document: &mut Document<'_>, new: &NewTexts) {
     let segment = |at: usize| new.segments.get(&at).map_or("", String::as_str);
     let text = (0..new.count).map(segment).collect::<Vec<_>>().join(&DELIMITER.to_string());
     let name = JsonString::from(Cow::Owned(format!("text_{}", new.locale)));
     let element = Element { name, value: Value::String(JsonString::from(Cow::Owned(text))) };
-    let last = document.elements.iter().rposition(|element| lipz_file::locale::text_name(&element.name.text).is_some());
+    let tag = |element: &Element<'_>| text_name(&element.name.text);
+    let is_alike = |element: &Element<'_>| {
+        let tag = tag(element).and_then(TextName::tag);
+        is_variant(&new.locale) && tag.is_some_and(|tag| split_variant(&tag).0 == split_variant(&new.locale).0)
+    };
+    let last_where = |is_meant: &dyn Fn(&Element<'_>) -> bool| document.elements.iter().rposition(is_meant);
+    let last = last_where(&is_alike).or_else(|| last_where(&|element| tag(element).is_some()));
     document.elements.insert(last.map_or(document.elements.len(), |at| at + 1), element);
 }
 

@@ -10,9 +10,12 @@ pub use list::{cost_of, csv_table};
 pub use matches::SourceMatch;
 pub use page::page;
 
-use crate::exchange::model::{State, Unit};
-use crate::exchange::{ClipTexts, words};
+use crate::exchange::model::{State, Unit, VARIANT_MARK};
+use crate::exchange::variants::{variant_keys, variant_tag};
+use crate::exchange::{ClipTexts, SourceTexts, words};
 use crate::record::{Standing, TextRecord};
+use lipz_file::locale::is_variant;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The progress of a segment's translation.
@@ -42,7 +45,7 @@ pub struct Amount {
 /// A segment to be translated.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct OpenSegment {
-    /// The key of the clip.
+    /// The key of the clip, and that of a variant after `|x-`.
     pub key: String,
     /// The number of the segment, from 1; `None` if it is the only one of its clip.
     pub number: Option<usize>,
@@ -127,6 +130,9 @@ impl Unit {
     /// [`Exchange::locales`](crate::Exchange::locales).
     pub fn has(&self, locale: usize, progress: Progress) -> bool {
         let translation = self.translations.get(locale);
+        if translation.is_some_and(|translation| translation.is_unneeded) {
+            return false;
+        }
         let mut spoken = self.segments.iter().enumerate().filter(|(_, segment)| !segment.source.is_empty());
         spoken.any(|(at, segment)| {
             let own = match translation {
@@ -148,15 +154,33 @@ impl Work {
         Work { source_locale: source_locale.into(), locales: locales.into_iter().map(of).collect() }
     }
 
-    /// Adds a clip with its texts. `file` is the path of its Lipz file in the record.
+    /// Adds a clip with its texts and their variants. `file` is the path of its Lipz file in the record.
     pub fn add(&mut self, key: &str, file: &str, texts: &ClipTexts, record: Option<&TextRecord>) {
-        let Some(sources) = texts.get(&self.source_locale) else { return };
+        self.add_texts(key, "", file, texts, record);
+        if !texts.keys().any(|tag| is_variant(tag)) {
+            return;
+        }
+        let needed: BTreeSet<String> =
+            self.locales.iter().flat_map(|work| work.needed(&self.source_locale, texts)).collect();
+        for variant in needed {
+            self.add_texts(&format!("{key}{VARIANT_MARK}{variant}"), &variant, file, texts, record);
+        }
+    }
+
+    /// Adds the texts of a clip, or those of one of its variants, in the locales that need them.
+    fn add_texts(&mut self, id: &str, variant: &str, file: &str, texts: &ClipTexts, record: Option<&TextRecord>) {
+        let tag = variant_tag(&self.source_locale, variant);
+        let Some(sources) = SourceTexts::of(texts, &self.source_locale, &tag) else { return };
+        let sources = &*sources.texts;
         let counts: Vec<usize> = sources.iter().map(|source| words(source)).collect();
         let shared: Vec<Arc<str>> = sources.iter().map(|source| source.as_str().into()).collect();
         for work in &mut self.locales {
-            let own = texts.get(&work.locale).map_or(&[][..], Vec::as_slice);
-            let standings =
-                record.map(|record| record.standings(file, &self.source_locale, &work.locale, sources, own));
+            if !variant.is_empty() && !work.needed(&self.source_locale, texts).any(|needed| needed == variant) {
+                continue;
+            }
+            let locale = variant_tag(&work.locale, variant);
+            let own = texts.get(&locale).map_or(&[][..], Vec::as_slice);
+            let standings = record.map(|record| record.standings(file, &tag, &locale, sources, own));
             for (at, (source, words)) in
                 sources.iter().zip(&counts).enumerate().filter(|(_, (text, _))| !text.is_empty())
             {
@@ -175,7 +199,7 @@ impl Work {
                 }
                 if progress.is_open() {
                     let number = (sources.len() > 1).then_some(at + 1);
-                    let (key, source, text) = (key.to_owned(), source.clone(), text.to_owned());
+                    let (key, source, text) = (id.to_owned(), source.clone(), text.to_owned());
                     work.open.push(OpenSegment { key, number, source, made_from, text });
                 } else {
                     work.translated.extend(shared.get(at).cloned());
@@ -209,6 +233,12 @@ impl Amount {
 }
 
 impl LocaleWork {
+    /// Returns the variants of a clip that the locale needs.
+    fn needed(&self, source_locale: &str, texts: &ClipTexts) -> impl Iterator<Item = String> {
+        let keys = variant_keys(texts, source_locale, &self.locale).into_iter();
+        keys.filter(|key| key.is_needed).map(|key| key.key)
+    }
+
     /// Returns the amount with this progress.
     pub fn amount(&self, progress: Progress) -> Amount {
         self.amounts[progress as usize]

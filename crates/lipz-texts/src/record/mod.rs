@@ -106,7 +106,7 @@ impl TextRecord {
 
     /// Returns the source locales of translations.
     pub fn source_locales(&self) -> Vec<&str> {
-        let all = self.files.values().flatten().map(|version| version.source_locale.as_str());
+        let all = self.files.values().flatten().map(Version::locale);
         let mut all: Vec<&str> = all.collect();
         all.sort_unstable();
         all.dedup();
@@ -116,8 +116,9 @@ impl TextRecord {
     /// Returns the source locales of this file's translations.
     pub(crate) fn source_locales_of(&self, file: &str) -> Vec<&str> {
         let versions = self.files.get(file).map_or(&[][..], Vec::as_slice);
-        let mut all: Vec<&str> = versions.iter().map(|version| version.source_locale.as_str()).collect();
-        all.dedup(); // versions are sorted by source locale
+        let mut all: Vec<&str> = versions.iter().map(Version::locale).collect();
+        all.sort_unstable();
+        all.dedup();
         all
     }
 

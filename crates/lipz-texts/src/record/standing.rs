@@ -3,6 +3,7 @@
 use super::TextRecord;
 use super::version::ApprovedMark;
 use crate::exchange::{Mark, State};
+use lipz_file::locale::split_variant;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// The relation of a translation to the current source text.
@@ -140,7 +141,9 @@ impl TextRecord {
     /// Returns the locales and marks of translations that an import put into the file, or found there unchanged.
     pub fn imported(&self, file: &str, source_locale: &str) -> BTreeSet<(String, Mark)> {
         let versions = self.files.get(file).map_or(&[][..], Vec::as_slice).iter();
-        let made = versions.filter(|version| version.source_locale == source_locale).flat_map(|version| &version.made);
+        let made = versions
+            .filter(|version| split_variant(&version.source_locale).0 == source_locale)
+            .flat_map(|version| &version.made);
         let marks = made.flat_map(|(locale, made)| made.iter().flatten().map(move |made| (locale, made)));
         marks.filter(|(_, made)| made.is_imported).map(|(locale, made)| (locale.clone(), made.mark)).collect()
     }

@@ -2,13 +2,17 @@
 
 use super::{Standing, TextRecord};
 use crate::exchange::model::{State, Unit};
+use crate::exchange::variants::{source_tag, variant_tag};
 use crate::merge::ConfirmedTranslations;
 
 impl TextRecord {
     /// Sets the states, the source texts and the comments of a unit's translations, which are in these locales.
     pub fn describe(&self, file: &str, source_locale: &str, locales: &[String], unit: &mut Unit) {
         let sources: Vec<&str> = unit.segments.iter().map(|segment| segment.source.as_str()).collect();
+        let tag = |locale: &str| variant_tag(locale, unit.variant.as_deref().unwrap_or(""));
+        let source_locale = &tag(source_locale);
         for (locale, translation) in locales.iter().zip(&mut unit.translations) {
+            let locale = &tag(locale);
             translation.comments = self.comments(file, locale).to_vec();
             if translation.is_empty() {
                 continue;
@@ -39,6 +43,7 @@ impl TextRecord {
     pub fn confirm(&mut self, file: &str, source_locale: &str, confirmed: &ConfirmedTranslations) -> usize {
         let ConfirmedTranslations { locale, sources, texts, states, is_rejected, is_looked_at, is_by_segment } =
             confirmed;
+        let source_locale = &source_tag(source_locale, locale);
         let before = self.standings(file, source_locale, locale, sources, texts);
         // The export already marked a clip with such a segment.
         let needs_work =

@@ -2,7 +2,7 @@
 
 use crate::reporter::{Abort, Reporter};
 use lipz_compiler::{Compiler, Input, Options};
-use lipz_file::locale::text_name;
+use lipz_file::locale::{is_variant, text_name};
 use lipz_texts::{ClipTexts, texts_of};
 use std::collections::BTreeSet;
 
@@ -26,7 +26,7 @@ pub(crate) fn locales_of(inputs: &[Input], options: &Options, source_locale: &st
         document.elements.iter().filter_map(|element| text_name(&element.name.text)?.tag()).collect::<Vec<String>>()
     });
     let all: BTreeSet<String> = each.into_iter().flatten().flatten().collect();
-    all.into_iter().filter(|locale| locale != source_locale).collect()
+    all.into_iter().filter(|locale| locale != source_locale && !is_variant(locale)).collect()
 }
 
 /// Returns the keys and texts of clips.

@@ -19,5 +19,8 @@ pub(super) const FLOORS: &[Floor] = &[
         ],
     },
     Floor { name: "lipz-sync", wings: &["threads", "recordings", "record", "job", "lints", "train", "shard"] },
-    Floor { name: "lipz-texts", wings: &["exchange", "formats", "merge", "record", "lint", "progress", "script"] },
+    Floor {
+        name: "lipz-texts",
+        wings: &["plural", "exchange", "formats", "merge", "record", "lint", "progress", "script"],
+    },
 ];

@@ -57,7 +57,8 @@ pub(crate) fn report_misread(exchange: &Exchange, diagnostics: &mut Vec<Diagnost
         let sources = unit.segments.iter().map(|segment| segment.source.as_str());
         let texts = unit.translations.iter().flat_map(|translation| &translation.texts).map(String::as_str);
         if let Some(escape) = sources.chain(texts).find_map(misread) {
-            let key = escape::quoted(&unit.key);
+            let id = unit.id();
+            let key = escape::quoted(&id);
             let message = format!("a text of {key} has {escape}, which the engine reads as a different character");
             let help = "put a space after the backslash, or leave it out; the engine has no spelling for it";
             diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help(help));
@@ -72,7 +73,7 @@ pub(crate) fn rows(exchange: &Exchange, at: Option<usize>, options: &WriteOption
     let mut translations = exchange.units.iter().flat_map(|unit| &unit.translations);
     let has_comments = translations.any(|translation| !translation.comments.is_empty());
     let table = TableWriter { exchange, options, locales, has_comments };
-    let rows = exchange.items(options.division).map(|item| table.row(&item));
+    let rows = exchange.items(at, options.division).map(|item| table.row(&item));
     std::iter::once(table.header()).chain(rows).collect()
 }
 

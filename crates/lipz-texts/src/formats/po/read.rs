@@ -1,9 +1,12 @@
 //! Reading of PO files, with the position of every text.
 
 use super::string::unescaped;
-use super::{COMMENTS_EXPORTED, EXPORTED};
+use super::{COMMENTS_EXPORTED, EXPORTED, SOURCES_EXPORTED};
+use crate::exchange::clip_texts::trimmed;
 use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
+use crate::exchange::model::joined;
 use crate::exchange::{Mark, State, decode};
+use crate::plural::PluralForms;
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::sync::Arc;
 
@@ -13,8 +16,8 @@ pub(crate) fn read(bytes: &[u8], options: &ReadOptions, incoming: &mut IncomingF
         incoming.text = decode::readable(bytes);
         return;
     };
-    let (message, plurals) = Default::default();
-    let mut reader = Reader { options, locale: None, message, plurals, incoming };
+    let (message, plurals, forms) = Default::default();
+    let mut reader = Reader { options, locale: None, plural_header: None, message, plurals, forms, incoming };
     if let [only] = options.wanted.as_slice() {
         reader.locale = Some(only.as_str().into());
     }
@@ -35,7 +38,7 @@ enum Field {
     Source,
     Plural,
     Text,
-    /// A text of a plural.
+    /// A text of a plural, except the first.
     OtherText,
 }
 
@@ -48,9 +51,13 @@ const KEYWORDS: [(&str, Field); 4] =
 struct Message {
     context: Option<Words>,
     source: Option<Words>,
-    plural: Option<Span>,
+    plural: Option<Words>,
     text: Option<Words>,
-    mark: Option<Mark>,
+    /// The other texts of a plural, each with its number.
+    other_texts: Vec<(usize, Words)>,
+    /// The mark of the text, or those of all texts of a plural.
+    marks: Vec<Mark>,
+    source_marks: Vec<Mark>,
     comments: Vec<String>,
     comments_mark: Option<Mark>,
     is_fuzzy: bool,
@@ -62,9 +69,13 @@ struct Reader<'a> {
     options: &'a ReadOptions,
     /// The locale of the file.
     locale: Option<Arc<str>>,
+    /// The header `Plural-Forms`.
+    plural_header: Option<String>,
     message: Message,
-    /// The entries with plural forms.
+    /// The entries with plural forms that belong to no clip.
     plurals: Vec<Span>,
+    /// The plural forms of the file, from the first entry that has some.
+    forms: Option<PluralForms>,
     incoming: &'a mut IncomingFile,
 }
 
@@ -96,8 +107,14 @@ impl Reader<'_> {
         if let Some(flags) = comment.strip_prefix(',') {
             self.message.is_fuzzy |= flags.split(',').any(|flag| flag.trim() == "fuzzy");
         } else if let Some(extracted) = comment.strip_prefix('.') {
-            if let Some(exported) = mark(extracted, EXPORTED) {
-                self.message.mark = exported.ok();
+            let marks = |name: &str| {
+                let marks = extracted.trim().strip_prefix(name.trim_end())?.split_whitespace();
+                Some(marks.map_while(|mark| mark.parse().ok()).collect())
+            };
+            if let Some(exported) = marks(EXPORTED) {
+                self.message.marks = exported;
+            } else if let Some(exported) = marks(SOURCES_EXPORTED) {
+                self.message.source_marks = exported;
             } else if let Some(exported) = mark(extracted, COMMENTS_EXPORTED) {
                 self.message.comments_mark = exported.ok();
             }
@@ -116,10 +133,10 @@ impl Reader<'_> {
             self.finish_message();
         }
         // `msgstr[0]` is the text; the others belong to a plural.
-        let (field, string) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
-            Some(("0", string)) => (field, string),
-            Some((_, string)) => (Field::OtherText, string),
-            None => (field, rest),
+        let (field, form, string) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
+            Some(("0", string)) => (field, 0, string),
+            Some((form, string)) => (Field::OtherText, form.parse().unwrap_or(usize::MAX), string),
+            None => (field, 0, rest),
         };
         let string_start = end + rest.len() - string.len() + string.len() - string.trim_start().len();
         let string = string.trim_start();
@@ -131,9 +148,9 @@ impl Reader<'_> {
         match field {
             Field::Context => self.message.context = Some(place()),
             Field::Source => self.message.source = Some(place()),
-            Field::Plural => self.message.plural = Some(Span::new(start, end)),
+            Field::Plural => self.message.plural = Some(place()),
             Field::Text => self.message.text = Some(place()),
-            Field::OtherText => {}
+            Field::OtherText => self.message.other_texts.push((form, place())),
         }
         self.message.field = Some(field);
         self.string(string, string_start);
@@ -150,10 +167,11 @@ impl Reader<'_> {
             None => return self.wrong(at, string.len(), "the string is not closed on its line"),
         };
         let words = match self.message.field {
-            Some(Field::Context) => &mut self.message.context,
-            Some(Field::Source) => &mut self.message.source,
-            Some(Field::Text) => &mut self.message.text,
-            Some(Field::Plural | Field::OtherText) => return,
+            Some(Field::Context) => self.message.context.as_mut(),
+            Some(Field::Source) => self.message.source.as_mut(),
+            Some(Field::Text) => self.message.text.as_mut(),
+            Some(Field::Plural) => self.message.plural.as_mut(),
+            Some(Field::OtherText) => self.message.other_texts.last_mut().map(|(_, words)| words),
             None => return self.wrong(at, string.len(), "the string has no keyword before it"),
         };
         if let Some(words) = words {
@@ -176,43 +194,86 @@ impl Reader<'_> {
         if message.context.is_none() && source.text.is_empty() {
             return self.header(&text);
         }
-        if let Some(plural) = message.plural {
-            self.plurals.push(plural);
+        // Texts of a game's menus have no context. The entry belongs to no clip, except by its text.
+        if let (Some(plural), None) = (&message.plural, &message.context) {
+            self.plurals.push(plural.span);
             return;
         }
-        // Texts of a game's menus have no context. The entry belongs to no clip, except by its text.
         let context = message.context.unwrap_or(Words { text: String::new(), span: source.span });
         let Some(locale) = self.locale.clone() else {
             self.locale = Some("".into()); // reported once
             return self.wrong_at(source.span, "the first entry has no header before it");
         };
         let (key, segment) = entry::id(&context.text);
-        let is_done = !text.text.is_empty() && !message.is_fuzzy;
-        self.incoming.entries.push(Entry {
+        let entry = |text: Words, mark: Option<Mark>| Entry {
             key: Words { text: key.to_owned(), span: context.span }.into(),
             segment,
-            source: Some(source.into()),
-            locale,
-            state: if is_done { State::Translated } else { State::Initial },
+            locale: Arc::clone(&locale),
+            state: if text.text.is_empty() || message.is_fuzzy { State::Initial } else { State::Translated },
             says_state: true,
             text,
-            mark: message.mark,
-            comments: message.comments,
+            mark,
+            comments: message.comments.clone(),
             comments_mark: message.comments_mark,
             ..Entry::default()
-        });
+        };
+        let Some(plural) = message.plural else {
+            let one = entry(text, message.marks.first().copied());
+            self.incoming.entries.push(Entry { source: Some(source.into()), ..one });
+            return;
+        };
+        let sources = [Arc::new(source), Arc::new(plural)];
+        let texts: Vec<(usize, Words)> = std::iter::once((0, text)).chain(message.other_texts).collect();
+        let forms: Vec<_> = texts
+            .into_iter()
+            .filter_map(|(form, text)| {
+                let category = self.category(form, &text, &locale)?;
+                Some((form, category, text))
+            })
+            .collect();
+        let whole = forms.iter().find(|(_, category, _)| category.is_empty()).map(|(.., text)| text.text.clone());
+        for (form, category, mut text) in forms {
+            if !category.is_empty() {
+                let same = [&sources[0].text, &sources[1].text].map(String::as_str);
+                text.text = without_unvaried(&text.text, whole.as_deref().unwrap_or(""), same);
+            }
+            let mut one = entry(text, message.marks.get(form).copied());
+            one.source_mark = message.source_marks.get(form).copied();
+            // The file has the source texts of two forms.
+            one.source = match (category, one.source_mark) {
+                ("", _) => Some(Arc::clone(&sources[1])),
+                (_, Some(_)) => None,
+                ("one", None) => Some(Arc::clone(&sources[0])),
+                (_, None) => Some(Arc::clone(&sources[1])),
+            };
+            one.find_variant();
+            one.add_category(category);
+            self.incoming.entries.push(one);
+        }
+    }
+
+    /// Returns the plural category of a form; `""` for the text itself. Reports a text in a form that no number has.
+    fn category(&mut self, form: usize, text: &Words, locale: &str) -> Option<&'static str> {
+        if self.forms.is_none() {
+            let stated = self.plural_header.as_ref().and_then(|header| PluralForms::of_header(header, locale));
+            self.forms = stated.or_else(|| Some(PluralForms::of(locale)?.0));
+        }
+        let category = self.forms.as_ref().and_then(|forms| forms.keys.get(form).copied().flatten());
+        if category.is_none() && !text.text.is_empty() {
+            let message = format!("by the plural forms of the file, no number has form {form}; it is not imported");
+            let diagnostic = Diagnostic::at(Code::ExchangeLoss, text.span, message);
+            let help = "correct `Plural-Forms` in the header, or delete the form";
+            self.incoming.diagnostics.push(diagnostic.help(help));
+        }
+        category
     }
 
     /// Reports the entries that texts of clips cannot be, and a file without any others.
     fn finish(&mut self) {
         if let Some(first) = self.plurals.first() {
             let message = match self.plurals.len() {
-                1 => "an entry has plural forms, which texts of clips do not have; it is not imported".to_owned(),
-                count => {
-                    format!(
-                        "{count} entries have plural forms, which texts of clips do not have; they are not imported"
-                    )
-                }
+                1 => "an entry with plural forms names no clip, and is not imported".to_owned(),
+                count => format!("{count} entries with plural forms name no clip, and are not imported"),
             };
             self.incoming.diagnostics.push(Diagnostic::at(Code::UnknownTextKey, *first, message));
         }
@@ -224,8 +285,10 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads the first entry, which names the language.
+    /// Reads the first entry, which names the language and the plural forms.
     fn header(&mut self, text: &Words) {
+        let forms = text.text.lines().find_map(|line| line.strip_prefix("Plural-Forms:"));
+        self.plural_header = forms.map(|forms| forms.trim().to_owned());
         if self.locale.is_some() {
             return; // the project determines the language
         }
@@ -251,4 +314,19 @@ impl Reader<'_> {
         let diagnostic = Diagnostic::at(Code::ExchangeSyntax, span, what);
         self.incoming.diagnostics.push(diagnostic.help("check the file with `msgfmt -c` of gettext"));
     }
+}
+
+/// Returns the text of a plural form with blanks in place of the segments that are as in the `whole` text and equal in
+/// both source texts. The export has filled them.
+fn without_unvaried(text: &str, whole: &str, sources: [&str; 2]) -> String {
+    let [of_form, whole, one, other] = [text, whole, sources[0], sources[1]].map(trimmed);
+    let count = of_form.len();
+    if count == 1 || [&whole, &one, &other].iter().any(|texts| texts.len() != count) {
+        return text.to_owned();
+    }
+    let segment = |(at, text): (usize, &String)| {
+        let is_same = one.get(at) == other.get(at) && whole.get(at) == Some(text);
+        if is_same { String::new() } else { text.clone() }
+    };
+    joined(&of_form.iter().enumerate().map(segment).collect::<Vec<_>>())
 }

@@ -1,13 +1,15 @@
 //! Writing of PO files.
 
+use super::plural::{Grouped, singular};
 use super::string::literal;
-use super::{COMMENTS_EXPORTED, EXPORTED};
+use super::{COMMENTS_EXPORTED, EXPORTED, SOURCES_EXPORTED};
 use crate::exchange::model::{Exchange, Item, State, Translation};
 use crate::exchange::placeholder;
 use crate::exchange::tag::underscored;
 use crate::exchange::unreal::unreal_identity;
 use crate::exchange::{Mark, WriteOptions};
 use crate::formats::csv::report_misread;
+use crate::plural::PluralForms;
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use std::fmt::Write;
 
@@ -23,18 +25,33 @@ pub(crate) fn write(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<u8> {
     let locale = exchange.locales.get(at).map_or("", String::as_str);
-    let mut out = header(&exchange.source_locale, locale);
-    let none = Translation::default();
+    // Unreal reads no plural forms, and a template has those of its source until `msginit` makes a file from it.
+    let forms = match options.namespace {
+        Some(_) => None,
+        None if locale.is_empty() => PluralForms::of("en").map(|(forms, _)| (forms, TEMPLATE_FORMS.to_owned())),
+        None => PluralForms::of(locale),
+    };
+    let grouped = Grouped::new(exchange, at, options.division, forms.as_ref().map(|(forms, _)| forms));
+    let plural_forms = forms.filter(|_| grouped.has_plurals()).map(|(_, header)| header);
+    let mut out = header(&exchange.source_locale, locale, plural_forms);
     let mut has_nul = false;
     if options.namespace.is_some() {
         report_misread(exchange, diagnostics);
     }
-    for item in exchange.items(options.division) {
-        let translation = item.unit.translations.get(at).unwrap_or(&none);
-        let text = entry(&item, translation, locale.is_empty(), options.namespace.as_deref());
+    let writer = EntryWriter {
+        exchange,
+        at,
+        is_template: locale.is_empty(),
+        namespace: options.namespace.as_deref(),
+        none: Translation::default(),
+    };
+    for (item, forms) in grouped.entries() {
+        let forms = forms.map(|forms| forms.iter().map(|form| grouped.items.get((*form)?)).collect::<Vec<_>>());
+        let text = writer.entry(item, forms.as_deref());
         if text.contains("\\000") && !has_nul {
             has_nul = true;
-            let key = escape::quoted(&item.unit.key);
+            let id = item.unit.id();
+            let key = escape::quoted(&id);
             let message = format!("the text of {key} contains U+0000, where gettext ends a text");
             diagnostics.push(Diagnostic::new(Code::ExchangeLoss, message).help("delete the character"));
         }
@@ -45,8 +62,8 @@ pub(crate) fn write(
 }
 
 /// Returns the first entry, which describes the file. It omits dates, so that the same texts produce the same file.
-fn header(source_locale: &str, locale: &str) -> String {
-    let fields = [
+fn header(source_locale: &str, locale: &str, plural_forms: Option<String>) -> String {
+    let mut fields = vec![
         ("Project-Id-Version", "lipz".to_owned()),
         ("PO-Revision-Date", "YEAR-MO-DA HO:MI+ZONE".to_owned()),
         ("Last-Translator", "FULL NAME <EMAIL@ADDRESS>".to_owned()),
@@ -58,6 +75,7 @@ fn header(source_locale: &str, locale: &str) -> String {
         ("X-Generator", "lipz".to_owned()),
         ("X-Source-Language", underscored(source_locale)),
     ];
+    fields.extend(plural_forms.map(|forms| ("Plural-Forms", forms)));
     let mut out = "msgid \"\"\nmsgstr \"\"\n".to_owned();
     for (name, value) in fields {
         let _ = writeln!(out, "\"{name}: {value}\\n\"");
@@ -65,48 +83,91 @@ fn header(source_locale: &str, locale: &str) -> String {
     out
 }
 
-fn entry(item: &Item<'_>, translation: &Translation, is_template: bool, namespace: Option<&str>) -> String {
-    let text = item.text(translation);
-    let mut out = String::new();
-    let own = item.translator_comments(translation);
-    for comment in own {
-        let _ = writeln!(out, "# {}", escape::text(comment));
+/// The forms of a template, as `xgettext` writes them.
+const TEMPLATE_FORMS: &str = "nplurals=INTEGER; plural=EXPRESSION;";
+
+/// What the entries of a file have in common.
+struct EntryWriter<'e> {
+    exchange: &'e Exchange,
+    /// The index of the locale.
+    at: usize,
+    is_template: bool,
+    namespace: Option<&'e str>,
+    none: Translation,
+}
+
+impl EntryWriter<'_> {
+    fn translation<'i>(&'i self, item: &'i Item<'_>) -> &'i Translation {
+        item.unit.translations.get(self.at).unwrap_or(&self.none)
     }
-    if namespace.is_some() {
-        let location = item.paths().next().map(path).unwrap_or_default();
-        let _ = writeln!(out, "#. Key:\t{}\n#. SourceLocation:\t{location}", escape::text(&item.id()));
-    }
-    for comment in item.comments() {
-        let _ = writeln!(out, "#. {comment}");
-    }
-    if !own.is_empty() {
-        let _ = writeln!(out, "#. {COMMENTS_EXPORTED}{}", Mark::of_comments(own));
-    }
-    // A template has no marks: `msgmerge` would copy them into files with translations.
-    if !is_template {
-        let _ = writeln!(out, "#. {EXPORTED}{}", item.mark(translation));
-    }
-    let paths: Vec<String> = item.paths().map(path).collect();
-    if !paths.is_empty() {
-        let _ = writeln!(out, "#: {}", paths.join(" "));
-    }
-    let made_from = item.made_from(translation);
-    let is_fuzzy = !text.is_empty() && item.state(translation) == State::Initial;
-    let has_placeholders = placeholder::are_plain(&item.source());
-    let flags = [(is_fuzzy, "fuzzy"), (has_placeholders, PLAIN_PLACEHOLDERS)].into_iter();
-    let flags: Vec<&str> = flags.filter(|(is_set, _)| *is_set).map(|(_, flag)| flag).collect();
-    if !flags.is_empty() {
-        let _ = writeln!(out, "#, {}", flags.join(", "));
-    }
-    if let Some(made_from) = made_from {
-        for (number, line) in literal(&made_from).lines().enumerate() {
-            let _ = writeln!(out, "#| {}{line}", if number == 0 { "msgid " } else { "" });
+
+    /// Returns the entry of an item. With plural `forms`, these are the items of all forms; `None` for those that no
+    /// number has.
+    fn entry(&self, item: &Item<'_>, forms: Option<&[Option<&Item<'_>>]>) -> String {
+        let mut out = String::new();
+        let own = item.translator_comments(self.translation(item));
+        for comment in own {
+            let _ = writeln!(out, "# {}", escape::text(comment));
         }
+        if self.namespace.is_some() {
+            let location = item.paths().next().map(path).unwrap_or_default();
+            let _ = writeln!(out, "#. Key:\t{}\n#. SourceLocation:\t{location}", escape::text(&item.id()));
+        }
+        for comment in item.comments() {
+            let _ = writeln!(out, "#. {comment}");
+        }
+        if !own.is_empty() {
+            let _ = writeln!(out, "#. {COMMENTS_EXPORTED}{}", Mark::of_comments(own));
+        }
+        let of_forms: Vec<Option<&Item<'_>>> = forms.map_or_else(|| vec![Some(item)], <[_]>::to_vec);
+        let marks = |mark: &dyn Fn(&Item<'_>) -> Mark| {
+            let marks = of_forms.iter().map(|form| form.map_or_else(|| Mark::of(""), mark).to_string());
+            marks.collect::<Vec<_>>().join(" ")
+        };
+        // A template has no marks: `msgmerge` would copy them into files with translations.
+        if !self.is_template {
+            let _ = writeln!(out, "#. {EXPORTED}{}", marks(&|form| form.mark(self.translation(form))));
+            if forms.is_some() {
+                let _ = writeln!(out, "#. {SOURCES_EXPORTED}{}", marks(&|form| Mark::of(&form.source())));
+            }
+        }
+        let paths: Vec<String> = item.paths().map(path).collect();
+        if !paths.is_empty() {
+            let _ = writeln!(out, "#: {}", paths.join(" "));
+        }
+        let made_from = item.made_from(self.translation(item));
+        let is_stale = |form: &&Item<'_>| {
+            let translation = self.translation(form);
+            !form.text(translation).is_empty() && form.state(translation) == State::Initial
+        };
+        let is_fuzzy = of_forms.iter().flatten().any(is_stale);
+        let has_placeholders = placeholder::are_plain(&item.source());
+        let flags = [(is_fuzzy, "fuzzy"), (has_placeholders, PLAIN_PLACEHOLDERS)].into_iter();
+        let flags: Vec<&str> = flags.filter(|(is_set, _)| *is_set).map(|(_, flag)| flag).collect();
+        if !flags.is_empty() {
+            let _ = writeln!(out, "#, {}", flags.join(", "));
+        }
+        let plural_id = if forms.is_some() { "msgid_plural" } else { "msgid" };
+        if let Some(made_from) = made_from {
+            for (number, line) in literal(&made_from).lines().enumerate() {
+                let _ = writeln!(out, "#| {}{line}", if number == 0 { format!("{plural_id} ") } else { String::new() });
+            }
+        }
+        let context = self.namespace.map_or_else(|| item.id(), |namespace| unreal_identity(namespace, &item.id()));
+        let _ = writeln!(out, "msgctxt {}", literal(&context));
+        if forms.is_some() {
+            let _ = writeln!(out, "msgid {}", literal(&singular(self.exchange, item)));
+        }
+        let _ = writeln!(out, "{plural_id} {}", literal(&item.source()));
+        for (number, form) in of_forms.iter().enumerate() {
+            let translations =
+                |form: &Item<'_>| item.text_of_variant(form, [item, form].map(|one| self.translation(one)));
+            let text = form.map(translations).unwrap_or_default();
+            let index = if forms.is_some() { format!("[{number}]") } else { String::new() };
+            let _ = writeln!(out, "msgstr{index} {}", literal(&text));
+        }
+        out
     }
-    let id = namespace.map_or_else(|| item.id(), |namespace| unreal_identity(namespace, &item.id()));
-    let (id, source) = (literal(&id), literal(&item.source()));
-    let _ = writeln!(out, "msgctxt {id}\nmsgid {source}\nmsgstr {}", literal(&text));
-    out
 }
 
 /// Returns a path in the form of gettext 0.22, which puts paths with spaces between U+2068 and U+2069.

@@ -20,7 +20,7 @@ pub(crate) fn write(exchange: &Exchange, at: usize, division: Division) -> Vec<u
         plain(&bcp47(locale))
     );
     let none = Translation::default();
-    for item in exchange.items(division) {
+    for item in exchange.items(Some(at), division) {
         unit(&mut out, &item, item.unit.translations.get(at).unwrap_or(&none));
     }
     out.push_str("    </body>\n  </file>\n</xliff>\n");

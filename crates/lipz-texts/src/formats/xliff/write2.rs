@@ -20,7 +20,7 @@ pub(crate) fn write(exchange: &Exchange, at: usize) -> Vec<u8> {
         plain(&bcp47(locale))
     );
     let none = Translation::default();
-    for item in exchange.items(Division::Clip) {
+    for item in exchange.items(Some(at), Division::Clip) {
         unit(&mut out, &item, item.unit.translations.get(at).unwrap_or(&none));
     }
     out.push_str("  </file>\n</xliff>\n");
@@ -51,8 +51,9 @@ fn unit(out: &mut String, item: &Item<'_>, translation: &Translation) {
     }
     // Keys may contain characters that an ID cannot, so they are names. Tools identify a unit by its ID, which must
     // stay the same.
-    let id = unit_id(&item.unit.key);
-    let _ = writeln!(out, "    <unit id=\"{id}\" name=\"{}\" canResegment=\"no\">", plain(&item.unit.key));
+    let name = item.unit.id();
+    let id = unit_id(&name);
+    let _ = writeln!(out, "    <unit id=\"{id}\" name=\"{}\" canResegment=\"no\">", plain(&name));
     out.push_str("      <notes>\n");
     let note = |out: &mut String, category: &str, id: &str, text: &str| {
         let _ = writeln!(out, "        <note{id} category=\"{category}\">{}</note>", plain(text));

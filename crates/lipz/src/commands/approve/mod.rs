@@ -14,7 +14,8 @@ use crate::{Outcome, console};
 use clap::Args;
 use lipz_compiler::{Compiler, Input, Options};
 use lipz_diagnostics::escape;
-use lipz_texts::{ClipTexts, Standing, State, TextRecord, texts_of};
+use lipz_file::locale::split_variant;
+use lipz_texts::{ClipTexts, SourceTexts, Standing, State, TextRecord, texts_of};
 use std::fmt::Write;
 
 /// Mark translations and recordings as up to date with their source text.
@@ -60,11 +61,14 @@ struct ClipApproval {
     key: String,
     /// The name of its file in the record.
     file: String,
-    sources: Vec<String>,
     translations: Vec<Translation>,
 }
 
+/// The texts of a clip in one locale, or those of a variant.
 struct Translation {
+    /// The locale of the source texts, with the key of the variant.
+    source_locale: String,
+    sources: Vec<String>,
     locale: String,
     texts: Vec<String>,
     standings: Vec<Standing>,
@@ -108,7 +112,7 @@ impl Run for Approve {
             let _ = writeln!(said, "renamed: {} -> {}", escape::text(old), escape::text(new));
         }
         for clip in &clips {
-            clip.approve(&source_locale, &mut file.record, &mut counts, &mut said);
+            clip.approve(&mut file.record, &mut counts, &mut said);
         }
         recordings.approve(&mut said);
         let forgotten = if self.all { file.lost.clone() } else { Vec::new() };
@@ -173,7 +177,7 @@ impl Approve {
                 return Err(lipz_diagnostics::Report::from_bytes(input.name(), bytes, parsed.diagnostics));
             };
             let texts = texts_of(&document, options.get_default_locale());
-            Ok(self.clip(input, file, source_locale, texts))
+            Ok(self.clip(input, file, source_locale, &texts))
         });
         bar.finish_and_clear();
         let (mut clips, mut reports) = (Vec::new(), Vec::new());
@@ -186,49 +190,46 @@ impl Approve {
         (clips, reports)
     }
 
-    fn clip(
-        &self,
-        input: &Input,
-        file: &RecordFile,
-        source_locale: &str,
-        mut texts: ClipTexts,
-    ) -> Option<ClipApproval> {
-        let sources = texts.remove(source_locale)?;
+    fn clip(&self, input: &Input, file: &RecordFile, source_locale: &str, clip: &ClipTexts) -> Option<ClipApproval> {
         let name = file.name(input);
-        let is_wanted = |locale: &String| self.locale.is_empty() || self.locale.contains(locale);
-        let translations =
-            texts.into_iter().filter(|(locale, texts)| is_wanted(locale) && texts.len() == sources.len());
-        let translations = translations.map(|(locale, texts)| {
-            let standings = file.record.standings(&name, source_locale, &locale, &sources, &texts);
+        let is_wanted = |tag: &str| match split_variant(tag).0 {
+            locale if locale == source_locale => false,
+            locale => self.locale.is_empty() || self.locale.iter().any(|wanted| wanted == locale),
+        };
+        let translations = clip.iter().filter(|(tag, _)| is_wanted(tag)).filter_map(|(locale, texts)| {
+            let from = SourceTexts::of(clip, source_locale, locale).filter(|from| from.texts.len() == texts.len())?;
+            let (source_locale, sources) = (from.locale.into_owned(), from.texts.into_owned());
+            let standings = file.record.standings(&name, &source_locale, locale, &sources, texts);
             // Without the pair of texts in the record, a later merge could combine this translation with another source.
             let is_recorded = match self.check {
                 true => vec![true; sources.len()],
-                false => file.record.recorded(&name, source_locale, &locale, &sources, &texts),
+                false => file.record.recorded(&name, &source_locale, locale, &sources, texts),
             };
-            Translation { locale, texts, standings, is_recorded }
+            let (locale, texts) = (locale.clone(), texts.clone());
+            Some(Translation { source_locale, sources, locale, texts, standings, is_recorded })
         });
-        let translations: Vec<Translation> = translations.filter(|one| one.open(&sources).next().is_some()).collect();
-        (!translations.is_empty()).then(|| ClipApproval { key: input.key.clone(), file: name, sources, translations })
+        let translations: Vec<Translation> = translations.filter(|one| one.open().next().is_some()).collect();
+        (!translations.is_empty()).then(|| ClipApproval { key: input.key.clone(), file: name, translations })
     }
 }
 
 impl Translation {
     /// Returns the segments that are not yet approved, with their numbers from 0.
-    fn open<'t>(&'t self, sources: &'t [String]) -> impl Iterator<Item = (usize, &'t Standing)> {
+    fn open(&self) -> impl Iterator<Item = (usize, &Standing)> {
         self.standings.iter().enumerate().filter(|(at, standing)| {
             let has = |texts: &[String]| texts.get(*at).is_some_and(|text| !text.is_empty());
             let is_recorded = self.is_recorded.get(*at).copied().unwrap_or_default();
             let is_approved = matches!(standing, Standing::Current(state) if *state > State::Initial) && is_recorded;
-            !is_approved && has(&self.texts) && has(sources)
+            !is_approved && has(&self.texts) && has(&self.sources)
         })
     }
 }
 
 impl ClipApproval {
-    fn approve(&self, source_locale: &str, record: &mut TextRecord, counts: &mut SegmentCounts, said: &mut String) {
+    fn approve(&self, record: &mut TextRecord, counts: &mut SegmentCounts, said: &mut String) {
         for translation in &self.translations {
-            let mut approved = vec![None; self.sources.len()];
-            for (at, standing) in translation.open(&self.sources) {
+            let mut approved = vec![None; translation.sources.len()];
+            for (at, standing) in translation.open() {
                 if let Some(slot) = approved.get_mut(at) {
                     *slot = Some(State::Translated);
                 }
@@ -240,7 +241,7 @@ impl ClipApproval {
                     Standing::Current(_) | Standing::Unknown => None,
                 };
                 let text = |texts: &[String]| escape::quoted(texts.get(at).map_or("", String::as_str)).to_string();
-                let Some(reason) = reason(&text(&self.sources)) else {
+                let Some(reason) = reason(&text(&translation.sources)) else {
                     counts.unknown += 1;
                     continue;
                 };
@@ -250,9 +251,9 @@ impl ClipApproval {
             }
             record.approve(
                 &self.file,
-                source_locale,
+                &translation.source_locale,
                 &translation.locale,
-                &self.sources,
+                &translation.sources,
                 &translation.texts,
                 &approved,
             );

@@ -6,7 +6,7 @@ use crate::shared::inputs::find;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use lipz_compiler::Compiler;
-use lipz_file::locale::canonical_tag;
+use lipz_file::locale::{canonical_tag, is_variant};
 use lipz_texts::{ClipTexts, Work, texts_of};
 use std::collections::BTreeSet;
 
@@ -39,7 +39,8 @@ pub(super) fn of_project(
         .filter_map(|(input, texts)| Some((input.key.as_str(), file.name(input), texts.ok()?)))
         .collect();
     clips.sort_by(|a, b| a.0.cmp(b.0));
-    let packed = |locale: &&String| options.get_locales().is_none_or(|packed| packed.contains(*locale));
+    let packed =
+        |locale: &&String| !is_variant(locale) && options.get_locales().is_none_or(|packed| packed.contains(*locale));
     let locales: BTreeSet<&String> = clips.iter().flat_map(|(_, _, texts)| texts.keys()).filter(packed).collect();
     let locales: BTreeSet<String> = locales.into_iter().chain(wanted).cloned().collect();
     let mut work = Work::new(source_locale.as_str(), locales.into_iter().filter(|locale| *locale != source_locale));

@@ -19,13 +19,15 @@ pub(super) struct UnitFiles<'a> {
 }
 
 /// The result for one clip.
-struct ExportedUnit {
-    unit: Option<Unit>,
+struct ExportedClip {
+    /// The unit of its texts, and those of its variants.
+    units: Vec<Unit>,
     report: Option<Report>,
 }
 
 impl UnitFiles<'_> {
-    /// Returns the units of all clips with a text in the source locale, sorted by key.
+    /// Returns the units of all clips with a text in the source locale, sorted by key. Those of variants follow that of
+    /// their clip.
     pub(super) fn units(
         &self,
         inputs: &[Input],
@@ -53,22 +55,25 @@ impl UnitFiles<'_> {
             // `lipz check` reports the warnings about clips.
             diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);
             let document: Document<'_> = parsed.document.unwrap_or_default();
-            let mut unit = collect.unit(&input.key, &document, &mut diagnostics);
-            if let Some(unit) = &mut unit {
+            let mut units = Vec::from_iter(collect.unit(&input.key, &document, &mut diagnostics));
+            if let Some(unit) = units.first() {
+                units.extend(collect.variants(unit, &document));
+            }
+            for unit in &mut units {
                 record.record.describe(&record.name(input), source_locale, locales, unit);
                 unit.file = Some(input.name());
                 unit.recording = recordings.find(&input.key).map(|path| path.to_string_lossy().replace('\\', "/"));
             }
             options.get_levels().apply(&mut diagnostics);
             let report = (!diagnostics.is_empty()).then(|| Report::from_bytes(input.name(), bytes, diagnostics));
-            ExportedUnit { unit, report }
+            ExportedClip { units, report }
         });
         bar.finish_and_clear();
         let mut units = Vec::new();
         for result in results {
             match result {
                 Ok(made) => {
-                    units.extend(made.unit);
+                    units.extend(made.units);
                     reports.extend(made.report);
                 }
                 Err(report) => reports.push(report),

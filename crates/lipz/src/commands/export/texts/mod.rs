@@ -174,7 +174,7 @@ impl LeftOut {
         let exported: BTreeSet<&str> = units.iter().map(|unit| unit.key.as_str()).collect();
         let is_dub = |key: &&&str| voices.original_of(key, |original| keys.contains(original)).is_some();
         let dubs = keys.difference(&exported).filter(is_dub).count();
-        LeftOut { count: inputs.len() - units.len(), dubs }
+        LeftOut { count: inputs.len() - exported.len(), dubs }
     }
 
     fn said(&self, source_locale: &str) -> String {
@@ -294,7 +294,8 @@ fn run(arguments: &ExportTexts, reporter: &mut Reporter) -> CommandResult {
     }
     let is_whole = !lipz_diagnostics::reports::have_errors(&reports);
     let count = if is_whole { deliver(arguments, &written, &mut reports, reporter)? } else { 0 };
-    let clips = console::counted(exchange.units.len(), "clip");
+    let clips = exchange.units.iter().filter(|unit| unit.variant.is_none()).count();
+    let clips = console::counted(clips, "clip");
     let locales = match exchange.locales.as_slice() {
         _ if is_template => "any locale".to_owned(),
         few if few.len() <= LOCALES_SHOWN => few.join(", "),

@@ -1,0 +1,200 @@
+//! Variants of texts as translations: what they are translated from, and which of them a locale needs.
+//!
+//! The variant `de-de-x-few` is a translation of the variant `en-us-x-few`. If the source locale lacks that, it is a
+//! translation of the source text in the segments that vary. The other segments are blank.
+
+use crate::exchange::ClipTexts;
+use crate::exchange::placeholder;
+use crate::plural::{Categories, split_category};
+use lipz_file::locale::{VARIANT_SEPARATOR, split_variant};
+use lipz_file::placeholder::PlaceholderPattern;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+/// The texts that a translation is made from.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SourceTexts<'t> {
+    /// Their locale, with the key of the variant: `en-us-x-few`. No file needs to have a text with this tag.
+    pub locale: Cow<'t, str>,
+    /// The text of each segment; empty where a variant does not vary.
+    pub texts: Cow<'t, [String]>,
+    /// The texts of the source locale.
+    whole: &'t [String],
+}
+
+impl<'t> SourceTexts<'t> {
+    /// Returns the texts that the translation into `locale`, which may be a variant, is made from; `None` without texts in
+    /// the source locale.
+    ///
+    /// ```
+    /// use lipz_texts::{SourceTexts, texts_of};
+    /// let clip = br#"{ "text_en-us": "Look!|{n} guards.", "text_en-us-x-one": "|One guard." }"#;
+    /// let clip = texts_of(&lipz_file::parse(clip).document.ok_or("a valid file")?, None);
+    /// let of = |locale| SourceTexts::of(&clip, "en-us", locale).map(|source| source.texts.join("|"));
+    /// assert_eq!(of("pl-pl").as_deref(), Some("Look!|{n} guards."));
+    /// assert_eq!(of("pl-pl-x-one").as_deref(), Some("|One guard."));
+    /// assert_eq!(of("pl-pl-x-few").as_deref(), Some("|{n} guards."));
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn of(clip: &'t ClipTexts, source_locale: &'t str, locale: &str) -> Option<SourceTexts<'t>> {
+        let whole = clip.get(source_locale)?.as_slice();
+        let (_, Some(key)) = split_variant(locale) else {
+            return Some(SourceTexts { locale: source_locale.into(), texts: whole.into(), whole });
+        };
+        let tag = variant_tag(source_locale, key);
+        let of_key = |key: &str| {
+            Some(clip.get(&variant_tag(source_locale, key))?.as_slice()).filter(|own| own.len() == whole.len())
+        };
+        let rest = || Some(split_category(key).1).filter(|rest| !rest.is_empty() && *rest != key);
+        let texts = match of_key(key).or_else(|| of_key(rest()?)) {
+            Some(own) => own.into(),
+            None => {
+                let varies = varying(clip, source_locale, whole.len());
+                let text = |(text, varies): (&String, bool)| if varies { text.clone() } else { String::new() };
+                Cow::Owned(whole.iter().zip(varies).map(text).collect())
+            }
+        };
+        Some(SourceTexts { locale: tag.into(), texts, whole })
+    }
+
+    /// Returns the difference between the placeholders of a segment and those of its source; `None` if there is none to
+    /// report. A variant may have those of the text. For a plural category with one number, it may do without:
+    /// `One guard.`
+    pub(crate) fn placeholder_difference(&self, at: usize, text: &str, own: &[PlaceholderPattern]) -> Option<String> {
+        let source = self.texts.get(at).map_or("", String::as_str);
+        let found = placeholder::difference(source, text, own)?;
+        let (_, Some(key)) = split_variant(&self.locale) else { return Some(found) };
+        let whole = self.whole.get(at).map_or("", String::as_str);
+        let is_one_number = matches!(split_category(key).0, Some("zero" | "one" | "two"));
+        let is_allowed = match is_one_number {
+            true => placeholder::are_among(text, whole, own),
+            false => placeholder::difference(whole, text, own).is_none(),
+        };
+        (!is_allowed).then_some(found)
+    }
+}
+
+/// Returns the tag of a variant: `en-us-x-few`. Without a key, that of the locale.
+pub(crate) fn variant_tag(locale: &str, key: &str) -> String {
+    if key.is_empty() { locale.to_owned() } else { format!("{locale}{VARIANT_SEPARATOR}{key}") }
+}
+
+/// Returns the tag of a source text for a translation into `locale`, which may be a variant.
+pub(crate) fn source_tag(source_locale: &str, locale: &str) -> String {
+    variant_tag(source_locale, split_variant(locale).1.unwrap_or(""))
+}
+
+/// Returns for each segment whether it varies: in the source locale, or in any locale if the source has no variants.
+fn varying(clip: &ClipTexts, source_locale: &str, count: usize) -> Vec<bool> {
+    let variants = |is_meant: &dyn Fn(&str) -> bool| {
+        let mut varies = vec![false; count];
+        for (tag, texts) in clip {
+            if matches!(split_variant(tag), (locale, Some(_)) if is_meant(locale)) {
+                varies.iter_mut().zip(texts).for_each(|(varies, text)| *varies |= !text.is_empty());
+            }
+        }
+        Some(varies).filter(|varies| varies.contains(&true))
+    };
+    let of_source = variants(&|locale| locale == source_locale);
+    of_source.or_else(|| variants(&|_| true)).unwrap_or_else(|| vec![true; count])
+}
+
+/// A variant of a clip in one locale.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct VariantKey {
+    pub(crate) key: String,
+    /// Whether the locale needs it. Others only exist there.
+    pub(crate) is_needed: bool,
+}
+
+/// Returns the variants of a clip that a locale needs or has. It needs those of the source locale, with the plural
+/// categories of its own language in place of those of the source.
+pub(crate) fn variant_keys(clip: &ClipTexts, source_locale: &str, locale: &str) -> Vec<VariantKey> {
+    let keys_of = |wanted: &str| {
+        let keys = clip.keys().filter_map(|tag| match split_variant(tag) {
+            (locale, Some(key)) if locale == wanted => Some(key),
+            _ => None,
+        });
+        keys.collect::<Vec<&str>>()
+    };
+    let (of_source, own) = (keys_of(source_locale), keys_of(locale));
+    let mut all: Vec<VariantKey> = Vec::new();
+    let mut add = |key: String, is_needed| {
+        if all.iter().all(|known| known.key != key) {
+            all.push(VariantKey { key, is_needed });
+        }
+    };
+    let with_category =
+        of_source.iter().chain(&own).map(|key| split_category(key)).filter(|(category, _)| category.is_some());
+    let rests: BTreeSet<&str> = with_category.map(|(_, rest)| rest).collect();
+    // A template is in no language, and has the plural forms of its source.
+    let language = if locale.is_empty() { source_locale } else { locale };
+    let categories = if rests.is_empty() { None } else { Some(Categories::of(language)) };
+    for rest in rests {
+        for category in categories.iter().flat_map(Categories::variants) {
+            add(if rest.is_empty() { (*category).to_owned() } else { format!("{category}-{rest}") }, true);
+        }
+    }
+    of_source.iter().filter(|key| split_category(key).0.is_none()).for_each(|key| add((*key).to_owned(), true));
+    own.iter().for_each(|key| add((*key).to_owned(), false));
+    all
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn clip(texts: &[(&str, &str)]) -> ClipTexts {
+        let segments = |text: &str| text.split('|').map(str::to_owned).collect();
+        texts.iter().map(|(tag, text)| ((*tag).to_owned(), segments(text))).collect()
+    }
+
+    fn keys(clip: &ClipTexts, locale: &str) -> String {
+        let keys = variant_keys(clip, "en-us", locale);
+        keys.into_iter().map(|key| key.key + if key.is_needed { "" } else { "?" }).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn a_locale_needs_its_own_categories() {
+        let guards = clip(&[("en-us", "a"), ("en-us-x-one", "b"), ("ru-ru-x-many", "c"), ("ja-jp-x-one", "d")]);
+        assert_eq!(keys(&guards, "de-de"), "one");
+        assert_eq!(keys(&guards, "pl-pl"), "one few");
+        assert_eq!(keys(&guards, "ru-ru"), "one few many?");
+        assert_eq!(keys(&guards, "ja-jp"), "one?");
+        let king = clip(&[("en-us", "a"), ("en-us-x-fem", "b"), ("en-us-x-one-fem", "b")]);
+        assert_eq!(keys(&king, "pl-pl"), "one-fem few-fem fem");
+        assert_eq!(
+            keys(&clip(&[("en-us", "a"), ("pl-pl-x-few", "b")]), "pl-pl"),
+            "one few",
+            "without those of the source"
+        );
+        assert_eq!(keys(&clip(&[("en-us", "a"), ("pl-pl-x-few", "b")]), "de-de"), "");
+    }
+
+    #[test]
+    fn sources_are_blank_where_nothing_varies() {
+        let of = |clip: &ClipTexts, locale: &str| SourceTexts::of(clip, "en-us", locale).unwrap().texts.join("|");
+        let guards = clip(&[("en-us", "a|b"), ("en-us-x-fem", "|c"), ("de-de-x-one", "d|d")]);
+        assert_eq!(of(&guards, "pl-pl-x-few-fem"), "|c", "without the category");
+        assert_eq!(of(&guards, "pl-pl-x-few"), "|b");
+        let german = clip(&[("en-us", "a|b"), ("de-de-x-one", "d|")]);
+        assert_eq!(of(&german, "de-de-x-one"), "a|");
+        assert_eq!(of(&clip(&[("en-us", "a|b")]), "de-de-x-one"), "a|b");
+        assert_eq!(SourceTexts::of(&german, "fr-fr", "de-de"), None);
+    }
+
+    #[test]
+    fn numbers_in_words_need_no_placeholder() {
+        let guards = clip(&[("en-us", "{n} guards of {name}"), ("en-us-x-one", "One guard of {name}")]);
+        let differs = |locale: &str, text: &str| {
+            SourceTexts::of(&guards, "en-us", locale).unwrap().placeholder_difference(0, text, &[]).is_some()
+        };
+        assert!(!differs("ru-ru-x-one", "{n} стражник {name}"), "as in the text");
+        assert!(!differs("de-de-x-one", "Eine Wache von {name}"));
+        assert!(differs("de-de-x-one", "Eine Wache von {nmae}"));
+        assert!(differs("ru-ru-x-few", "стражники {name}"));
+        assert!(!differs("ru-ru-x-few", "{n} стражника {name}"));
+        assert!(differs("de-de", "Wachen von {name}"));
+    }
+}

@@ -1,0 +1,106 @@
+//! Entries with plural forms: a text and its variants for plural categories.
+
+use crate::exchange::model::{Division, Exchange, Item, Unit};
+use crate::plural::{PluralForms, split_category};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The items of a file in one locale, some of which are plural forms of others.
+pub(super) struct Grouped<'e> {
+    pub(super) items: Vec<Item<'e>>,
+    /// For each item with plural forms, by its index, the indices of the items of all forms.
+    forms: BTreeMap<usize, Vec<Option<usize>>>,
+    /// The items that are forms of others.
+    inner: BTreeSet<usize>,
+}
+
+impl<'e> Grouped<'e> {
+    /// Groups the items of a file with the locale at `at`. Without `forms`, each variant stays on its own.
+    pub(super) fn new(
+        exchange: &'e Exchange,
+        at: usize,
+        division: Division,
+        forms: Option<&PluralForms>,
+    ) -> Grouped<'e> {
+        let items: Vec<Item<'e>> = exchange.items(Some(at), division).collect();
+        let mut grouped = Grouped { items, forms: BTreeMap::new(), inner: BTreeSet::new() };
+        let Some(forms) = forms.filter(|_| grouped.items.iter().any(|item| item.unit.variant.is_some())) else {
+            return grouped;
+        };
+        fn variant<'i>(item: &'i Item<'_>) -> &'i str {
+            item.unit.variant.as_deref().unwrap_or("")
+        }
+        let place = |item: &Item<'e>, variant: &str| (item.unit.key.as_str(), variant.to_owned(), item.number);
+        let places: BTreeMap<_, usize> =
+            grouped.items.iter().zip(0..).map(|(item, index)| (place(item, variant(item)), index)).collect();
+        // A language without plural categories has no items for them, but its entry still has the form of a plural.
+        let mut plurals: BTreeMap<(&str, &str), Vec<&Unit>> = BTreeMap::new();
+        for unit in &exchange.units {
+            if let (Some(_), rest) = split_category(unit.variant.as_deref().unwrap_or("")) {
+                plurals.entry((unit.key.as_str(), rest)).or_default().push(unit);
+            }
+        }
+        for (index, item) in grouped.items.iter().enumerate() {
+            let rest = variant(item);
+            let variants = plurals.get(&(item.unit.key.as_str(), rest)).map_or(&[][..], Vec::as_slice);
+            let varies = variants.iter().any(|unit| !item.source_of_variant(unit).is_empty());
+            if split_category(rest).0.is_some() || !varies {
+                continue;
+            }
+            let of_form = |key: &Option<&str>| match (*key)? {
+                "" => Some(index),
+                key => places.get(&place(item, &with_rest(key, rest))).copied(),
+            };
+            let of_forms: Vec<Option<usize>> = forms.keys.iter().map(of_form).collect();
+            let others = of_forms.iter().flatten().copied().filter(|form| *form != index);
+            grouped.inner.extend(others);
+            if exchange.locales.get(at).is_some_and(String::is_empty) {
+                // A template always has two forms, whatever the categories of the source are.
+                let is_form = |other: &Item<'_>| {
+                    let (category, of_rest) = split_category(variant(other));
+                    category.is_some()
+                        && of_rest == rest
+                        && other.unit.key == item.unit.key
+                        && other.number == item.number
+                };
+                let near = grouped
+                    .items
+                    .iter()
+                    .enumerate()
+                    .skip(index)
+                    .take_while(|(_, other)| other.unit.key == item.unit.key);
+                grouped.inner.extend(near.filter(|(_, other)| is_form(other)).map(|(at, _)| at));
+            }
+            grouped.forms.insert(index, of_forms);
+        }
+        grouped
+    }
+
+    /// Returns the items that have an entry of their own, each with the items of its plural forms, if it has any.
+    pub(super) fn entries(&self) -> impl Iterator<Item = (&Item<'e>, Option<&[Option<usize>]>)> {
+        let outer = self.items.iter().enumerate().filter(|(index, _)| !self.inner.contains(index));
+        outer.map(|(index, item)| (item, self.forms.get(&index).map(Vec::as_slice)))
+    }
+
+    /// Whether an entry has plural forms.
+    pub(super) fn has_plurals(&self) -> bool {
+        !self.forms.is_empty()
+    }
+}
+
+/// Returns the key of a variant with this plural category: `few-fem`.
+pub(super) fn with_rest(category: &str, rest: &str) -> String {
+    match (category, rest) {
+        ("", rest) => rest.to_owned(),
+        (category, "") => category.to_owned(),
+        (category, rest) => format!("{category}-{rest}"),
+    }
+}
+
+/// Returns the source text for one thing, of an item with plural forms: that of the variant `one`, or its own.
+pub(super) fn singular(exchange: &Exchange, item: &Item<'_>) -> String {
+    let one = with_rest("one", item.unit.variant.as_deref().unwrap_or(""));
+    let is_one = |unit: &&Unit| unit.key == item.unit.key && unit.variant.as_ref() == Some(&one);
+    let unit = exchange.units.iter().find(is_one);
+    let source = unit.map(|unit| item.source_of_variant(unit)).unwrap_or_default();
+    if source.is_empty() { item.source() } else { source }
+}

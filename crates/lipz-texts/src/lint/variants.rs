@@ -1,0 +1,30 @@
+//! Variants that a translation lacks.
+
+use super::LocaleText;
+use crate::exchange::ClipTexts;
+use crate::exchange::variants::{variant_keys, variant_tag};
+use lipz_diagnostics::{Code, Diagnostic};
+use lipz_file::locale::is_variant;
+
+/// Reports the variants that the language of a translation needs, but that the clip lacks.
+pub(super) fn check(
+    texts: &ClipTexts,
+    source_locale: &str,
+    translation: &LocaleText<'_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    if is_variant(&translation.locale) {
+        return;
+    }
+    let needed = variant_keys(texts, source_locale, &translation.locale).into_iter().filter(|key| key.is_needed);
+    let tags = needed.map(|key| variant_tag(&translation.locale, &key.key));
+    let missing: Vec<String> = tags.filter(|tag| !texts.contains_key(tag)).map(|tag| format!("`text_{tag}`")).collect();
+    if !missing.is_empty() {
+        let message = format!("the translation lacks {}, which its language needs", missing.join(" and "));
+        diagnostics.push(
+            Diagnostic::at(Code::VariantMissing, translation.string.span(), message)
+                .note("the text has variants, and games show this text in place of a missing one")
+                .help("translate the variants; `lipz export texts` lists them"),
+        );
+    }
+}

@@ -1,0 +1,93 @@
+//! Plural categories of languages (Unicode CLDR, "Language Plural Rules"), and the plural forms of gettext.
+
+mod expression;
+mod forms;
+
+pub(crate) use forms::PluralForms;
+
+use icu_locale_core::Locale;
+use icu_plurals::{PluralCategory, PluralRules};
+use lipz_file::locale::language;
+
+/// The largest number whose category counts. Rules repeat every hundred. The exception are millions in a few languages, for
+/// which gettext's forms and most translators have no form.
+const LARGEST: u32 = 200;
+
+/// The categories of the whole numbers in a language, in the order of CLDR. The text of a locale is the last one; the
+/// others are keys of variants.
+#[derive(Clone, Debug)]
+pub(crate) struct Categories {
+    /// Their names, as in the keys of variants: `one`, `few`.
+    names: Vec<&'static str>,
+    /// For each number up to [`LARGEST`], the index of its category.
+    of_numbers: Vec<usize>,
+}
+
+/// The categories in the order of CLDR, with their names.
+const ALL: [(PluralCategory, &str); 6] = [
+    (PluralCategory::Zero, "zero"),
+    (PluralCategory::One, "one"),
+    (PluralCategory::Two, "two"),
+    (PluralCategory::Few, "few"),
+    (PluralCategory::Many, "many"),
+    (PluralCategory::Other, "other"),
+];
+
+impl Categories {
+    /// Returns the categories of the language of a locale. A language that CLDR does not know has one.
+    pub(crate) fn of(locale: &str) -> Categories {
+        let whole: Option<Locale> = locale.parse().ok().or_else(|| language(locale).parse().ok());
+        let rules = whole.and_then(|locale| PluralRules::try_new(locale.into(), Default::default()).ok());
+        let category = |number| rules.as_ref().map_or(PluralCategory::Other, |rules| rules.category_for(number));
+        let of_numbers: Vec<PluralCategory> = (0..=LARGEST).map(category).collect();
+        let used: Vec<_> = ALL.into_iter().filter(|(category, _)| of_numbers.contains(category)).collect();
+        let index = |category: &PluralCategory| used.iter().position(|(used, _)| used == category).unwrap_or(0);
+        Categories {
+            of_numbers: of_numbers.iter().map(index).collect(),
+            names: used.into_iter().map(|(_, name)| name).collect(),
+        }
+    }
+
+    /// Returns the names of the categories that need a variant: all but the last, in order.
+    pub(crate) fn variants(&self) -> &[&'static str] {
+        self.names.split_last().map_or(&[], |(_, others)| others)
+    }
+}
+
+/// Whether a name in the key of a variant is a plural category.
+pub(crate) fn is_category(name: &str) -> bool {
+    ALL.iter().any(|(_, category)| *category == name)
+}
+
+/// Splits the key of a variant into its plural category, which comes first, and the rest: `few` and `fem`.
+pub(crate) fn split_category(key: &str) -> (Option<&str>, &str) {
+    let (first, rest) = key.split_once('-').unwrap_or((key, ""));
+    if is_category(first) { (Some(first), rest) } else { (None, key) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn categories_are_those_of_whole_numbers() {
+        let of = |locale: &str| Categories::of(locale).names.join(" ");
+        assert_eq!(of("en-us"), "one other");
+        assert_eq!(of("pl-pl"), "one few many", "`other` is for fractions");
+        assert_eq!(of("ar-eg"), "zero one two few many other");
+        assert_eq!(of("fr-fr"), "one other", "`many` is for millions");
+        assert_eq!(of("ja-jp"), "other");
+        assert_eq!(of("qq-xx"), "other");
+        assert_eq!(of("pt-br"), "one other");
+        assert_eq!(Categories::of("ru-ru").variants(), ["one", "few"]);
+        assert!(Categories::of("ja-jp").variants().is_empty());
+    }
+
+    #[test]
+    fn a_key_begins_with_its_category() {
+        assert_eq!(split_category("few-fem"), (Some("few"), "fem"));
+        assert_eq!(split_category("few"), (Some("few"), ""));
+        assert_eq!(split_category("fem"), (None, "fem"));
+        assert_eq!(split_category("fem-few"), (None, "fem-few"));
+    }
+}
