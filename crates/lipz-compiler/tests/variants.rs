@@ -86,12 +86,18 @@ fn a_locale_is_packed_with_its_variants() {
 #[test]
 fn text_banks_have_variants() {
     let split = SplitBank::from_bytes(&packed(&options())).unwrap();
+    let tags: Vec<_> = split.texts.iter().map(|(tag, _)| tag.as_str()).collect();
+    assert_eq!(tags, ["en-us", "pl-pl"], "one file for a language and its variants");
     let mut files: Vec<&[u8]> = vec![&split.base];
     files.extend(split.texts.iter().map(|(_, texts)| texts.as_slice()));
     let mut opened = [DialogueFile::ABSENT; 8];
     let dialogue = Dialogue::open(&mut opened, files).unwrap();
     assert_eq!(shown(&dialogue, "guards", "pl-pl", "few-fem"), "Popatrz!|{n} strażniczki.");
     assert_eq!(shown(&dialogue, "guards", "en-us", "one"), "Look!|One guard.");
+    assert_eq!(shown(&dialogue, "plain", "pl-pl", "few"), "Tak.");
+    assert_eq!(shown(&dialogue, "english", "pl-pl", "one"), "One left.");
+    let mut base = Bank::open(&split.base).unwrap().verify().unwrap();
+    base.open_texts(&split.texts[1].1).unwrap();
 }
 
 #[test]

@@ -7,7 +7,8 @@ use crate::bank::lower::too_large;
 use crate::clip::{ClipData, split_run};
 use lipz_bank::{Bank, Locale};
 use lipz_diagnostics::{Code, Report};
-use lipz_layout::{Header, LOCALE_DEFAULT, LocaleRecord, Tag, U32};
+use lipz_file::locale::split_variant;
+use lipz_layout::{Header, LOCALE_DEFAULT, LocaleRecord, NO_TEXT, TEXT_OFFSET, Tag, U32};
 use zerocopy::{FromBytes, IntoBytes};
 
 /// A bank, split by locale.
@@ -21,9 +22,9 @@ pub struct SplitBank {
 }
 
 impl SplitBank {
-    /// Splits a bank of the [`Compiler`](crate::Compiler). The text bank of a locale contains all texts that it shows:
-    /// where it falls back, the text of the other locale, marked as a fallback. Source records refer to texts of all
-    /// locales and are left out.
+    /// Splits a bank of the [`Compiler`](crate::Compiler). The text bank of a locale contains all texts that it shows,
+    /// and their variants: where it falls back, the text of the other locale, marked as a fallback. Source records refer
+    /// to texts of all locales and are left out.
     ///
     /// ```
     /// use lipz_compiler::{Compiler, Input, SplitBank};
@@ -72,9 +73,13 @@ impl<'data> WholeBank<'data> {
         Ok(WholeBank { bank, index_seed: header.index_seed.get() })
     }
 
-    /// Returns the locales, each of which gets a text bank.
+    /// Returns the locales, each of which gets a text bank. Variants are in that of their locale.
     pub(crate) fn locales(&self) -> impl Iterator<Item = Locale> {
-        self.bank.locales()
+        let has_bank = |tag: &str| match split_variant(tag) {
+            (locale, Some(_)) => self.bank.locale(locale).is_none(),
+            (_, None) => true,
+        };
+        self.bank.locales().filter(move |locale| has_bank(self.tag(*locale)))
     }
 
     /// Returns the tag of a locale.
@@ -106,18 +111,34 @@ impl<'data> WholeBank<'data> {
         assemble(&sections, self.index_seed, self.bank.fingerprint(), |_| ())
     }
 
-    /// Returns the text bank of a locale.
+    /// Returns the text bank of a locale and its variants.
     pub(crate) fn text_bank(&self, locale: Locale) -> Result<Vec<u8>, Report> {
-        let (starts, pool) = self.pool(locale)?;
-        let tag = self.tag(locale);
-        let record = LocaleRecord {
-            tag_offset_bytes: 0.into(),
-            tag_length_bytes: (tag.len() as u16).into(),
-            flags: if self.bank.default_locale() == Some(locale) { LOCALE_DEFAULT } else { 0 }.into(),
-        };
+        let is_variant =
+            |other: &Locale| matches!(split_variant(self.tag(*other)), (varied, Some(_)) if varied == self.tag(locale));
+        let (mut names, mut records, mut starts, mut pool) = (String::new(), Vec::new(), Vec::new(), Vec::new());
+        // Locales are sorted by tag, so that a locale comes before its variants.
+        for of_bank in std::iter::once(locale).chain(self.bank.locales().filter(is_variant)) {
+            let tag = self.tag(of_bank);
+            records.push(LocaleRecord {
+                tag_offset_bytes: (names.len() as u32).into(),
+                tag_length_bytes: (tag.len() as u16).into(),
+                flags: if self.bank.default_locale() == Some(of_bank) { LOCALE_DEFAULT } else { 0 }.into(),
+            });
+            names.push_str(tag);
+            let (mut own_starts, own_pool) = self.pool(of_bank)?;
+            if pool.len() + own_pool.len() > TEXT_OFFSET as usize {
+                return Err(too_large("texts"));
+            }
+            let base = pool.len() as u32;
+            own_starts.iter_mut().filter(|start| start.get() != NO_TEXT).for_each(|start| *start += base);
+            // The end of the pool follows the starts of the last locale only.
+            starts.truncate(starts.len().saturating_sub(1));
+            starts.append(&mut own_starts);
+            pool.extend_from_slice(&own_pool);
+        }
         let sections = [
-            Section::table(Tag::NAMES, tag.as_bytes()),
-            Section::table(Tag::LOCALES, record.as_bytes()),
+            Section::table(Tag::NAMES, names.as_bytes()),
+            Section::table(Tag::LOCALES, records.as_bytes()),
             Section::table(Tag::TEXT_STARTS, starts.as_bytes()),
             Section::table(Tag::TEXTS, &pool),
         ];

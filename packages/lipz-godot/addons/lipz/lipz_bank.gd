@@ -143,16 +143,29 @@ func locale(tag: String) -> LipzLocale:
 
 
 ## Returns the language for a tag in any spelling, such as `de-de`, `de_DE` or `de`: the language with this tag, or the
-## first variant of the same language; null if the bank has neither.
+## first one of the same language; null if the bank has neither.
 func nearest_locale(tag: String) -> LipzLocale:
 	var wanted := tag.to_lower().replace("_", "-")
 	var found := locale(wanted)
 	if found != null:
 		return found
-	for variant in _locales:
-		if variant.tag.get_slice("-", 0) == wanted.get_slice("-", 0):
-			return variant
+	for other in _locales:
+		if other.tag.get_slice("-", 0) == wanted.get_slice("-", 0) and not other.tag.contains("-x-"):
+			return other
 	return null
+
+
+## Returns the language for the texts of a variant: for `pl-pl` and the key `few`, those of `text_pl-pl-x-few` in Lipz
+## files. A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names
+## are left out from the end of the key, and in the end the language itself is returned. Look variants up once.
+func variant(language: LipzLocale, key: String) -> LipzLocale:
+	var names := key.split("-")
+	while not names.is_empty():
+		var found := locale(language.tag + "-x-" + "-".join(names))
+		if found != null:
+			return found
+		names.remove_at(names.size() - 1)
+	return language
 
 
 ## Returns the default language of the project; null without one.

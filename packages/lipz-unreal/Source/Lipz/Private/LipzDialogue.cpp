@@ -44,7 +44,8 @@ bool FLipzDialogue::FindLocale(const FString& Language, lipz_locale& OutLocale) 
 		const FString Prefix = (Wanted.FindChar(TEXT('-'), Hyphen) ? Wanted.Left(Hyphen) : Wanted) + TEXT("-");
 		for (uint32 Index = 0; lipz_dialogue_locale_by_index(Get(), Index, &OutLocale) == LIPZ_OK; Index++)
 		{
-			if (LipzStrings::ToFString(OutLocale.tag).StartsWith(Prefix))
+			const FString Tag = LipzStrings::ToFString(OutLocale.tag);
+			if (Tag.StartsWith(Prefix) && !Tag.Contains(TEXT("-x-")))
 			{
 				return true;
 			}
