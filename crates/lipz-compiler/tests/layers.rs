@@ -55,7 +55,7 @@ fn check(versions: &[(Project, Compiler<'_>)]) {
 /// Generates a Lipz file of some parts, each of which is optional.
 fn file() -> impl Strategy<Value = String> {
     let texts = prop::collection::btree_map(
-        prop::sample::select(vec!["de-at", "de-de", "en-us", "fr-fr"]),
+        prop::sample::select(vec!["de-at", "de-de", "de-de-x-few", "en-us", "en-us-x-few", "fr-fr"]),
         prop::sample::select(vec!["Ja.|Nein.", "Aye.|Nay.", "|", "Ja.|  {low} Nein. "]),
         0..4,
     );

@@ -4,7 +4,7 @@
 
 use lipz_bank::{Bank, Clip, EventName, Micros, Segment};
 use lipz_compiler::{Compiler, Input, Options};
-use lipz_file::locale::{TextName, text_name};
+use lipz_file::locale::{TextName, shorter_keys, split_variant, text_name};
 use lipz_file::{Document, Value, event, text};
 use lipz_testkit::documents::document;
 use proptest::prelude::*;
@@ -42,6 +42,16 @@ impl Model {
             };
             Some((tag, split(&string.text).into_iter().map(display).collect()))
         });
+        let mut texts: BTreeMap<String, Vec<String>> = texts.collect();
+        let whole = texts.clone();
+        for (tag, segments) in &mut texts {
+            let (locale, key) = split_variant(tag);
+            for (segment, of_locale) in segments.iter_mut().zip(whole.get(locale).into_iter().flatten()) {
+                if key.is_some() && segment.is_empty() {
+                    segment.clone_from(of_locale);
+                }
+            }
+        }
         Model {
             fps: document.get("fps").map(|element| match &element.value {
                 Value::Number(raw) => raw.text.parse().unwrap(),
@@ -49,7 +59,7 @@ impl Model {
             }),
             viseme_type: string("viseme_type"),
             visemes: string("visemes").map(|codes| split(&codes).into_iter().map(without_blanks).collect()),
-            texts: texts.collect(),
+            texts,
             events: string("events").map(|events| split(&events).into_iter().map(trimmed).collect()),
         }
     }
@@ -61,10 +71,22 @@ impl Model {
 
     /// Returns the texts in a locale, and whether they are those of a different one.
     fn texts_in(&self, tag: &str, options: &Options) -> Option<(&Vec<String>, bool)> {
+        self.shown_in(tag, options).map(|shown| (&self.texts[&shown], shown != tag))
+    }
+
+    /// Returns the locale or variant whose text is shown.
+    fn shown_in(&self, tag: &str, options: &Options) -> Option<String> {
+        if self.texts.contains_key(tag) {
+            return Some(tag.to_owned());
+        }
+        if let (locale, Some(key)) = split_variant(tag) {
+            let shown = self.shown_in(locale, options)?;
+            let mut variants = shorter_keys(key).map(|key| format!("{shown}-x-{key}"));
+            return variants.find(|variant| self.texts.contains_key(variant)).or(Some(shown));
+        }
         let named = options.get_fallbacks().get(tag).cloned();
         let chain = named.unwrap_or_else(|| options.get_default_locale().map(str::to_owned).into_iter().collect());
-        let own = self.texts.get(tag).map(|texts| (texts, false));
-        own.or_else(|| chain.iter().find_map(|other| Some((self.texts.get(other)?, true))))
+        chain.into_iter().find(|other| self.texts.contains_key(other))
     }
 
     fn compare(&self, clip: &Clip<'_>, bank: &Bank<'_>, options: &Options) {

@@ -7,7 +7,7 @@ use lipz_bank::VisemeType;
 use lipz_compiler::settings::Settings;
 use lipz_compiler::{Compiler, Documents, Input, Options};
 use lipz_diagnostics::{Code, Severity};
-use lipz_file::locale::{TextName, text_name};
+use lipz_file::locale::{TextName, split_variant, text_name};
 use lipz_file::{Document, Element};
 use lipz_testkit::dialogue;
 use lipz_testkit::documents::document;
@@ -36,7 +36,9 @@ fn kept(file: &[u8], options: &Options) -> Vec<u8> {
     let file = converted.map_or(file.to_vec(), String::into_bytes);
     let mut document = lipz_file::parse(&file).document.unwrap();
     document.elements.retain(|element| match (options.get_locales(), text_name(&element.name.text)) {
-        (Some(chosen), Some(TextName::Canonical(tag) | TextName::Misspelt(tag))) => chosen.contains(&tag),
+        (Some(chosen), Some(TextName::Canonical(tag) | TextName::Misspelt(tag))) => {
+            chosen.contains(split_variant(&tag).0)
+        }
         _ => true,
     });
     lipz_file::write(&document).into_bytes()

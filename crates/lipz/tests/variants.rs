@@ -71,3 +71,16 @@ fn variants_of_the_source_are_no_translations() {
     let exported = lipz(scene.path(), ["export", "texts", "csv", "-o", "-"]);
     assert!(exported.stderr.contains("no clip has a text in a locale other than en-us"), "{exported:?}");
 }
+
+/// A subtitle file has one text for each cue, and a clip has one recording.
+#[test]
+fn subtitles_and_recording_scripts_have_the_texts_alone() {
+    let scene = scene();
+    let folder = scene.path();
+    let subtitles = lipz(folder, ["export", "subtitles", "srt", "-o", "srt", "--config", "default-fps=24"]);
+    assert!(subtitles.stderr.contains("`text_en-us-x-one` is a variant, and is not exported"), "{subtitles:?}");
+    assert!(folder.join("srt/guards.en-us.srt").exists() && !folder.join("srt/guards.en-us-x-one.srt").exists());
+    let script = lipz(folder, ["export", "recording-script", "csv", "-o", "-"]);
+    assert_eq!(script.stdout.matches("guards are left").count(), 1, "{script:?}");
+    assert!(!script.stdout.contains("One guard"), "{script:?}");
+}

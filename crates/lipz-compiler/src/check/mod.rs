@@ -103,7 +103,6 @@ pub(crate) fn check(
         }
     }
     clip.texts.sort_by(|a, b| locales.tag(a.locale).cmp(locales.tag(b.locale)));
-    variants::fill_blanks(locales, clip);
     if let Some(string) = roles.events {
         clip.has_events = true;
         events::trimmed(string, options, diagnostics).into_iter().for_each(|event| clip.events.push(event));
@@ -117,6 +116,7 @@ pub(crate) fn check(
     if !clip.has_visemes {
         clip.starts.resize(segment_count, 0);
     }
+    variants::fill_blanks(locales, clip);
     emotions::curves(&roles, options, spoken, locales, clip, diagnostics);
     emotions::sums(&curves.unwrap_or_default(), clip, diagnostics);
     gestures::curves(&roles, options, spoken, locales, clip, diagnostics);

@@ -39,7 +39,7 @@ pub(crate) fn variants() -> [Options; 3] {
 /// Generates a clip with texts in some locales, events, and curves.
 fn file() -> impl Strategy<Value = String> {
     let text = "[a-zéß日{} ]{0,8}";
-    let texts = proptest::collection::btree_map("(en-us|de-de|de-at|fr-fr|ja-jp)", text, 0..4);
+    let texts = proptest::collection::btree_map("(en-us|de-de|de-at|fr-fr|ja-jp|de-de-x-few|en-us-x-few)", text, 0..4);
     let events = proptest::option::of("(mara sees door|x|shout)");
     (texts, events, proptest::option::of("[MAEO]{1,9}"), 0..4_u8).prop_map(|(texts, events, visemes, extra)| {
         let mut elements = serde_json::Map::new();

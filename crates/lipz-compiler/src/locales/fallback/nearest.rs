@@ -25,9 +25,9 @@ struct Locale {
     /// Whether others fall back to it.
     is_offered: bool,
     /// The groups of locales in which it looks for a text, in order: those that share an ancestor, then those of its
-    /// language, all in its script.
+    /// language, all in its script. Those of a variant are those of its locale.
     groups: Vec<u32>,
-    /// If it is a variant: the number of the locale that it varies, if there is one, and the key.
+    /// If it is a variant: the number of the locale that it varies, if some clip has texts in it, and the key.
     variant: Option<(Option<usize>, Box<str>)>,
 }
 
@@ -43,13 +43,12 @@ impl Fallbacks {
         let mut locales = Vec::with_capacity(tags.len());
         let mut variants = HashMap::default();
         for (number, tag) in tags.iter().map(AsRef::as_ref).enumerate() {
-            if let (varied, Some(key)) = split_variant(tag) {
-                let varied = numbers.get(varied).copied();
+            let (tag, key) = split_variant(tag);
+            let variant = key.map(|key| {
+                let varied = numbers.get(tag).copied();
                 variants.extend(varied.map(|varied| ((varied, key.into()), number)));
-                let variant = Some((varied, key.into()));
-                locales.push(Locale { named: None, is_offered: false, groups: Vec::new(), variant });
-                continue;
-            }
+                (varied, key.into())
+            });
             let script = script(tag);
             // Tags contain no slash, so that groups of languages and of ancestors have different names.
             let names = ancestors(tag).into_iter().chain([format!("{}/", language(tag))]);
@@ -62,7 +61,7 @@ impl Fallbacks {
                 known.filter(|&other| other != number).collect()
             });
             let groups = names.map(&mut group).collect();
-            locales.push(Locale { named, is_offered: !is_pseudo(tag), groups, variant: None });
+            locales.push(Locale { named, is_offered: !is_pseudo(tag) && variant.is_none(), groups, variant });
         }
         let default = options.default_locale.as_deref().and_then(|tag| numbers.get(tag).copied());
         Fallbacks { locales, default, variants, nearest: vec![None; groups.len()], found: Vec::new() }
@@ -80,7 +79,7 @@ impl Fallbacks {
         for number in own {
             has_text.insert(number);
             let Some(locale) = self.locales.get(number).filter(|locale| locale.is_offered) else { continue };
-            let last = locale.groups.len() - 1; // only variants are in no group
+            let last = locale.groups.len() - 1;
             for (depth, &group) in locale.groups.iter().enumerate() {
                 // In the group of a language, all have the same rank.
                 let depth = if depth == last { 0 } else { depth };
@@ -95,7 +94,7 @@ impl Fallbacks {
         for number in missing {
             let Some(locale) = self.locales.get(number) else { continue };
             let other = match &locale.variant {
-                Some((varied, key)) => varied.and_then(|varied| self.in_place_of_variant(varied, key, &has_text)),
+                Some((varied, key)) => self.in_place_of_variant(locale, (*varied, key), &has_text),
                 None => self.in_place_of(locale, &has_text),
             };
             if let Some(other) = other {
@@ -119,10 +118,14 @@ impl Fallbacks {
 
     /// Returns the locale or variant whose text a clip shows in place of a missing variant: in the locale whose text it
     /// shows in general, the variant with the most names of the key, or else that text.
-    fn in_place_of_variant(&self, varied: usize, key: &str, has_text: &HashSet<usize>) -> Option<usize> {
+    fn in_place_of_variant(
+        &self,
+        locale: &Locale,
+        (varied, key): (Option<usize>, &str),
+        has_text: &HashSet<usize>,
+    ) -> Option<usize> {
         let has_text_in = |number: &usize| has_text.contains(number);
-        let own = Some(varied).filter(has_text_in);
-        let shown = own.or_else(|| self.in_place_of(self.locales.get(varied)?, has_text))?;
+        let shown = varied.filter(has_text_in).or_else(|| self.in_place_of(locale, has_text))?;
         let variant = |key: &str| self.variants.get(&(shown, key.into())).copied().filter(has_text_in);
         shorter_keys(key).find_map(variant).or(Some(shown))
     }

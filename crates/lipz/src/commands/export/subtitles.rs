@@ -13,8 +13,8 @@ use crate::shared::subtitle_formats::SubtitleFormatArgument;
 use crate::shared::values::parse_locale;
 use clap::Args;
 use lipz_compiler::{Compiler, Input, Options, key};
-use lipz_diagnostics::{Diagnostic, Report};
-use lipz_file::locale::{TextName, text_name};
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_file::locale::{TextName, split_variant, text_name};
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues};
 use std::path::PathBuf;
 
@@ -118,7 +118,16 @@ fn one(arguments: &ExportSubtitles, input: &Input, bytes: &[u8], options: &Optio
     let document = parsed.document.unwrap_or_default();
     for element in &document.elements {
         let Some(TextName::Canonical(locale)) = text_name(&element.name.text) else { continue };
-        if !arguments.locale.is_empty() && !arguments.locale.contains(&locale) {
+        let (varied, key) = split_variant(&locale);
+        if !arguments.locale.is_empty() && !arguments.locale.iter().any(|wanted| wanted == varied) {
+            continue;
+        }
+        if key.is_some() {
+            let message = format!("`text_{locale}` is a variant, and is not exported");
+            diagnostics.push(
+                Diagnostic::at(Code::SubtitleLoss, element.name.span(), message)
+                    .note("a subtitle file has one text for each cue"),
+            );
             continue;
         }
         let Some(cues) = cues(&document, &locale, &subtitle_options, &mut diagnostics) else { break };

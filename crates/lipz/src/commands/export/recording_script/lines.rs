@@ -90,7 +90,9 @@ impl<'s> Lines<'s> {
             characters.of(name);
         }
         let names = characters.by_words();
-        let originals = units.into_iter().filter(|unit| self.originals.contains(unit.key.as_str()));
+        // A clip has one recording, whatever variant of its text the game shows.
+        let texts = units.into_iter().filter(|unit| unit.variant.is_none());
+        let originals = texts.filter(|unit| self.originals.contains(unit.key.as_str()));
         let lines = originals.map(|unit| {
             let character = speakers(&unit, &characters).or_else(|| first_in_key(&unit.key, &names));
             self.line(unit, character.unwrap_or_default(), reports)
