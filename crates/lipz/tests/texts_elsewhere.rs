@@ -91,3 +91,25 @@ fn what_the_library_of_weblate_edits_is_what_comes_back() {
         std::fs::remove_file(scene.path().join("voices/lipz-texts.txt")).unwrap();
     }
 }
+
+#[test]
+fn plural_forms_of_other_tools_become_variants() {
+    for tool in ["polib", "translate"] {
+        let scene = Scene::new();
+        let file = r#"{ "visemes": "MA|EO", "text_en-us": "Look!|{n} left.", "text_en-us-x-one": "|One left." }"#;
+        scene.write("voices/guards.lipz", file);
+        let export = ["export", "texts", "po", "voices", "--from", "en-us", "--by", "segment", "--locale", "pl-pl"];
+        scene.prepare(&[&export[..], &["-o", "pl.po"]].concat());
+        let Some(found) = python(&scene, "plural_texts.py", &[tool, "pl.po"]) else { return };
+        assert_eq!(found, json!(["guards|2"]), "{tool}");
+        let import = lipz(scene.path(), ["import", "texts", "pl.po", "-o", "voices", "--from", "en-us"]);
+        assert_eq!(import.stdout.lines().next(), Some("texts imported: 3 new"), "{tool}: {import:?}");
+        let clip = std::fs::read_to_string(scene.path().join("voices/guards.lipz")).unwrap();
+        let clip: Value = serde_json::from_str(&clip).unwrap();
+        for (tag, text) in
+            [("pl-pl-x-one", "|0: {n} left."), ("pl-pl-x-few", "|1: {n} left."), ("pl-pl", "|2: {n} left.")]
+        {
+            assert_eq!(clip[format!("text_{tag}")], text, "{tool}");
+        }
+    }
+}
