@@ -1,12 +1,13 @@
 //! Reading of PO files, with the position of every text.
 
+mod forms;
+
 use super::string::unescaped;
 use super::{COMMENTS_EXPORTED, EXPORTED, SOURCES_EXPORTED};
-use crate::exchange::clip_texts::trimmed;
 use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
-use crate::exchange::model::joined;
 use crate::exchange::{Mark, State, decode};
 use crate::plural::PluralForms;
+use forms::{Form, PluralMessage};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::sync::Arc;
 
@@ -222,50 +223,11 @@ impl Reader<'_> {
             self.incoming.entries.push(Entry { source: Some(source.into()), ..one });
             return;
         };
-        let sources = [Arc::new(source), Arc::new(plural)];
-        let texts: Vec<(usize, Words)> = std::iter::once((0, text)).chain(message.other_texts).collect();
-        let forms: Vec<_> = texts
-            .into_iter()
-            .filter_map(|(form, text)| {
-                let category = self.category(form, &text, &locale)?;
-                Some((form, category, text))
-            })
-            .collect();
-        let whole = forms.iter().find(|(_, category, _)| category.is_empty()).map(|(.., text)| text.text.clone());
-        for (form, category, mut text) in forms {
-            if !category.is_empty() {
-                let same = [&sources[0].text, &sources[1].text].map(String::as_str);
-                text.text = without_unvaried(&text.text, whole.as_deref().unwrap_or(""), same);
-            }
-            let mut one = entry(text, message.marks.get(form).copied());
-            one.source_mark = message.source_marks.get(form).copied();
-            // The file has the source texts of two forms.
-            one.source = match (category, one.source_mark) {
-                ("", _) => Some(Arc::clone(&sources[1])),
-                (_, Some(_)) => None,
-                ("one", None) => Some(Arc::clone(&sources[0])),
-                (_, None) => Some(Arc::clone(&sources[1])),
-            };
-            one.find_variant();
-            one.add_category(category);
-            self.incoming.entries.push(one);
-        }
-    }
-
-    /// Returns the plural category of a form; `""` for the text itself. Reports a text in a form that no number has.
-    fn category(&mut self, form: usize, text: &Words, locale: &str) -> Option<&'static str> {
-        if self.forms.is_none() {
-            let stated = self.plural_header.as_ref().and_then(|header| PluralForms::of_header(header, locale));
-            self.forms = stated.or_else(|| Some(PluralForms::of(locale)?.0));
-        }
-        let category = self.forms.as_ref().and_then(|forms| forms.keys.get(form).copied().flatten());
-        if category.is_none() && !text.text.is_empty() {
-            let message = format!("by the plural forms of the file, no number has form {form}; it is not imported");
-            let diagnostic = Diagnostic::at(Code::ExchangeLoss, text.span, message);
-            let help = "correct `Plural-Forms` in the header, or delete the form";
-            self.incoming.diagnostics.push(diagnostic.help(help));
-        }
-        category
+        let texts = std::iter::once((0, text)).chain(message.other_texts);
+        let (marks, source_marks) = (message.marks, message.source_marks);
+        let forms = texts.map(|(form, text)| Form { number: form, entry: entry(text, marks.get(form).copied()) });
+        let plural = PluralMessage { sources: [Arc::new(source), Arc::new(plural)], source_marks };
+        self.plural_entries(&plural, forms.collect());
     }
 
     /// Reports the entries that texts of clips cannot be, and a file without any others.
@@ -314,19 +276,4 @@ impl Reader<'_> {
         let diagnostic = Diagnostic::at(Code::ExchangeSyntax, span, what);
         self.incoming.diagnostics.push(diagnostic.help("check the file with `msgfmt -c` of gettext"));
     }
-}
-
-/// Returns the text of a plural form with blanks in place of the segments that are as in the `whole` text and equal in
-/// both source texts. The export has filled them.
-fn without_unvaried(text: &str, whole: &str, sources: [&str; 2]) -> String {
-    let [of_form, whole, one, other] = [text, whole, sources[0], sources[1]].map(trimmed);
-    let count = of_form.len();
-    if count == 1 || [&whole, &one, &other].iter().any(|texts| texts.len() != count) {
-        return text.to_owned();
-    }
-    let segment = |(at, text): (usize, &String)| {
-        let is_same = one.get(at) == other.get(at) && whole.get(at) == Some(text);
-        if is_same { String::new() } else { text.clone() }
-    };
-    joined(&of_form.iter().enumerate().map(segment).collect::<Vec<_>>())
 }
