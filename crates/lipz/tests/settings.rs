@@ -245,6 +245,7 @@ fn examples(table: &Table) -> Vec<(String, String)> {
 fn every_setting_can_be_set_on_the_command_line() {
     let scene = Scene::new();
     scene.write("voices/aye.lipz", r#"{ "text_en-us": "Aye." }"#);
+    scene.write("terms.csv", "en-us,de-de\n");
     let check = |assignment: String| lipz(scene.path(), ["check", "voices", "--quiet", "--config", &assignment]);
     let mut count = 0;
     for table in TABLES {

@@ -34,10 +34,26 @@ fn translations_use_the_terms_of_the_project() {
     assert!(lipz(wrong.path(), cached).stderr.contains("LZ1922"));
     wrong.write("terms.csv", "note,de-de\nlighthouse,Leuchtturm\n");
     wrong.expect("LZ1901-exchange-syntax-terms", &["check", "--quiet"]);
-    wrong.write("lipz.toml", SETTINGS.replace("terms.csv", "missing.csv"));
-    let missing = lipz(wrong.path(), ["check", "--quiet"]);
-    assert!(missing.code != 0 && missing.stderr.contains("missing.csv"), "{missing:?}");
     wrong.finish(2);
+}
+
+/// Without its terms, a project still needs all other checks.
+#[test]
+fn a_missing_table_is_reported_in_the_settings_and_the_check_goes_on() {
+    let mut scene = scene("Nimm 50 Lampen!");
+    scene.write("lipz.toml", format!("\u{feff}{}", SETTINGS.replace("terms.csv", "missing.csv")));
+    scene.write("voices/mara.lipz", "{ \"text_en-us\": \"Take 15 lamps!\", \"text_de-de\": \"Nimm 50 Lampen!\" }");
+    scene.expect("LZ1004-setting-value-terms", &["check", "--quiet"]);
+    // A table on the command line is reported there, also if nothing can be compared.
+    let assigned = lipz(scene.path(), ["check", "voices", "--no-config", "--config", "text.terms=terms"]);
+    assert_eq!(assigned.code, 1);
+    assert!(assigned.stderr.contains(" --> --config:1:12\n"), "{}", assigned.stderr);
+    std::fs::create_dir(scene.path().join("terms")).unwrap();
+    scene.expect(
+        "LZ1004-setting-value-terms-folder",
+        &["check", "voices", "--quiet", "--no-config", "--config", "text.terms=terms"],
+    );
+    scene.finish(2);
 }
 
 #[test]

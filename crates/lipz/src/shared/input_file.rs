@@ -2,6 +2,7 @@
 //! cannot be read.
 
 use crate::console;
+use lipz_compiler::settings::NamedFile;
 use lipz_diagnostics::{Code, Diagnostic, Report};
 use std::fs::{File, FileType};
 use std::io::{self, Read};
@@ -49,6 +50,16 @@ pub(crate) fn read_from(stream: impl Read, expected_bytes: u64) -> io::Result<Ve
 /// Those of [`read`], and if it contains other bytes.
 pub(crate) fn read_text(path: &Path) -> io::Result<String> {
     String::from_utf8(read(path)?).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()))
+}
+
+/// Reads a file that a setting names.
+///
+/// # Errors
+/// If it cannot be read: the report, at the name of the file in the settings.
+pub(crate) fn read_named(file: &NamedFile) -> Result<Vec<u8>, Report> {
+    let help = ["correct the path, or restore the file", "name a file in it"];
+    read(file.path())
+        .map_err(|error| file.report(refused(Code::SettingValue, &console::path(file.path()), &error, help)))
 }
 
 /// Returns the report about an unreadable file.

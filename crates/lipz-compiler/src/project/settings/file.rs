@@ -3,7 +3,7 @@
 use super::Settings;
 use super::read;
 use crate::files::path::display;
-use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_diagnostics::{Code, Diagnostic, Report, Source};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -67,11 +67,11 @@ impl Settings {
         name: impl Into<String>,
         folder: impl AsRef<Path>,
     ) -> (Settings, Report) {
-        let (bytes, folder) = (bytes.as_ref(), folder.as_ref());
+        let (name, bytes, folder) = (name.into(), bytes.as_ref(), folder.as_ref());
         // A byte order mark is allowed in TOML.
         let mut diagnostics = Vec::new();
         let settings = match lipz_file::decode_marked(bytes, &mut diagnostics) {
-            Some(text) => read::read(text, folder, &mut diagnostics),
+            Some(text) => read::read(Source::new(name.as_str(), text), folder, &mut diagnostics),
             None => Settings::default(),
         };
         settings.options.levels.apply(&mut diagnostics);

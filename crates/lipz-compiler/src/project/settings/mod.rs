@@ -16,6 +16,7 @@ mod file;
 mod find;
 #[cfg(feature = "settings")]
 pub mod lint;
+mod named_file;
 #[cfg(feature = "settings")]
 mod overrides;
 #[cfg(feature = "settings")]
@@ -41,6 +42,7 @@ mod value;
 
 pub use audio::{Audio, KEY, SOUND_EXTENSIONS, refused_pattern, sound_rank, without_extension};
 pub use find::FILE_NAME;
+pub use named_file::NamedFile;
 pub use sync::Sync;
 pub use sync_status::{SyncStatus, SyncStatuses};
 #[cfg(feature = "settings")]
@@ -80,7 +82,7 @@ pub struct Settings {
     /// The rules for making visemes from them.
     pub sync: Sync,
     /// The table of terms and their translations.
-    pub terms: Option<PathBuf>,
+    pub terms: Option<NamedFile>,
     /// The patterns of the game's own placeholders, which translations repeat.
     pub placeholders: Vec<PlaceholderPattern>,
     /// The images of characters' mouths for previews, by character; `default` is for all others.

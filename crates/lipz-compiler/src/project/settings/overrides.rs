@@ -1,7 +1,7 @@
 //! Settings on a command line, which override those of the file.
 
 use super::{Settings, read};
-use lipz_diagnostics::{Diagnostic, Report};
+use lipz_diagnostics::{Diagnostic, Report, Source};
 use std::path::Path;
 use toml::de::DeTable;
 
@@ -30,9 +30,10 @@ impl Settings {
         assignments: impl IntoIterator<Item = &'a str>,
         name: impl Into<String>,
     ) -> Result<Vec<Report>, Report> {
-        let text = document(assignments);
+        let (name, text) = (name.into(), document(assignments));
+        let source = Source::new(name.as_str(), text.as_str());
         let mut diagnostics = Vec::new();
-        let (mut settings, levels) = read::read_over(self.clone(), &text, Path::new(""), &mut diagnostics);
+        let (mut settings, levels) = read::read_over(self.clone(), source, Path::new(""), &mut diagnostics);
         levels.into_iter().for_each(|(code, level)| settings.options.overrule(code, level));
         settings.options.levels.apply(&mut diagnostics);
         diagnostics.sort_by_key(Diagnostic::start);

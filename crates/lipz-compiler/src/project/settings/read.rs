@@ -6,15 +6,16 @@ use super::syntax::Faults;
 use super::table::{Content, TABLES, Table, find_flat};
 use super::value::{NamedValue, span};
 use crate::files::path::plain;
-use lipz_diagnostics::{Code, Diagnostic, Levels, escape, suggest::nearest};
+use lipz_diagnostics::{Code, Diagnostic, Levels, Source, escape, suggest::nearest};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-/// Reads the settings in `text`, with paths relative to `folder`.
-pub(super) fn read(text: &str, folder: &Path, diagnostics: &mut Vec<Diagnostic>) -> Settings {
-    let (mut settings, levels) = read_over(Settings::default(), text, folder, diagnostics);
+/// Reads the settings in `source`, with paths relative to `folder`.
+pub(super) fn read(source: Source, folder: &Path, diagnostics: &mut Vec<Diagnostic>) -> Settings {
+    let (mut settings, levels) = read_over(Settings::default(), source, folder, diagnostics);
     settings.options.levels = levels;
     if settings.sources.is_empty() {
         settings.sources.push(plain(folder));
@@ -22,16 +23,19 @@ pub(super) fn read(text: &str, folder: &Path, diagnostics: &mut Vec<Diagnostic>)
     settings
 }
 
-/// Returns `settings` overridden by those in `text`, and the levels in `text` separately.
+/// Returns `settings` overridden by those in `source`, and the levels in `source` separately.
 pub(super) fn read_over(
     settings: Settings,
-    text: &str,
+    source: Source,
     folder: &Path,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> (Settings, Levels) {
+    let source = Arc::new(source);
+    let text = source.text.as_str();
     let (root, errors) = DeTable::parse_recoverable(text);
     let mut reading = SettingsReader {
         settings,
+        source: &source,
         folder,
         diagnostics: Vec::new(),
         groups: Levels::new(),

@@ -2,12 +2,13 @@
 
 use super::audio::refused_pattern;
 use super::value::{NamedValue, canonical_locale, span};
-use super::{Settings, lint};
+use super::{NamedFile, Settings, lint};
 use crate::files::path::plain;
 use crate::project::FileLevels;
-use lipz_diagnostics::{Code, Diagnostic, Levels, Span, escape};
+use lipz_diagnostics::{Code, Diagnostic, Levels, Source, Span, escape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use toml::de::{DeTable, DeValue};
 
 /// The key for all locales in the coverage table.
@@ -16,6 +17,8 @@ const ALL_LOCALES: &str = "all";
 /// The settings read so far.
 pub(super) struct SettingsReader<'t> {
     pub(super) settings: Settings,
+    /// The file, with its name in messages.
+    pub(super) source: &'t Arc<Source>,
     pub(super) folder: &'t Path,
     pub(super) diagnostics: Vec<Diagnostic>,
     /// Levels of groups of lints, which apply to lints that are not named individually.
@@ -36,6 +39,12 @@ impl SettingsReader<'_> {
 
     pub(super) fn refuse(&mut self, value: &NamedValue<'_>, what: &str, help: &str) {
         value.refuse::<()>(what, help, &mut self.diagnostics);
+    }
+
+    /// Reads the name of a file, which is read when it is needed.
+    pub(super) fn named_file(&mut self, value: &NamedValue<'_>) -> Option<NamedFile> {
+        let path = inside(self.folder, value.text(&mut self.diagnostics)?);
+        Some(NamedFile::at(path, self.source, value.span()))
     }
 
     /// Reads a list of words that events may use.

@@ -4,12 +4,12 @@ use crate::console;
 use crate::shared::input_file;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
+use lipz_compiler::settings::NamedFile;
 use lipz_compiler::{Compiler, Input, LintResult, Options};
 use lipz_diagnostics::{Code, Report};
 use lipz_file::locale::{canonical_tag, text_name};
 use lipz_file::placeholder::PlaceholderPattern;
 use lipz_texts::{Terms, TextLints, has_translations};
-use std::path::Path;
 
 /// The problems of a project's translations.
 #[derive(Default)]
@@ -40,13 +40,16 @@ struct TermFile {
 }
 
 impl TermFile {
-    /// # Errors
-    /// If the file cannot be read.
-    fn read(path: Option<&Path>, source_locale: Option<&str>) -> Result<TermFile, Report> {
-        let Some((path, source_locale)) = path.zip(source_locale) else { return Ok(TermFile::default()) };
-        let bytes = input_file::read(path).map_err(|error| input_file::unreadable(path, &error))?;
-        let (terms, report) = Terms::read(console::path(path).to_string(), &bytes, source_locale);
-        Ok(TermFile { terms, bytes, report: Some(report).filter(|report| !report.diagnostics.is_empty()) })
+    /// Reads the terms. A file that cannot be read has none, so that all other checks still run.
+    fn read(file: Option<&NamedFile>, source_locale: Option<&str>) -> TermFile {
+        let Some(file) = file else { return TermFile::default() };
+        let bytes = match input_file::read_named(file) {
+            Ok(bytes) => bytes,
+            Err(report) => return TermFile { report: Some(report), ..TermFile::default() },
+        };
+        let Some(source_locale) = source_locale else { return TermFile::default() };
+        let (terms, report) = Terms::read(console::path(file.path()), &bytes, source_locale);
+        TermFile { terms, bytes, report: Some(report).filter(|report| !report.diagnostics.is_empty()) }
     }
 }
 
@@ -57,7 +60,7 @@ impl<'p> Translations<'p> {
         let options = &project.settings.options;
         let (file, odd_lines) = RecordFile::open(project, inputs)?;
         let source_locale = source_locale_of(options, &file);
-        let terms = TermFile::read(project.settings.terms.as_deref(), source_locale.as_deref())?;
+        let terms = TermFile::read(project.settings.terms.as_ref(), source_locale.as_deref());
         let placeholders = &project.settings.placeholders;
         Ok(Translations { options, placeholders, file, odd_lines, source_locale, terms })
     }

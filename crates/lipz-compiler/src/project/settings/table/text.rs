@@ -1,7 +1,6 @@
 //! `[text]`: display and limits of texts.
 
 use super::Setting;
-use crate::project::settings::reading::inside;
 use crate::project::settings::value::NamedValue;
 use lipz_diagnostics::Diagnostic;
 use lipz_file::placeholder::PlaceholderPattern;
@@ -54,7 +53,7 @@ pub(super) const TEXT: &[Setting] = &[
             lack the translation of a term.",
         default: "none",
         example: "\"terms.csv\"",
-        read: |value, to| to.settings.terms = value.text(&mut to.diagnostics).map(|path| inside(to.folder, path)),
+        read: |value, to| to.settings.terms = to.named_file(value),
     },
     Setting {
         name: "placeholders",
