@@ -30,6 +30,7 @@ pub mod second_life;
 mod segments;
 mod source;
 pub mod subtitles;
+mod text_element;
 pub mod textgrid;
 mod time;
 mod track;

@@ -129,6 +129,10 @@ fn what_only_the_import_has_is_added() {
     let other = merged("Yes? Oh no!", "en-us");
     assert_eq!((other.document.string("text_en-us"), other.diagnostics.len()), (Some("Yes?|No!"), 1));
     assert_eq!(other.diagnostics[0].code.to_string(), "LZ1114");
+    let english = MergeOptions::new().default_locale("en-us");
+    let plain = of_import("Yes? No!", "en-us").merge(&document(r#"{ "text": "Yes?|No!" }"#), &english);
+    let names: Vec<&str> = plain.document.elements.iter().map(|element| element.name.text.as_ref()).collect();
+    assert!(names.contains(&"text") && !names.contains(&"text_en-us"), "the text is in the default locale: {names:?}");
     let own = of_import("Yes?|No!", "en-us").merge(&document(r#"{ "fps": 24, "note": 1 }"#), &MergeOptions::new());
     assert_eq!(own.document.string("text_en-us"), Some("Yes?|No!"));
     assert_eq!(own.document.string("visemes").unwrap().matches('|').count(), 1);

@@ -78,7 +78,8 @@ proptest! {
             // Rest after the last text is in no subtitle. The clip to which they are joined contains it.
             let frames: usize = segments.iter().map(|(frames, _)| frames).sum();
             let undivided = document(&format!("{{\"visemes\": \"{}\"}}", "-".repeat(frames)));
-            let after = join(undivided, &read, "en-us", rate, &mut diagnostics);
+            let options = SubtitleOptions { default_rate: Some(rate), ..SubtitleOptions::default() };
+            let after = join(undivided, &read, "en-us", &options, &mut diagnostics);
             prop_assert_eq!(&diagnostics, &[], "{}", file);
             prop_assert_eq!(after.string("visemes"), before.string("visemes"), "{}", file);
             prop_assert_eq!(after.string("text_en-us"), before.string("text_en-us"), "{}", file);
@@ -143,7 +144,7 @@ fn clips_with_segments_keep_them() {
     let cue = |start_ms, end_ms, text: &str| Cue { start_ms, end_ms, text: text.into(), ..Cue::default() };
     let joined = |cues: &[Cue], locale: &str| {
         let mut diagnostics = Vec::new();
-        let after = join(document(before), cues, locale, parse("24").unwrap(), &mut diagnostics);
+        let after = join(document(before), cues, locale, &SubtitleOptions::default(), &mut diagnostics);
         assert_eq!(after.string("visemes"), Some("MAAA--|EEOO--"));
         (after.string(&format!("text_{locale}")).unwrap().to_owned(), diagnostics.len())
     };
@@ -167,7 +168,7 @@ fn cues_outside_their_clip_are_not_imported() {
     };
     let joined = |clip: &str, cues: &[Cue]| {
         let mut diagnostics = Vec::new();
-        let after = join(document(clip), cues, "de-de", parse("24").unwrap(), &mut diagnostics);
+        let after = join(document(clip), cues, "de-de", &SubtitleOptions::default(), &mut diagnostics);
         (
             after,
             diagnostics
@@ -224,7 +225,7 @@ fn many_cues_find_their_segments() {
     let file: String = (0..count).map(srt).collect();
     let cues = SubtitleFormat::Srt.read(file.as_bytes(), &mut Vec::new());
     let mut diagnostics = Vec::new();
-    let joined = join(clip, &cues, "en-us", parse("24").unwrap(), &mut diagnostics);
+    let joined = join(clip, &cues, "en-us", &SubtitleOptions::default(), &mut diagnostics);
     let text: Vec<&str> = joined.string("text_en-us").unwrap().split('|').collect();
     assert_eq!((text.len(), text[0], text[count - 1]), (count, "x0", "x199999"));
     assert_eq!(diagnostics, []);

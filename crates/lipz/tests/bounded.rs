@@ -12,7 +12,6 @@ use lipz_compiler::stats::Stats;
 use lipz_compiler::{Compiler, Documents, Input, Options, SplitBank, coverage};
 use lipz_diagnostics::{Report, Severity, render, reports};
 use lipz_file::format::{Style, format};
-use lipz_interop::DEFAULT_RATE;
 use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, cues, join};
 use lipz_texts::{Collect, Exchange, Format, IncomingFile, Merge, ReadOptions, TextLints, WriteOptions, texts_of};
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -198,7 +197,7 @@ fn for_translators(file: &str, each: &mut dyn FnMut(&'static str, &mut dyn FnMut
         let cues = cues(&document, "aa-aa", &options, &mut Vec::new()).unwrap_or_default();
         let file = SubtitleFormat::Srt.write(&cues, &mut Vec::new());
         let cues = SubtitleFormat::Srt.read(file.as_bytes(), &mut Vec::new());
-        drop(join(document.clone(), &cues, "aa-aa", DEFAULT_RATE, &mut Vec::new()));
+        drop(join(document.clone(), &cues, "aa-aa", &SubtitleOptions::default(), &mut Vec::new()));
     });
 }
 

@@ -203,6 +203,30 @@ fn placeholders_that_subtitles_lack_are_reported() {
     assert!(imported.code == 0 && imported.stderr.contains("the translation lacks `{name}`"), "{imported:?}");
 }
 
+/// A clip with both `text` and `text_en-us` would have two texts in one locale, an error.
+#[test]
+fn the_text_of_the_default_locale_needs_no_locale_in_its_name() {
+    let scene = Scene::new();
+    scene.write("lipz.toml", "default-locale = \"en-us\"\ndefault-fps = 24\nlints.text-without-locale = \"allow\"\n");
+    scene.write("voices/otto.lipz", r#"{ "visemes": "MAEO|MAEO", "text": "Good evening. |{softly} Who?" }"#);
+    scene.prepare(&["export", "subtitles", "srt", "voices", "-o", "out"]);
+    let srt = fs::read_to_string(scene.path().join("out/otto.en-us.srt")).unwrap();
+    scene.write("otto.srt", srt.replace("Who?", "What?").replace("Good evening.", "Good morning."));
+    scene.prepare(&["import", "subtitles", "otto.srt", "-o", "voices"]);
+    let file = || fs::read_to_string(scene.path().join("voices/otto.lipz")).unwrap();
+    assert!(file().contains(r#""text": "Good morning.|What?""#) && !file().contains("text_"), "{}", file());
+    // A locale of files without one in their names does not change the locale of the project's texts.
+    scene.write("otto.srt", srt.replace("Who?", "Wer?").replace("Good evening.", "Guten Abend."));
+    scene.prepare(&["import", "subtitles", "otto.srt", "-o", "voices", "--locale", "de-de"]);
+    assert!(file().contains(r#""text": "Good morning.|What?""#), "{}", file());
+    assert!(file().contains(r#""text_de-de": "Guten Abend.|Wer?""#), "{}", file());
+    assert_eq!(lipz(scene.path(), ["check", "voices", "--quiet"]).stderr, "");
+    // A different spelling of the locale is the same text.
+    scene.write("voices/otto.lipz", r#"{ "visemes": "MAEO|MAEO", "text_de_DE": "Guten Tag. |Wer?" }"#);
+    scene.prepare(&["import", "subtitles", "otto.srt", "-o", "voices", "--locale", "de-de"]);
+    assert!(file().contains(r#""text_de_DE": "Guten Abend.|Wer?""#) && !file().contains("text_de-de"), "{}", file());
+}
+
 /// A text without a locale is as undivided as one with a locale, so subtitles do not divide the visemes under it.
 #[test]
 fn a_text_without_a_locale_keeps_its_segment() {

@@ -1,12 +1,14 @@
 //! Merging of an imported clip into an existing clip: its lip-sync track, texts and elements.
 
 use super::place::speech;
-use super::{MergeOptions, MergedClip, merge, set, string, tag};
+use super::{MergeOptions, MergedClip, merge, set, string};
 use crate::import::element;
 use crate::segments::{parts_by_shares, parts_by_words};
 use crate::subtitles::bounds;
+use crate::text_element::text_in;
 use crate::{ImportedClip, Text, Time};
 use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_file::locale::text_name;
 use lipz_file::text::{DELIMITER, display, segment_count, segments, trim};
 use lipz_file::{Document, Element, Value, curve, phones};
 
@@ -18,7 +20,7 @@ impl ImportedClip {
         let is_divided = |element: &Element<'_>| match element.name.text.as_ref() {
             "events" => true,
             "visemes" => string(element).is_some_and(|visemes| visemes.contains(DELIMITER)),
-            name => tag(name).is_some(),
+            name => text_name(name).is_some(),
         };
         let gets_phones = options.phones || clip.get("visemes").is_none() || clip.get(phones::ELEMENT).is_some();
         let mouth = self.mouth.clone().phones(self.mouth.phones.clone().filter(|_| gets_phones));
@@ -28,7 +30,7 @@ impl ImportedClip {
             return merged;
         }
         for text in &self.texts {
-            self.add_text(text, &mut merged);
+            self.add_text(text, options.default_locale, &mut merged);
         }
         self.add_elements(&mut merged);
         merged
@@ -38,7 +40,7 @@ impl ImportedClip {
     fn set_own_segments(&self, merged: &mut MergedClip<'_>) {
         for element in &self.document.elements {
             let name = element.name.text.as_ref();
-            if name == "visemes" || tag(name).is_some() {
+            if name == "visemes" || text_name(name).is_some() {
                 set(&mut merged.document, name, element.clone());
             }
         }
@@ -46,12 +48,11 @@ impl ImportedClip {
     }
 
     /// Adds a text in a locale that the clip lacks.
-    fn add_text(&self, text: &Text, merged: &mut MergedClip<'_>) {
+    fn add_text(&self, text: &Text, default_locale: Option<&str>, merged: &mut MergedClip<'_>) {
         let rate = self.mouth.rate;
         let time = |frame: &u64| Time::of_frame(*frame, rate);
-        let locale = text.locale.as_deref().unwrap_or_default();
-        let elements = &merged.document.elements;
-        let of_locale = elements.iter().find(|element| tag(&element.name.text).as_deref() == Some(locale));
+        let locale = text.locale.as_deref().or(default_locale).unwrap_or_default();
+        let of_locale = text_in(&merged.document, locale, default_locale);
         let is_blank = |own: &&Element<'_>| string(own).is_some_and(|own| trim(own).is_empty());
         if let Some(own) = of_locale.filter(|own| !is_blank(own)) {
             if !string(own).is_some_and(|own| says_the_same(own, &text.text)) {
@@ -65,6 +66,7 @@ impl ImportedClip {
             }
             return;
         }
+        let name = of_locale.map_or_else(|| format!("text_{locale}"), |own| own.name.text.to_string());
         let bounds = bounds(merged.document.string("visemes").unwrap_or_default());
         let starts: Vec<Time> = bounds.get(1..bounds.len() - 1).unwrap_or_default().iter().map(time).collect();
         let count = starts.len() + 1;
@@ -76,7 +78,7 @@ impl ImportedClip {
                 merged.diagnostics.push(
                     Diagnostic::new(
                         Code::SegmentGuessed,
-                        format!("the {count} segments of `text_{locale}` are guessed"),
+                        format!("the {count} segments of {} are guessed", escape::quoted(&name)),
                     )
                     .note("they are divided between words, with the same time for each letter")
                     .help("move each `|` of the text to its position in the other texts"),
@@ -84,7 +86,6 @@ impl ImportedClip {
                 parts_by_shares(&whole, &starts, &speech(&self.mouth.codes, rate))
             })
         };
-        let name = of_locale.map_or_else(|| format!("text_{locale}"), |own| own.name.text.to_string());
         let new = element(&name, parts.join("|"));
         set(&mut merged.document, &name, new);
     }
@@ -92,7 +93,7 @@ impl ImportedClip {
     /// Adds the elements that the clip lacks.
     fn add_elements(&self, merged: &mut MergedClip<'_>) {
         let is_of_mouth =
-            |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "phones") || tag(name).is_some();
+            |name: &str| matches!(name, "visemes" | "viseme_type" | "fps" | "phones") || text_name(name).is_some();
         for element in self.document.elements.iter().filter(|element| !is_of_mouth(&element.name.text)) {
             let name = element.name.text.as_ref();
             if name == curve::ELEMENT && set_curves(&mut merged.document, &element.value) {

@@ -7,12 +7,13 @@ mod imported;
 mod place;
 
 use crate::import::{element, fps, spell};
+use crate::text_element::locale_of;
 use crate::{Time, TimedText};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
-use lipz_file::locale::{TextName, text_name};
+use lipz_file::locale::text_name;
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, segment_count};
-use lipz_file::{Document, Value, phones};
+use lipz_file::{Document, Element, Value, phones};
 use lipz_types::VisemeType;
 
 /// The lip-sync track of a recording: codes, and the known times of its text.
@@ -73,6 +74,8 @@ impl Mouth {
 pub struct MergeOptions<'a> {
     /// The spoken locale. Without it, or without a text in it, the first text of the clip counts as spoken.
     pub locale: Option<&'a str>,
+    /// The locale of `text` without a locale.
+    pub default_locale: Option<&'a str>,
     /// The shortest rest that counts as a pause.
     pub min_pause: Time,
     /// The frame rate of files without `fps`. Clips with this rate do not need the element.
@@ -85,8 +88,14 @@ pub struct MergeOptions<'a> {
 
 impl Default for MergeOptions<'_> {
     fn default() -> Self {
-        let (locale, default_rate, default_viseme_type) = (None, None, None);
-        MergeOptions { locale, min_pause: Time::new(300, 1000), default_rate, default_viseme_type, phones: false }
+        MergeOptions {
+            locale: None,
+            default_locale: None,
+            min_pause: Time::new(300, 1000),
+            default_rate: None,
+            default_viseme_type: None,
+            phones: false,
+        }
     }
 }
 
@@ -102,6 +111,12 @@ impl<'a> MergeOptions<'a> {
     #[must_use]
     pub fn locale(self, locale: impl Into<Option<&'a str>>) -> Self {
         MergeOptions { locale: locale.into(), ..self }
+    }
+
+    /// Sets the locale of `text` without a locale.
+    #[must_use]
+    pub fn default_locale(self, locale: impl Into<Option<&'a str>>) -> Self {
+        MergeOptions { default_locale: locale.into(), ..self }
     }
 
     /// Sets the shortest rest that counts as a pause.
@@ -165,7 +180,7 @@ pub struct MergedClip<'s> {
 /// ```
 pub fn merge<'s>(clip: &Document<'s>, mouth: &Mouth, options: &MergeOptions<'_>) -> MergedClip<'s> {
     let mut diagnostics = Vec::new();
-    let parts = Parts::from_document(clip, options.locale);
+    let parts = Parts::from_document(clip, options);
     parts.report_others(clip, &mut diagnostics);
     let starts = place::starts(&parts, clip, mouth, options, &mut diagnostics);
     let mut document = clip.clone();
@@ -183,9 +198,10 @@ struct Parts<'d> {
 }
 
 impl<'d> Parts<'d> {
-    fn from_document(clip: &'d Document<'_>, locale: Option<&str>) -> Parts<'d> {
-        let texts = || clip.elements.iter().filter_map(|element| Some((tag(&element.name.text)?, string(element)?)));
-        let is_spoken = |(tag, _): &(String, &str)| Some(tag.as_str()) == locale;
+    fn from_document(clip: &'d Document<'_>, options: &MergeOptions<'_>) -> Parts<'d> {
+        let locale_of = |element: &'d Element<'_>| locale_of(&element.name.text, options.default_locale);
+        let texts = || clip.elements.iter().filter_map(|element| Some((locale_of(element)?, string(element)?)));
+        let is_spoken = |(locale, _): &(String, &str)| Some(locale.as_str()) == options.locale;
         let spoken = texts().find(is_spoken).or_else(|| texts().next()).map(|(_, text)| text);
         let divided = spoken.or_else(|| clip.string("events")).or_else(|| clip.string("visemes"));
         Parts { count: divided.map_or(1, segment_count), spoken }
@@ -209,16 +225,7 @@ impl<'d> Parts<'d> {
     }
 }
 
-/// Returns the locale of a text from the name of its element, empty if it has none; `None` for other elements.
-fn tag(name: &str) -> Option<String> {
-    Some(match text_name(name)? {
-        TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => tag,
-        TextName::OtherShape(locale, None) => locale,
-        TextName::NoLocale => String::new(),
-    })
-}
-
-fn string<'d>(element: &'d lipz_file::Element<'_>) -> Option<&'d str> {
+fn string<'d>(element: &'d Element<'_>) -> Option<&'d str> {
     match &element.value {
         Value::String(string) => Some(&string.text),
         _ => None,
@@ -283,7 +290,7 @@ fn set_mouth(document: &mut Document<'_>, visemes: String, mouth: &Mouth, option
 }
 
 /// Sets the value of an element. A new element is inserted at the position that the specification's examples use.
-fn set(document: &mut Document<'_>, name: &str, new: lipz_file::Element<'static>) {
+fn set(document: &mut Document<'_>, name: &str, new: Element<'static>) {
     if let Some(element) = document.elements.iter_mut().find(|element| element.name.text == name) {
         element.value = new.value;
         return;

@@ -3,6 +3,7 @@
 use super::Cue;
 use crate::Time;
 use crate::export::{rate, refusal};
+use crate::text_element::text_in;
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, display, is_white_space, segments};
@@ -13,7 +14,9 @@ use lipz_file::{Document, Value};
 pub struct SubtitleOptions<'a> {
     /// The frame rate of files without `fps`.
     pub default_rate: Option<Rate>,
-    /// The default speaker for texts without `{speaker: …}`.
+    /// The locale of `text` without a locale.
+    pub default_locale: Option<&'a str>,
+    /// When cues are made, the default speaker for texts without `{speaker: …}`.
     pub speaker: Option<&'a str>,
 }
 
@@ -35,7 +38,7 @@ pub fn cues(
     options: &SubtitleOptions<'_>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Option<Vec<Cue>> {
-    let element = document.get(&format!("text_{locale}"))?;
+    let element = text_in(document, locale, options.default_locale)?;
     let Value::String(string) = &element.value else { return None };
     let Some(rate) = rate(document).or(options.default_rate) else {
         diagnostics.push(

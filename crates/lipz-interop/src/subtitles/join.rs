@@ -1,11 +1,12 @@
 //! Conversion of cues to a clip: sets the texts of its segments, and creates segments if there are none.
 
-use super::Cue;
 use super::clip::bounds;
 use super::outside::in_clip;
-use crate::Time;
+use super::{Cue, SubtitleOptions};
 use crate::export::rate;
 use crate::import::{REST, element, fps};
+use crate::text_element::text_in;
+use crate::{DEFAULT_RATE, Time};
 use lipz_diagnostics::{Code, Diagnostic, escape};
 use lipz_file::locale::text_name;
 use lipz_file::rate::Rate;
@@ -52,16 +53,19 @@ const MAX_FRAMES: usize = 1 << 22;
 ///
 /// A clip without segments gets those of the cues. Otherwise it keeps its segments, and a cue becomes the text of the
 /// segment that it overlaps longest. Segments whose display text does not change keep their spelling, including meta
-/// and spaces. If a diagnostic is an error, the clip does not change.
+/// and spaces. If a diagnostic is an error, the clip does not change. Clips without a frame rate have
+/// [`DEFAULT_RATE`], unless the options set one.
 pub fn join<'s>(
     mut document: Document<'s>,
     cues: &[Cue],
     locale: &str,
-    default_rate: Rate,
+    options: &SubtitleOptions<'_>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Document<'s> {
-    let name = format!("text_{locale}");
-    let rate = rate(&document).unwrap_or(default_rate);
+    // A text without a locale stays so.
+    let own = text_in(&document, locale, options.default_locale).map(|element| element.name.text.to_string());
+    let name = own.unwrap_or_else(|| format!("text_{locale}"));
+    let rate = rate(&document).or(options.default_rate).unwrap_or(DEFAULT_RATE);
     let visemes = document.string("visemes").map(str::to_owned);
     let bounds = visemes.as_deref().map(bounds);
     let frames = bounds.as_ref().and_then(|bounds| bounds.last().copied());
@@ -246,7 +250,7 @@ fn set(document: &mut Document<'_>, name: &str, value: String) {
     match document.elements.iter_mut().find(|element| element.name.text == name) {
         Some(element) => *element = new,
         None => {
-            let is_before = |name: &str| name == "visemes" || name.starts_with("text_");
+            let is_before = |name: &str| name == "visemes" || text_name(name).is_some();
             let before = document.elements.iter().rposition(|element| is_before(&element.name.text));
             document.elements.insert(before.map_or(0, |at| at + 1), new);
         }

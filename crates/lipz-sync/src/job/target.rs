@@ -40,6 +40,7 @@ pub(super) fn merged(
         .phones(heard.phone_track.clone().filter(|_| options.phones || target.before.get(phones::ELEMENT).is_some()));
     let merge_options = MergeOptions::new()
         .locale(target.locale)
+        .default_locale(options.options.get_default_locale())
         .default_rate(options.options.get_default_fps().map(rate))
         .default_viseme_type(options.options.get_default_viseme_type());
     let mut merged = merge(&divided(target), &mouth, &merge_options);

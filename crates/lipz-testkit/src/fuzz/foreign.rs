@@ -5,7 +5,7 @@ use lipz_diagnostics::{Diagnostic, Severity};
 use lipz_interop::fallout::heads::{check_file, read_list};
 use lipz_interop::fallout::lip::Lip;
 use lipz_interop::fallout::msg;
-use lipz_interop::subtitles::{SubtitleFormat, clip, join};
+use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, clip, join};
 use lipz_interop::textgrid::TextGrid;
 use lipz_interop::{DEFAULT_RATE, Format, ImportOptions, Segments, formats, import};
 
@@ -75,7 +75,7 @@ fn subtitles(format: SubtitleFormat, file: &[u8]) {
         found.iter().for_each(|found| is_about(found, text));
     }
     let document = clip(&cues, "en-us", DEFAULT_RATE, &mut Vec::new());
-    let joined = join(document.clone(), &cues, "en-us", DEFAULT_RATE, &mut Vec::new());
+    let joined = join(document.clone(), &cues, "en-us", &SubtitleOptions::default(), &mut Vec::new());
     assert_eq!(joined.string("visemes"), document.string("visemes"));
     let once = format.write(&cues, &mut Vec::new());
     let mut again = format.read(once.as_bytes(), &mut Vec::new());

@@ -112,12 +112,20 @@ fn one(arguments: &ExportSubtitles, input: &Input, bytes: &[u8], options: &Optio
     let mut diagnostics = parsed.diagnostics;
     let subtitle_options = SubtitleOptions {
         default_rate: options.get_default_fps().map(formats::rate),
+        default_locale: options.get_default_locale(),
         speaker: arguments.speaker.as_deref(),
     };
     let mut files = Vec::new();
     let document = parsed.document.unwrap_or_default();
+    let mut locales: Vec<String> = Vec::new();
     for element in &document.elements {
-        let Some(TextName::Canonical(locale)) = text_name(&element.name.text) else { continue };
+        let locale = match text_name(&element.name.text) {
+            Some(TextName::NoLocale) => options.get_default_locale().map(str::to_owned),
+            name => name.and_then(TextName::tag),
+        };
+        // Of two texts in a locale, which `lipz check` reports, the first counts.
+        let Some(locale) = locale.filter(|locale| !locales.contains(locale)) else { continue };
+        locales.push(locale.clone());
         let (varied, key) = split_variant(&locale);
         if !arguments.locale.is_empty() && !arguments.locale.iter().any(|wanted| wanted == varied) {
             continue;

@@ -23,7 +23,7 @@ use lipz_diagnostics::{Code, Diagnostic, Report};
 use lipz_file::format::{Style, format};
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Element};
-use lipz_interop::subtitles::{SubtitleFormat, clip, join};
+use lipz_interop::subtitles::{SubtitleFormat, SubtitleOptions, clip, join};
 use lipz_interop::{DEFAULT_RATE, Encoding, to_utf8};
 use lipz_texts::TextLints;
 use std::path::{Path, PathBuf};
@@ -82,11 +82,16 @@ impl Run for ImportSubtitles {
 fn run(arguments: &ImportSubtitles, reporter: &mut Reporter) -> CommandResult {
     let mut options = arguments.file.project(std::slice::from_ref(&arguments.output), reporter)?.settings.options;
     arguments.lints.apply(&mut options);
+    let mut of_files = options.clone();
     if let Some(locale) = &arguments.locale {
-        options = with_default_locale(options, locale).map_err(|error| reporter.fail(error.to_report()))?;
+        of_files = with_default_locale(of_files, locale).map_err(|error| reporter.fail(error.to_report()))?;
+        // Texts of clips without a locale are in that of the project.
+        if options.get_default_locale().is_none() {
+            options = of_files.clone();
+        }
     }
     let mut reports = Vec::new();
-    let mut found = subtitle_file::find(&patterns::files(&arguments.files), &options, &mut reports, reporter)?;
+    let mut found = subtitle_file::find(&patterns::files(&arguments.files), &of_files, &mut reports, reporter)?;
     found.sort_by(|a, b| a.key.cmp(&b.key));
     let clips: Vec<&[SubtitleFile]> = found.chunk_by(|a, b| a.key == b.key).collect();
     let path =
@@ -127,6 +132,8 @@ fn one(
     let mut document = before.clone();
     let fps = arguments.fps.or(options.get_default_fps());
     let rate = fps.map_or(DEFAULT_RATE, formats::rate);
+    let locale = options.get_default_locale();
+    let of_project = SubtitleOptions { default_rate: Some(rate), default_locale: locale, speaker: None };
     let mut is_changed = false;
     for file in found {
         let bytes = input_file::read(&file.path).map_err(|error| input_file::unreadable(&file.path, &error))?;
@@ -136,7 +143,7 @@ fn one(
         let cues = file.format.read(&bytes, &mut diagnostics);
         if !diagnostics.iter().any(Diagnostic::is_error) {
             let joined = match &document {
-                Some(document) => join(document.clone(), &cues, &file.locale, rate, &mut diagnostics),
+                Some(document) => join(document.clone(), &cues, &file.locale, &of_project, &mut diagnostics),
                 None => clip(&cues, &file.locale, rate, &mut diagnostics),
             };
             if !diagnostics.iter().any(Diagnostic::is_error) {
@@ -155,7 +162,6 @@ fn one(
         }
     }
     let Some(document) = document.filter(|_| is_changed) else { return Ok(false) };
-    let locale = options.get_default_locale();
     match (&existing, &before) {
         (Some(existing), Some(before)) => existing.update(files, before, &document, locale)?,
         _ => {

@@ -173,6 +173,7 @@ impl Settings<'_> {
     pub(super) fn merge_options(&self) -> MergeOptions<'_> {
         MergeOptions::new()
             .locale(self.default_locale())
+            .default_locale(self.project.get_default_locale().or(self.flags.locale.as_deref()))
             .min_pause(self.flags.min_pause)
             .default_rate(self.project.get_default_fps().map(formats::rate))
             .default_viseme_type(self.project.get_default_viseme_type())
