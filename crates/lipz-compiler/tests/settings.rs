@@ -55,6 +55,16 @@ fn every_setting_is_read() {
     let limits = options.get_text_limits();
     assert_eq!((limits.get_line_columns(), limits.get_lines()), (Some(42), Some(2)));
     assert_eq!(limits.get_characters_per_second(), Some(17.5));
+    let settings = "[text]\nline-pixels = 640\nfont = \"a.ttf\"\nfont-pixels = 32\n\
+                    [text.locales.ja]\nfont = \"b.otf\"\n[text.locales.ja-jp]\nfont-pixels = 40.5\n";
+    let (fonts, report) = parse(settings.as_bytes());
+    assert_eq!(report.diagnostics, []);
+    let of = |tag: &str| {
+        let limit = fonts.pixel_limits.of(tag);
+        (limit.font.unwrap().path().to_owned(), limit.font_pixels.unwrap(), limit.line_pixels.unwrap())
+    };
+    assert_eq!(of("de-de"), (PathBuf::from("game/a.ttf"), 32.0, 640));
+    assert_eq!(of("ja-jp"), (PathBuf::from("game/b.otf"), 40.5, 640));
     let settings = "[text]\nlines = 2\n[text.locales.ja]\nlines = 3\nshortest-seconds = 0.5\n[text.locales.de-de]\nline-columns = 40";
     let (japanese, report) = parse(settings.as_bytes());
     let of = |tag: &str| japanese.options.get_text_limits_of(tag);

@@ -1,8 +1,8 @@
 //! Test helpers for all crates of lipz and for firmware.
 //!
 //! `answers` writes the answers of a bank. Without features, it is the only module, because firmware has no `std`. With
-//! `std`, there are golden banks, forged ones and every query of them (`golden`, `forge`, `exercise`); with `tools`,
-//! guarantees of the compiler's tools and for any bytes (`tools`, `fuzz`).
+//! `std`, there are golden banks, forged ones and every query of them (`golden`, `forge`, `exercise`), and fonts; with
+//! `tools`, guarantees of the compiler's tools and for any bytes (`tools`, `fuzz`).
 // A helper fails by panicking, which tests and fuzzers detect.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![allow(missing_docs, reason = "the helpers of tests say in their names what they do")]
@@ -16,6 +16,8 @@ pub mod dialogues;
 pub mod documents;
 #[cfg(feature = "std")]
 pub mod exercise;
+#[cfg(feature = "std")]
+pub mod font;
 #[cfg(feature = "std")]
 pub mod forge;
 #[cfg(feature = "tools")]

@@ -32,7 +32,7 @@ pub use exchange::{
 };
 pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};
-pub use lint::{Terms, TextLints, has_translations};
+pub use lint::{Font, FontError, FontLimit, LinePixels, Terms, TextLints, check_glyphs, has_translations};
 pub use merge::{
     ConfirmedTranslations, Counts, Merge, MergedFile, TextTranslations, TranslatorComments, follow_renamed_clips,
     resolve_keys, unknown_keys,

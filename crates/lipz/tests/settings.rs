@@ -5,6 +5,7 @@ mod support;
 
 use lipz_compiler::settings::{Content, Setting, TABLES, Table};
 use lipz_diagnostics::{Code, Severity};
+use lipz_testkit::font::font;
 use std::fs;
 use support::{Comparison, Scene, lipz, repository};
 
@@ -246,6 +247,9 @@ fn every_setting_can_be_set_on_the_command_line() {
     let scene = Scene::new();
     scene.write("voices/aye.lipz", r#"{ "text_en-us": "Aye." }"#);
     scene.write("terms.csv", "en-us,de-de\n");
+    scene.write("fonts/game.ttf", font(500, &[]));
+    // A width in pixels needs a font and its size.
+    scene.write("lipz.toml", "[text]\nfont = \"fonts/game.ttf\"\nfont-pixels = 32\n");
     let check = |assignment: String| lipz(scene.path(), ["check", "voices", "--quiet", "--config", &assignment]);
     let mut count = 0;
     for table in TABLES {

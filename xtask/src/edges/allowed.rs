@@ -130,6 +130,7 @@ pub(super) const RULES: &[Rule] = &[
             "lipz-diagnostics",
             "lipz-file",
             "quick-xml",
+            "read-fonts",
             "roxmltree",
             "rust_xlsxwriter",
             "serde",

@@ -59,6 +59,7 @@ codes! {
     BlankSegment "LZ0515" "blank-segment" Warning "a segment shows nothing where the default locale has a text"
     OtherScript "LZ0516" "other-script" Warning "a locale does not fall back to another script"
     VariantWithoutText "LZ0517" "variant-without-text" Warning "a variant has no text to vary"
+    MissingGlyph "LZ0518" "missing-glyph" Warning "a font lacks a character of a text"
 
     "Segments"
     SegmentCount "LZ0601" "segment-count" Error "elements have different numbers of segments"

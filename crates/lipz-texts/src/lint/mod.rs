@@ -1,6 +1,8 @@
-//! Lints of translations that are stale, or differ in content from their source.
+//! Lints of translations that are stale, or differ in content from their source, and of texts in a font.
 
 mod characters;
+mod font;
+mod glyphs;
 mod numbers;
 mod numerals;
 mod punctuation;
@@ -9,6 +11,8 @@ mod stale;
 mod terms;
 mod variants;
 
+pub use font::{Font, FontError};
+pub use glyphs::{FontLimit, LinePixels, check_glyphs};
 pub use terms::Terms;
 
 use crate::exchange::clip_texts::{tag_of, trimmed};
@@ -171,13 +175,18 @@ impl<'r> TextLints<'r> {
         }
     }
 
-    fn texts<'d>(&'d self, clip: &'d Document<'d>) -> impl Iterator<Item = LocaleText<'d>> {
-        clip.elements.iter().filter_map(|element| {
-            let locale = tag_of(&element.name.text, self.default_locale.as_deref())?;
-            let Value::String(string) = &element.value else { return None };
-            Some(LocaleText { locale, string, segments: trimmed(&string.text) })
-        })
+    fn texts<'d>(&'d self, clip: &'d Document<'_>) -> impl Iterator<Item = LocaleText<'d>> {
+        texts(clip, self.default_locale.as_deref())
     }
+}
+
+/// Returns the texts of a clip. `text` without a locale is in `default_locale`.
+fn texts<'d>(clip: &'d Document<'_>, default_locale: Option<&'d str>) -> impl Iterator<Item = LocaleText<'d>> {
+    clip.elements.iter().filter_map(move |element| {
+        let locale = tag_of(&element.name.text, default_locale)?;
+        let Value::String(string) = &element.value else { return None };
+        Some(LocaleText { locale, string, segments: trimmed(&string.text) })
+    })
 }
 
 /// A text of a clip.

@@ -19,6 +19,7 @@ pub mod lint;
 mod named_file;
 #[cfg(feature = "settings")]
 mod overrides;
+mod pixel_limits;
 #[cfg(feature = "settings")]
 mod read;
 #[cfg(feature = "settings")]
@@ -43,6 +44,7 @@ mod value;
 pub use audio::{Audio, KEY, SOUND_EXTENSIONS, refused_pattern, sound_rank, without_extension};
 pub use find::FILE_NAME;
 pub use named_file::NamedFile;
+pub use pixel_limits::{PixelLimit, PixelLimits};
 pub use sync::Sync;
 pub use sync_status::{SyncStatus, SyncStatuses};
 #[cfg(feature = "settings")]
@@ -81,6 +83,8 @@ pub struct Settings {
     pub audio: Audio,
     /// The rules for making visemes from them.
     pub sync: Sync,
+    /// The fonts of texts, and the limits for the widths of their lines.
+    pub pixel_limits: PixelLimits,
     /// The table of terms and their translations.
     pub terms: Option<NamedFile>,
     /// The patterns of the game's own placeholders, which translations repeat.

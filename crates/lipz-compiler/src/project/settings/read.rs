@@ -41,6 +41,7 @@ pub(super) fn read_over(
         groups: Levels::new(),
         levels: BTreeMap::new(),
         baked: None,
+        line_pixels: Vec::new(),
         locales: BTreeSet::new(),
     };
     let before = std::mem::take(&mut reading.settings.options.levels);
@@ -48,6 +49,7 @@ pub(super) fn read_over(
         reading.table(table, root.get_ref());
     }
     reading.resolve_baked_rig();
+    reading.check_line_pixels();
     reading.unknown_names("", root.get_ref());
     let SettingsReader { mut settings, groups: mut levels, diagnostics: mut found, .. } = reading;
     levels.extend(std::mem::replace(&mut settings.options.levels, before));

@@ -1,6 +1,7 @@
 //! The state of reading a settings file, and the reading of entries with names chosen by a project.
 
 use super::audio::refused_pattern;
+use super::text::LinePixels;
 use super::value::{NamedValue, canonical_locale, span};
 use super::{NamedFile, Settings, lint};
 use crate::files::path::plain;
@@ -27,6 +28,8 @@ pub(super) struct SettingsReader<'t> {
     pub(super) levels: BTreeMap<Code, Span>,
     /// The name of the rig to bake, and its position, until all rigs are read.
     pub(super) baked: Option<(String, Span)>,
+    /// The limits in pixels, until all fonts are read.
+    pub(super) line_pixels: Vec<LinePixels>,
     /// The entries read with a locale as key, by table and locale.
     pub(super) locales: BTreeSet<(&'static str, String)>,
 }

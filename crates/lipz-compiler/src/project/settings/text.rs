@@ -1,15 +1,25 @@
 //! `locales` of `[text]`: the limits of texts in some locales.
 
+use super::PixelLimit;
 use super::reading::SettingsReader;
 use super::value::{NamedValue, span};
 use crate::project::TextLimits;
 use lipz_diagnostics::suggest::nearest;
-use lipz_diagnostics::{Code, Diagnostic, escape};
+use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::language_or_locale;
 use toml::de::DeValue;
 
 /// The settings that apply to some locales.
-const LIMITS: [&str; 4] = ["line-columns", "lines", "characters-per-second", "shortest-seconds"];
+const LIMITS: [&str; 7] =
+    ["line-columns", "line-pixels", "font", "font-pixels", "lines", "characters-per-second", "shortest-seconds"];
+
+/// A setting `line-pixels`, which needs a font.
+pub(super) struct LinePixels {
+    /// The locale or language with the setting; `None` for the whole project.
+    locale: Option<String>,
+    name: String,
+    span: Span,
+}
 
 impl SettingsReader<'_> {
     /// Reads the limits of locales and languages: a table for each.
@@ -21,9 +31,13 @@ impl SettingsReader<'_> {
             let name = key.get_ref().as_ref();
             let value = NamedValue { name: format!("{}.{name}", value.name), key: key.span(), node };
             let locale = self.language_or_locale(name, &value);
-            let limits = self.locale_limits(&value);
-            if let (Some(locale), Some(limits)) = (locale, limits) {
-                self.settings.options.locale_limits.insert(locale.clone(), limits);
+            let limits = self.locale_limits(locale.as_deref(), &value);
+            if let (Some(locale), Some((limits, pixels))) = (locale, limits) {
+                // Without limits for it, the compiler does not measure the text.
+                if limits != TextLimits::default() {
+                    self.settings.options.locale_limits.insert(locale.clone(), limits);
+                }
+                self.settings.pixel_limits.locales.insert(locale.clone(), pixels);
                 self.refuse_second("text.locales", locale, &value);
             }
         }
@@ -41,18 +55,21 @@ impl SettingsReader<'_> {
         None
     }
 
-    fn locale_limits(&mut self, value: &NamedValue<'_>) -> Option<TextLimits> {
+    fn locale_limits(&mut self, locale: Option<&str>, value: &NamedValue<'_>) -> Option<(TextLimits, PixelLimit)> {
         let DeValue::Table(entries) = value.node.get_ref() else {
             self.refuse(value, "is not a table", "write the limits of the locale, as in { characters-per-second = 4 }");
             return None;
         };
-        let mut limits = TextLimits::default();
+        let (mut limits, mut pixels) = (TextLimits::default(), PixelLimit::default());
         for (key, node) in entries {
             let setting = key.get_ref().as_ref();
             let value = NamedValue { name: format!("{}.{setting}", value.name), key: key.span(), node };
             let found = &mut self.diagnostics;
             match setting {
                 "line-columns" => limits.line_columns = value.count(found),
+                "line-pixels" => pixels.line_pixels = self.line_pixels(locale, &value),
+                "font" => pixels.font = self.named_file(&value),
+                "font-pixels" => pixels.font_pixels = value.positive(found),
                 "lines" => limits.lines = value.count(found),
                 "characters-per-second" => limits.characters_per_second = value.positive(found),
                 "shortest-seconds" => limits.shortest_seconds = value.positive(found),
@@ -64,11 +81,34 @@ impl SettingsReader<'_> {
                             diagnostic.help(format!("did you mean `{known}`?")).suggest(span(&value.key), known)
                         }
                         None => diagnostic
-                            .help(format!("the limits are {}", LIMITS.map(|name| format!("`{name}`")).join(", "))),
+                            .help(format!("the settings are {}", LIMITS.map(|name| format!("`{name}`")).join(", "))),
                     });
                 }
             }
         }
-        Some(limits)
+        Some((limits, pixels))
+    }
+
+    /// Reads the most pixels of a line. The font can be in a table that is read later.
+    pub(super) fn line_pixels(&mut self, locale: Option<&str>, value: &NamedValue<'_>) -> Option<u32> {
+        let locale = locale.map(str::to_owned);
+        self.line_pixels.push(LinePixels { locale, name: value.name.clone(), span: value.span() });
+        value.count(&mut self.diagnostics)
+    }
+
+    /// Reports limits in pixels for texts whose font or its size is not set.
+    pub(super) fn check_line_pixels(&mut self) {
+        for LinePixels { locale, name, span } in std::mem::take(&mut self.line_pixels) {
+            let limits = &self.settings.pixel_limits;
+            let limit = locale.map_or_else(|| limits.project.clone(), |locale| limits.of(&locale));
+            let what = match (limit.font, limit.font_pixels) {
+                (Some(_), Some(_)) => continue,
+                (Some(_), None) => "a size of the font",
+                (None, _) => "a font",
+            };
+            let help = "add the font of the game and its size in pixels: font = \"game.ttf\", font-pixels = 32";
+            let diagnostic = Diagnostic::at(Code::SettingValue, span, format!("`{name}` needs {what}"));
+            self.diagnostics.push(diagnostic.help(help));
+        }
     }
 }

@@ -3,6 +3,7 @@
 mod baseline;
 mod fallout_heads;
 mod fix_result;
+mod fonts;
 mod lines;
 mod statistics;
 pub(crate) mod translations;

@@ -1,12 +1,15 @@
-//! Problems of translations: those that are older than their source, or that do not match it.
+//! Problems of texts: translations that are older than their source, or that do not match it, and texts that do not fit
+//! their font.
 
+use super::fonts::Fonts;
 use crate::console;
 use crate::shared::input_file;
 use crate::shared::settings_file::Project;
 use crate::shared::text_record::RecordFile;
 use lipz_compiler::settings::NamedFile;
 use lipz_compiler::{Compiler, Input, LintResult, Options};
-use lipz_diagnostics::{Code, Report};
+use lipz_diagnostics::{Code, Diagnostic, Report};
+use lipz_file::Document;
 use lipz_file::locale::{canonical_tag, text_name};
 use lipz_file::placeholder::PlaceholderPattern;
 use lipz_texts::{Terms, TextLints, has_translations};
@@ -29,6 +32,7 @@ pub(super) struct Translations<'p> {
     /// `None` if nothing can be compared.
     source_locale: Option<String>,
     terms: TermFile,
+    fonts: Fonts<'p>,
 }
 
 /// The terms of a project, and the file that they come from.
@@ -62,32 +66,42 @@ impl<'p> Translations<'p> {
         let source_locale = source_locale_of(options, &file);
         let terms = TermFile::read(project.settings.terms.as_ref(), source_locale.as_deref());
         let placeholders = &project.settings.placeholders;
-        Ok(Translations { options, placeholders, file, odd_lines, source_locale, terms })
+        let fonts = Fonts::open(&project.settings.pixel_limits);
+        Ok(Translations { options, placeholders, file, odd_lines, source_locale, terms, fonts })
     }
 
-    /// Returns the problems of a file's translations, and counts the file if some of its translations are unrecorded.
+    /// Returns the problems of a file's texts, and counts the file if some of its translations are unrecorded.
     pub(super) fn lint(&self, input: &Input, bytes: &[u8]) -> LintResult {
-        let Some(source_locale) = self.source_locale.as_ref().filter(|_| has_translations(bytes)) else {
+        let source_locale = self.source_locale.as_deref().filter(|_| has_translations(bytes));
+        if source_locale.is_none() && !self.fonts.is_any() {
             return LintResult::default();
-        };
+        }
         let Some(document) = lipz_file::parse(bytes).document else { return LintResult::default() };
-        let is_recorded = self.file.exists();
-        let texts = || document.elements.iter().filter(|one| text_name(&one.name.text).is_some());
-        let lints = TextLints::new(source_locale.as_str())
-            .default_locale(self.options.get_default_locale().map(str::to_owned))
-            .record(is_recorded.then_some(&self.file.record))
-            .terms(Some(&self.terms.terms))
-            .placeholders(self.placeholders);
         let mut diagnostics = Vec::new();
-        let name = if is_recorded { self.file.name(input) } else { String::new() };
-        lints.check(&name, &document, &mut diagnostics);
+        if let Some(source_locale) = source_locale {
+            self.compare(source_locale, input, &document, &mut diagnostics);
+        }
+        self.fonts.check(&document, self.options, &mut diagnostics);
         let report = (!diagnostics.is_empty()).then(|| {
             let mut report = Report::from_bytes(input.name(), bytes, diagnostics);
             self.options.apply_levels(&mut report);
             report
         });
         let report = report.filter(|report| !report.diagnostics.is_empty());
-        LintResult::new(report, !is_recorded && texts().nth(1).is_some())
+        let mut texts = document.elements.iter().filter(|one| text_name(&one.name.text).is_some());
+        LintResult::new(report, source_locale.is_some() && !self.file.exists() && texts.nth(1).is_some())
+    }
+
+    /// Reports the problems of a clip's translations.
+    fn compare(&self, source_locale: &str, input: &Input, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) {
+        let is_recorded = self.file.exists();
+        let lints = TextLints::new(source_locale)
+            .default_locale(self.options.get_default_locale().map(str::to_owned))
+            .record(is_recorded.then_some(&self.file.record))
+            .terms(Some(&self.terms.terms))
+            .placeholders(self.placeholders);
+        let name = if is_recorded { self.file.name(input) } else { String::new() };
+        lints.check(&name, clip, diagnostics);
     }
 
     /// Returns all inputs of these checks except the Lipz files and the options, as bytes to compare.
@@ -95,7 +109,8 @@ impl<'p> Translations<'p> {
         // The same record in a different folder belongs to different files.
         let place =
             [&[u8::from(self.file.exists())], self.file.folders().as_slice(), &[0], &self.terms.bytes, &[0]].concat();
-        let place = [place.as_slice(), format!("{:?}", self.placeholders).as_bytes(), &[0]].concat();
+        let place =
+            [place.as_slice(), format!("{:?}", self.placeholders).as_bytes(), &[0], &self.fonts.beside()].concat();
         match self.file.renamed.is_empty() {
             true => [place.as_slice(), self.file.bytes()].concat(),
             // Whether a file counts as renamed depends on the deleted files.
@@ -105,7 +120,8 @@ impl<'p> Translations<'p> {
 
     /// Returns the result, from the reports and the number of counted files.
     pub(super) fn found(self, reports: Vec<Report>, marked: usize) -> TranslationCheck {
-        let mut of_record: Vec<Report> = self.odd_lines.into_iter().chain(self.terms.report).collect();
+        let mut of_record: Vec<Report> =
+            self.odd_lines.into_iter().chain(self.terms.report).chain(self.fonts.reports).collect();
         of_record.iter_mut().for_each(|report| self.options.apply_levels(report));
         of_record.retain(|report| !report.diagnostics.is_empty());
         of_record.extend(reports);
@@ -138,7 +154,7 @@ pub(crate) fn check(project: &Project, inputs: &[Input], quiet: bool) -> Transla
         Ok(opened) => opened,
         Err(report) => return TranslationCheck { reports: vec![report], is_unrecorded: false },
     };
-    if translations.source_locale.is_none() {
+    if translations.source_locale.is_none() && !translations.fonts.is_any() {
         return translations.found(Vec::new(), 0);
     }
     let bar = console::progress_bar(inputs.len(), quiet);

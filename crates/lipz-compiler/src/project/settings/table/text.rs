@@ -23,6 +23,31 @@ pub(super) const TEXT: &[Setting] = &[
         read: |value, to| to.settings.options.text_limits.line_columns = value.count(&mut to.diagnostics),
     },
     Setting {
+        name: "line-pixels",
+        flat_name: "max-line-pixels",
+        about: "Maximum width of a line in pixels, for `lipz check`. Needs `font` and `font-pixels`.",
+        default: "no limit",
+        example: "640",
+        read: |value, to| to.settings.pixel_limits.project.line_pixels = to.line_pixels(None, value),
+    },
+    Setting {
+        name: "font",
+        flat_name: "",
+        about: "Font of the game (TrueType or OpenType), in which lipz measures lines. lipz also reports characters \
+            that the font lacks.",
+        default: "none",
+        example: "\"fonts/game.ttf\"",
+        read: |value, to| to.settings.pixel_limits.project.font = to.named_file(value),
+    },
+    Setting {
+        name: "font-pixels",
+        flat_name: "",
+        about: "Size of the font: the number of pixels of an em.",
+        default: "none",
+        example: "32",
+        read: |value, to| to.settings.pixel_limits.project.font_pixels = value.positive(&mut to.diagnostics),
+    },
+    Setting {
         name: "lines",
         flat_name: "max-lines",
         about: "Maximum number of lines in a segment.",
@@ -70,8 +95,9 @@ pub(super) const TEXT: &[Setting] = &[
     Setting {
         name: "locales",
         flat_name: "",
-        about: "Limits that replace those above in a locale, or in all locales of a language: `line-columns`, `lines`, \
-            `characters-per-second` and `shortest-seconds`.",
+        about: "Limits and fonts that replace those above in a locale, or in all locales of a language: \
+            `line-columns`, `line-pixels`, `font`, `font-pixels`, `lines`, `characters-per-second` and \
+            `shortest-seconds`.",
         default: "none",
         example: "{ ja = { characters-per-second = 4, line-columns = 26 } }",
         read: |value, to| to.text_locales(value),
