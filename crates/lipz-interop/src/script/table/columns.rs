@@ -33,7 +33,7 @@ const FILES: [&str; 20] = [
 const IDS: [&str; 7] = ["clip", "key", "lineid", "utteranceid", "stringid", "id", "identifier"];
 
 /// The names of the column with the texts, the best first.
-const TEXTS: [&str; 16] = [
+const TEXTS: [&str; 17] = [
     "text",
     "transcript",
     "transcription",
@@ -45,6 +45,8 @@ const TEXTS: [&str; 16] = [
     "sentence",
     "utterance",
     "spokentext",
+    // Unreal.
+    "spokendialogue",
     "subtitle",
     "caption",
     "content",

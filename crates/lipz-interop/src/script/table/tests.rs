@@ -79,6 +79,36 @@ fn tables_of_renpy_have_strings_and_raw_quotes() {
     assert!(found[0].is_error() && found[0].help.as_ref().unwrap().contains("tab-delimited"), "{found:?}");
 }
 
+/// The dialogue script of Unreal, as its localisation dashboard exports it (`ExportDialogueScriptCommandlet.cpp` of Unreal
+/// Engine 4.18; its columns are the members of `FDialogueScriptEntry`, which are the same in 5.3): UTF-8 with a byte order
+/// mark, all cells in quotes, and lists in parentheses. `AudioFileName` is the recording that the engine imports.
+#[test]
+fn dialogue_scripts_of_unreal_name_recordings() {
+    let head = "\"SpeakingVoice\",\"TargetVoices\",\"SpokenDialogue\",\"VoiceActorDirection\",\"AudioFileName\",\
+        \"DialogueAsset\",\"IsRecorded\",\"LocalizationKeys\",\"SpeakingVoiceGUID\",\"TargetVoiceGUIDs\",\
+        \"DialogueAssetGUID\"\n";
+    let row = |text: &str, recording: &str| {
+        format!(
+            "\"Mara\",\"(\"\"Otto\"\",\"\"[Otto,Tom]\"\")\",\"{text}\",\"quietly, \"\"sotto voce\"\"\",\"{recording}.wav\",\
+             \"/Game/Dialogue/{recording}.{recording}\",\"False\",\"(\"\"A05875C2C7CA4601_C174FFF6\"\")\",\
+             \"3A5B\",\"(\"\"77C1\"\",\"\"[77C1,0E12]\"\")\",\"A05875C2C7CA4601\"\n"
+        )
+    };
+    let table = format!(
+        "\u{feff}{head}{}{}",
+        row("\"\"Who\"\" goes there,\notto?", "Mara_Gate_0"),
+        row("C:\\new", "Mara_Disk_0")
+    );
+    let expected = owned(&[("Mara_Gate_0", "\"Who\" goes there,\notto?"), ("Mara_Disk_0", "C:\\new")]);
+    assert_eq!(lines(&table), (expected.clone(), vec![]));
+    // The editor of a translator may write UTF-16.
+    let wide: Vec<u8> = table.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let (script, _, found) = Script::read_lines("Dialogue.csv", &wide, None);
+    assert_eq!((script.len(), found), (2, vec![]));
+    let (script, _, _) = Script::read("Dialogue.csv", table.as_bytes(), None);
+    assert_eq!(script.text_of("mara_disk_0"), Some("C:\\new"), "a script of recordings");
+}
+
 #[test]
 fn broken_rows_are_errors_with_positions() {
     let extra = "the row has more cells than the first line, which names 2";
