@@ -53,10 +53,26 @@ fn clips_and_lines_that_belong_together_are_silent() {
     }
 }
 
+/// A game replaces interpolations and expressions by texts that a script does not have.
+#[test]
+fn inserted_texts_match_any_text() {
+    let scene = scene();
+    let check = |script: &str| lipz(scene.path(), ["check", "--lines", script, "--allow", "LZ2004"]);
+    scene.write("dialogue.tab", TABLE.replace("Hello, Otto. You?", "Hello, [friend!t]. {w=0.5}[question]?"));
+    assert_eq!(check("dialogue.tab").stderr, "");
+    scene.write("dialogue.tab", TABLE.replace("Hello, Otto. You?", "Hullo, [friend!t]. {w=0.5}[question]?"));
+    assert!(check("dialogue.tab").stderr.contains("[LZ1921]"));
+    let sheet = "character,text,id\nMara,\"Mara: Hello, {0}. [wave]You?[/wave]\",line:mara_hello\n,,\nOtto,Otto: Yes.,line:otto_yes\n";
+    scene.write("sheet.csv", sheet);
+    assert_eq!(check("sheet.csv").stderr, "");
+    scene.write("sheet.csv", sheet.replace("Otto: Yes.", "Otto: No."));
+    assert_eq!(check("sheet.csv").stderr.matches("[LZ1921]").count(), 1);
+}
+
 #[test]
 fn the_help_names_the_formats() {
     let help = lipz(scene().path(), ["check", "--help"]).stdout;
-    for name in ["Ren'Py", "Yarn Spinner", "CSV", "Ink", "articy", ".msg"] {
+    for name in ["Ren'Py", "Yarn Spinner", "Unreal", "CSV", "Ink", "articy", ".msg"] {
         assert!(help.contains(name), "{name}");
     }
 }

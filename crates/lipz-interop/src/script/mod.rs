@@ -28,13 +28,27 @@ struct ScriptEntry {
     path: String,
     /// The same, as written.
     written: String,
-    text: String,
+    text: LineText,
     span: Span,
+}
+
+/// A text of a script.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct LineText {
+    text: String,
+    /// See [`ScriptLine::parts`].
+    parts: Vec<String>,
+}
+
+impl From<String> for LineText {
+    fn from(text: String) -> LineText {
+        LineText { text, parts: Vec::new() }
+    }
 }
 
 impl ScriptEntry {
     fn line(&self) -> ScriptLine<'_> {
-        ScriptLine { path: &self.written, text: &self.text, span: self.span }
+        ScriptLine { path: &self.written, text: &self.text.text, parts: &self.text.parts, span: self.span }
     }
 }
 
@@ -45,6 +59,9 @@ pub struct ScriptLine<'s> {
     pub path: &'s str,
     /// The text; empty if it is unknown or different each time.
     pub text: &'s str,
+    /// If it differs from `text`, the spoken text: without the name of its speaker, and divided at the gaps into which the
+    /// game inserts other texts.
+    pub parts: &'s [String],
     /// The position of the line in the text of the script.
     pub span: Span,
 }
@@ -161,12 +178,12 @@ impl Script {
     /// `act1/mayor` in the script both match `rec/act1/mayor`, and the one with more folders has priority. A path with
     /// several equal matches has a text only if their texts are the same.
     pub fn text_of(&self, path: &str) -> Option<&str> {
-        self.entry(path).map(|entry| entry.text.as_str())
+        self.entry(path).map(|entry| entry.text.text.as_str())
     }
 
     /// Returns the text of a recording by the path of its file, or else by its name.
     pub fn text_of_file(&self, file: &Path, name: &str) -> Option<&str> {
-        self.entry_of_file(file, name).map(|entry| entry.text.as_str())
+        self.entry_of_file(file, name).map(|entry| entry.text.text.as_str())
     }
 
     fn entry_of_file(&self, file: &Path, name: &str) -> Option<&ScriptEntry> {
@@ -189,7 +206,8 @@ impl Script {
     }
 
     /// Adds a text, unless the recording has a different one. Returns whether the recording now has this text.
-    fn add(&mut self, written: &str, text: String, span: Span) -> bool {
+    fn add(&mut self, written: &str, text: impl Into<LineText>, span: Span) -> bool {
+        let text = text.into();
         let path = normal(written);
         let entries = self.entries.entry(name(&path).to_owned()).or_default();
         match entries.iter().find(|entry| entry.path == path) {

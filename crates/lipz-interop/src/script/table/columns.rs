@@ -1,6 +1,7 @@
 //! The columns of a script, found by the names that people and other tools give them.
 
-use super::Purpose;
+use super::YARN_LINE;
+use crate::script::Purpose;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::canonical_tag;
 use lipz_file::table::Rows;
@@ -85,7 +86,7 @@ pub(super) fn find(script: &str, purpose: Purpose<'_>) -> Result<Columns, Box<Di
     let of = |delimiter| Some((delimiter, head(script, delimiter)?));
     let heads: Vec<(u8, Vec<String>)> = DELIMITERS.into_iter().filter_map(of).collect();
     let both = |(delimiter, names): &(u8, Vec<String>)| {
-        let (name, is_id, origin) = name(names, purpose)?;
+        let (name, is_id, origin) = name(names, purpose, has_yarn_ids(script, *delimiter, names))?;
         Some(Columns { delimiter: *delimiter, name, text: text(names, name, purpose)?, origin, is_id })
     };
     heads.iter().find_map(both).ok_or_else(|| {
@@ -100,8 +101,20 @@ fn head(script: &str, delimiter: u8) -> Option<Vec<String>> {
     Some(head.iter().map(|cell| cell.text.trim().to_owned()).collect())
 }
 
+/// Whether the first line of a table has an ID of Yarn Spinner. Its recording sheets have the columns that a project
+/// chooses.
+fn has_yarn_ids(script: &str, delimiter: u8, names: &[String]) -> bool {
+    let Some(id) = column(names, &["id"]) else { return false };
+    let mut rows = Rows::new(script, delimiter).skip(1).map_while(Result::ok);
+    let first = rows.find_map(|row| row.get(id).map(|cell| cell.text.trim().to_owned()).filter(|id| !id.is_empty()));
+    first.is_some_and(|id| id.starts_with(YARN_LINE))
+}
+
 /// Returns the column with the names of recordings or the IDs of lines, whether it has IDs, and the tool.
-fn name(names: &[String], purpose: Purpose<'_>) -> Option<(usize, bool, TableOrigin)> {
+fn name(names: &[String], purpose: Purpose<'_>, has_yarn_ids: bool) -> Option<(usize, bool, TableOrigin)> {
+    if let Some(id) = column(names, &["id"]).filter(|_| has_yarn_ids) {
+        return Some((id, true, TableOrigin::YarnSpinner));
+    }
     if let Some((id, origin)) = id(names) {
         return Some((id, true, origin));
     }
@@ -161,7 +174,7 @@ fn without_columns(script: &str, names: &[String], purpose: Purpose<'_>) -> Diag
         Purpose::Recordings => "file",
         Purpose::Lines { .. } => "id",
     };
-    let name = name(names, purpose).map(|(name, ..)| name);
+    let name = name(names, purpose, false).map(|(name, ..)| name);
     let missing = match (name, text(names, name.unwrap_or(usize::MAX), purpose)) {
         (Some(_), None) => Some("text"),
         (None, Some(_)) => Some(wanted),

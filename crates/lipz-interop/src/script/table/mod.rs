@@ -1,8 +1,9 @@
 //! Scripts in tables: CSV, and the tables of Yarn Spinner and Ren'Py.
 
 mod columns;
+mod spoken;
 
-use super::{Purpose, Script, without_extension};
+use super::{LineText, Purpose, Script, without_extension};
 use columns::{Columns, TableOrigin};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::table::{Cell, Rows};
@@ -29,7 +30,9 @@ pub(super) fn of_rows(text: &str, purpose: Purpose<'_>) -> (Script, Vec<Diagnost
             Ok(row) => {
                 has_rows = true;
                 has_names |= row.get(columns.name).is_some_and(|cell| !cell.text.trim().is_empty());
-                let reading = RowReader { columns, column_count: head.len(), row_span: span(text, &row) };
+                let is_of_recordings = purpose == Purpose::Recordings;
+                let (column_count, row_span) = (head.len(), span(text, &row));
+                let reading = RowReader { columns, column_count, row_span, is_of_recordings };
                 reading.add(&row, &mut script, &mut found);
             }
             Err(fault) => {
@@ -55,12 +58,14 @@ struct RowReader {
     columns: Columns,
     column_count: usize,
     row_span: Span,
+    /// Whether the texts are transcripts of recordings.
+    is_of_recordings: bool,
 }
 
 impl RowReader {
     /// Adds the row to the script.
     fn add(&self, row: &[Cell<'_>], script: &mut Script, found: &mut Vec<Diagnostic>) {
-        let RowReader { columns, column_count, row_span } = *self;
+        let RowReader { columns, column_count, row_span, .. } = *self;
         if let Some(extra) = row.iter().skip(column_count).find(|cell| !cell.text.trim().is_empty()) {
             let message = format!("the row has more cells than the first line, which names {column_count}");
             let help = "put a text with the character that separates columns in quotes, or name the column";
@@ -75,8 +80,12 @@ impl RowReader {
         let is_renpy = columns.origin == TableOrigin::RenPy;
         let missing = match row.get(columns.text) {
             Some(text) if !name.is_empty() => {
-                let text = if is_renpy { without_escapes(&text.text) } else { text.text.clone().into_owned() };
-                if !script.add(name, text, row_span) {
+                let mut text = if is_renpy { without_escapes(&text.text) } else { text.text.clone().into_owned() };
+                let parts = spoken::parts(&text, columns.origin);
+                if self.is_of_recordings && columns.origin == TableOrigin::YarnSpinner {
+                    text = spoken::without_speaker(&text).to_owned();
+                }
+                if !script.add(name, LineText { text, parts }, row_span) {
                     let message = format!("{} has a different text in a row above", escape::quoted(written));
                     let odd = Diagnostic::at(Code::ForeignOddity, row_span, message);
                     found.push(odd.note("the first text is used"));

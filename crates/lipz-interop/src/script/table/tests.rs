@@ -65,6 +65,20 @@ fn ids_have_priority_and_are_shown_as_written() {
     assert_eq!(lines("File,Text\nAct1\\Mara.WAV,Hello.\n").0, owned(&[("Act1\\Mara", "Hello.")]));
 }
 
+/// The recording sheets of Yarn Spinner's extension for Visual Studio Code (`StringExtractor.cs` of its language server,
+/// version 3): columns that the project chooses, and an empty row after each block of lines.
+#[test]
+fn recording_sheets_of_yarn_spinner_have_any_columns() {
+    let sheet = "character,text,id,file,line\r\nMara,\"Hello, {0}!\",line:mara_hello,C:\\game\\Town.yarn,3\r\n,,,,\r\n\
+        Player,Yes: [wave]now[/wave].,line:yes,C:\\game\\Town.yarn,9\r\n,,,,\r\n";
+    let expected = owned(&[("mara_hello", "Hello, {0}!"), ("yes", "Yes: [wave]now[/wave].")]);
+    assert_eq!(lines(sheet), (expected, vec![]));
+    let (script, _, _) = Script::read_lines("a.csv", sheet.as_bytes(), None);
+    assert_eq!(script.line_of("mara_hello").unwrap().parts, ["Hello, ", "!"]);
+    let (script, _, found) = Script::read("a.csv", b"file,id,text\nTown.yarn,line:a,Mara: Hello.\n", None);
+    assert_eq!((script.text_of("a"), found), (Some("Hello."), vec![]), "the name of the speaker is not spoken");
+}
+
 #[test]
 fn tables_of_renpy_have_strings_and_raw_quotes() {
     let head = "Identifier\tCharacter\tDialogue\tFilename\tLine Number\tRen'Py Script\n";

@@ -9,7 +9,8 @@ use lipz_interop::ScriptLine;
 /// Returns the diagnostic for a text of a clip that differs from that of its line.
 pub(super) fn difference(script: &str, line: ScriptLine<'_>, text: &JsonString<'_>) -> Option<Diagnostic> {
     let own: Vec<String> = text.text.split('|').map(|segment| display(segment).text.into_owned()).collect();
-    let is_same = words(&own.join(" ")) == words(&display(line.text).text);
+    let own = words(&own.join(" "));
+    let is_same = own == words(&display(line.text).text) || has_parts(&own, line.parts);
     if is_same || line.text.trim().is_empty() {
         return None;
     }
@@ -17,6 +18,19 @@ pub(super) fn difference(script: &str, line: ScriptLine<'_>, text: &JsonString<'
     let note = format!("the line is {}", escape::quoted(line.text.trim()));
     let found = Diagnostic::at(Code::LineDiffers, text.span(), message).note(note);
     Some(found.help("change the text in the Lipz file or in the script"))
+}
+
+/// Whether a text consists of these parts, with any text between them.
+fn has_parts(text: &str, parts: &[String]) -> bool {
+    let parts: Vec<String> = parts.iter().map(|part| words(&display(part).text)).collect();
+    let [first, others @ ..] = parts.as_slice() else { return false };
+    let Some((last, inner)) = others.split_last() else { return text == first };
+    let Some(mut rest) = text.strip_prefix(first.as_str()) else { return false };
+    for part in inner {
+        let Some((_, after)) = rest.split_once(part.as_str()) else { return false };
+        rest = after;
+    }
+    rest.ends_with(last.as_str())
 }
 
 /// The text of a clip that corresponds to its line.
@@ -76,6 +90,19 @@ fn is_unspaced(character: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn gaps_match_any_text() {
+        let fits = |text: &str, parts: &[&str]| {
+            has_parts(&words(text), &parts.iter().map(|part| (*part).to_owned()).collect::<Vec<_>>())
+        };
+        assert!(fits("Hello, Eileen!", &["Hello, ", "!"]));
+        assert!(fits("Hello, !", &["Hello, ", "!"]) && fits("Hello!", &["{b}Hello", "!{/b}"]));
+        assert!(fits("Take 3 of 4 lamps.", &["Take ", " of ", " lamps."]) && fits("Anything", &["", ""]));
+        assert!(fits("Hello.", &["Hello."]) && !fits("Hello.", &["Hallo."]) && !fits("Hello.", &[]));
+        assert!(!fits("Hello, Eileen?", &["Hello, ", "!"]) && !fits("Hello", &["Hello", "o"]));
+        assert!(!fits("Take 3 lamps.", &["Take ", " of ", " lamps."]));
+    }
 
     #[test]
     fn white_space_without_meaning_is_ignored() {
