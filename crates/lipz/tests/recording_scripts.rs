@@ -190,6 +190,20 @@ fn takes_and_texts_come_back_from_the_studio() {
     assert_eq!(import(&["--overwrite"]).stdout, "takes copied: 0 new, 1 replaced, 1 unchanged\n");
 }
 
+/// A studio that works with the recording sheet of Yarn Spinner adds a column for the chosen takes.
+#[test]
+fn takes_are_chosen_in_a_sheet_of_yarn_spinner() {
+    let scene = scene();
+    let sheet = "character,text,id,line,take\r\nMara,\"Hello, Otto!\",line:act1/mara-hello,3,\r\n,,,,\r\n\
+        Otto,Yes.,line:act1/otto-yes,4,2\r\n,,,,\r\n";
+    scene.write("sheet.csv", sheet);
+    scene.write("takes/otto-yes_2.wav", voice(SECOND, 1));
+    let copied = lipz(scene.path(), ["import", "recordings", "sheet.csv", "takes"]);
+    let summary = "takes copied: 1 new, 0 replaced, 0 unchanged\n";
+    assert_eq!((copied.code, copied.stdout.as_str(), copied.stderr.as_str()), (0, summary, ""));
+    assert!(scene.path().join("rec/en/act1/otto-yes.wav").exists());
+}
+
 #[test]
 fn takes_that_cannot_be_found_are_reported() {
     let mut scene = scene();

@@ -118,7 +118,7 @@ impl CsvRow {
     }
 
     /// Adds the chosen take of a row.
-    fn take(&self, key: Words, header: &CsvHeader, incoming: &mut IncomingFile) {
+    fn take(&self, mut key: Words, header: &CsvHeader, incoming: &mut IncomingFile) {
         let Some(name) = header.take.map(|at| self.words(at)).filter(|take| !take.text.trim().is_empty()) else {
             return;
         };
@@ -127,6 +127,10 @@ impl CsvRow {
             let found = Diagnostic::at(Code::ExchangeSyntax, name.span, message);
             incoming.diagnostics.push(found.help("write the key of the clip, or delete the take"));
             return;
+        }
+        // Recording sheets of Yarn Spinner.
+        if let Some(own) = key.text.trim().strip_prefix(YARN_LINE) {
+            key.text = own.to_owned();
         }
         incoming.takes.push(ChosenTake { key: key.into(), locales: Arc::clone(header.locales()), name });
     }
