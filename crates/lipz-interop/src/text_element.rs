@@ -3,8 +3,8 @@
 use lipz_file::locale::{TextName, text_name};
 use lipz_file::{Document, Element};
 
-/// Returns the locale of a text from the name of its element, with `default_locale` for `text`, or empty if it has none;
-/// `None` for other elements.
+/// Returns the locale of a text from the name of its element, with `default_locale` for `text`, or empty if it has
+/// none; `None` for other elements.
 pub(crate) fn locale_of(name: &str, default_locale: Option<&str>) -> Option<String> {
     Some(match text_name(name)? {
         TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag)) => tag,

@@ -39,6 +39,18 @@ fn clips_and_lines_that_belong_together_are_silent() {
     let ink = r##"{"inkVersion":21,"root":["^Hello, Otto. You?","#","^id:mara_hello","/#","\n","^Yes.","#","^id:otto_yes","/#","\n"]}"##;
     scene.write("story.json", ink);
     assert_eq!(check("story.json").stderr, "");
+    // articy:draft X
+    let objects = r#"{"Objects":[
+        {"Type":"DialogueFragment","Properties":{"TechnicalName":"mara_hello","Text":"mara_hello.Text"}},
+        {"Type":"DialogueFragment","Properties":{"TechnicalName":"otto_yes","Text":"otto_yes.Text"}}]}"#;
+    let texts = r#"{"mara_hello.Text":{"":{"Text":"Hello, Otto. You?"},"Context":"Flow"},
+        "otto_yes.Text":{"":{"Text":"Yes."},"Context":"Flow"}}"#;
+    scene.write("export/package_01_objects.json", objects);
+    assert!(check("export/package_01_objects.json").stderr.contains("[LZ1104]"), "without texts");
+    scene.write("export/package_01_localization.json", texts);
+    assert_eq!(check("export/package_01_objects.json").stderr, "");
+    scene.write("export/package_01_localization.json", texts.replace("Yes.", "No."));
+    assert!(check("export/package_01_objects.json").stderr.contains("[LZ1921]"));
     scene.write("lines.msg", "{1}{mara_hello}{Hello, Otto. You?}\n{2}{otto_yes}{Yes.}\n");
     assert_eq!(check("lines.msg").stderr, "");
     for (file, content, message) in [
@@ -62,7 +74,8 @@ fn inserted_texts_match_any_text() {
     assert_eq!(check("dialogue.tab").stderr, "");
     scene.write("dialogue.tab", TABLE.replace("Hello, Otto. You?", "Hullo, [friend!t]. {w=0.5}[question]?"));
     assert!(check("dialogue.tab").stderr.contains("[LZ1921]"));
-    let sheet = "character,text,id\nMara,\"Mara: Hello, {0}. [wave]You?[/wave]\",line:mara_hello\n,,\nOtto,Otto: Yes.,line:otto_yes\n";
+    let sheet = "character,text,id\nMara,\"Mara: Hello, {0}. [wave]You?[/wave]\",line:mara_hello\n,,\n\
+        Otto,Otto: Yes.,line:otto_yes\n";
     scene.write("sheet.csv", sheet);
     assert_eq!(check("sheet.csv").stderr, "");
     scene.write("sheet.csv", sheet.replace("Otto: Yes.", "Otto: No."));

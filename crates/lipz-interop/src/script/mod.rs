@@ -9,7 +9,7 @@ use encoding_rs::Encoding;
 use lipz_diagnostics::{Code, Diagnostic, Source, Span};
 use lipz_file::without_byte_order_mark;
 use std::collections::{BTreeMap, HashSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use unicode_normalization::UnicodeNormalization;
 
 /// A script: the texts of many recordings.
@@ -59,8 +59,8 @@ pub struct ScriptLine<'s> {
     pub path: &'s str,
     /// The text; empty if it is unknown or different each time.
     pub text: &'s str,
-    /// If it differs from `text`, the spoken text: without the name of its speaker, and divided at the gaps into which the
-    /// game inserts other texts.
+    /// If it differs from `text`, the spoken text: without the name of its speaker, and divided at the gaps into which
+    /// the game inserts other texts.
     pub parts: &'s [String],
     /// The position of the line in the text of the script.
     pub span: Span,
@@ -82,6 +82,8 @@ enum Purpose<'l> {
     Lines {
         /// The locale of their texts, if it is known.
         locale: Option<&'l str>,
+        /// The file with their texts, if it is a different one.
+        texts: Option<&'l [u8]>,
     },
 }
 
@@ -92,7 +94,8 @@ impl Script {
     /// the file of the script. Commas, semicolons, tabs or bars separate columns.
     ///
     /// A JSON file of Ink has the compiled story, in which lines have tags such as `# id: mara_hello`. One of
-    /// articy:draft has the exported packages, whose dialogue fragments have technical names.
+    /// articy:draft has the exported packages, or the objects of one package, whose dialogue fragments have technical
+    /// names.
     ///
     /// Files that are not UTF-8 are read in `encoding`, or else as Windows-1252, the usual encoding of old tools
     /// ([`to_utf8`]). The diagnostics refer to the text of the returned source.
@@ -103,7 +106,24 @@ impl Script {
     /// Reads the lines of a game. Like [`read`](Script::read), but a column with IDs has priority over one with files.
     /// In a table with the texts of several locales, those in `locale` are used.
     pub fn read_lines(path: &str, bytes: &[u8], locale: Option<&str>) -> (Script, Source, Vec<Diagnostic>) {
-        Script::read_for(Purpose::Lines { locale }, path, bytes, None)
+        Script::read_for(Purpose::Lines { locale, texts: None }, path, bytes, None)
+    }
+
+    /// Reads the lines of a package of articy:draft X, whose texts are in a second file
+    /// ([`texts_beside`](Script::texts_beside)).
+    pub fn read_lines_with_texts(
+        path: &str,
+        bytes: &[u8],
+        texts: &[u8],
+        locale: Option<&str>,
+    ) -> (Script, Source, Vec<Diagnostic>) {
+        Script::read_for(Purpose::Lines { locale, texts: Some(texts) }, path, bytes, None)
+    }
+
+    /// Returns the path of the file with the texts of a package of articy:draft X; `None` for other scripts, whose
+    /// texts are in the same file.
+    pub fn texts_beside(path: &Path) -> Option<PathBuf> {
+        json::articy_texts::path_beside(path)
     }
 
     fn read_for(

@@ -1,11 +1,13 @@
 //! Scripts in JSON: compiled stories of Ink, and exported projects of articy:draft.
 
 mod articy;
+pub(super) mod articy_texts;
 mod ink;
 
 use super::{Purpose, Script};
 use crate::json::{Node, root};
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
+use std::collections::HashMap;
 
 /// A line of a story or project.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -22,21 +24,38 @@ pub(super) fn of_json(text: &str, purpose: Purpose<'_>) -> (Script, Vec<Diagnost
     let mut script = Script::default();
     let mut found = Vec::new();
     let Some(file) = root(text, &mut found) else { return (script, found) };
-    let (lines, message) = match (file.get(&["inkVersion"]), file.get(&["Packages"])) {
-        (Some(_), _) => {
+    let member = |name: &str| file.get(&[name]);
+    let mut help = None;
+    let (lines, message) = match (member("inkVersion"), member("Packages"), member("Objects")) {
+        (Some(_), ..) => {
             let (lines, too_deep) = ink::lines(file);
             found.extend(too_deep);
             (lines, "the story has no line with a tag such as `# id: mara_hello`")
         }
-        (None, Some(packages)) => {
-            (articy::lines(packages), "the project has no dialogue fragment with a technical name and a text")
+        (None, Some(packages), _) => {
+            help = articy::objects_of_manifest(packages).map(|objects| format!("name the objects: {objects}"));
+            let message = match help {
+                Some(_) => "the file lists packages of articy:draft, and has no lines",
+                None => "the project has no dialogue fragment with a technical name and a text",
+            };
+            (articy::lines(packages), message)
         }
-        (None, None) => {
+        (None, None, Some(objects)) => {
+            let message = "the package has no dialogue fragment with a technical name and a text";
+            (of_package(objects, purpose, &mut found), message)
+        }
+        (None, None, None) => {
+            help = articy_texts::are_texts(file)
+                .then(|| "name the objects, whose file is called package_…_objects.json".to_owned());
             (Vec::new(), "the file is neither a compiled story of Ink nor an exported project of articy:draft")
         }
     };
     if lines.is_empty() && found.is_empty() {
-        found.push(Diagnostic::new(Code::ForeignSyntax, message));
+        let nothing = Diagnostic::new(Code::ForeignSyntax, message);
+        found.push(match help {
+            Some(help) => nothing.help(help),
+            None => nothing,
+        });
     }
     // A recording needs a text of its own.
     let is_used = |line: &ExportedLine| purpose != Purpose::Recordings || !line.text.is_empty();
@@ -47,6 +66,25 @@ pub(super) fn of_json(text: &str, purpose: Purpose<'_>) -> (Script, Vec<Diagnost
         }
     }
     (script, found)
+}
+
+/// Returns the lines of a package of articy:draft X.
+fn of_package(objects: Node<'_>, purpose: Purpose<'_>, found: &mut Vec<Diagnostic>) -> Vec<ExportedLine> {
+    let texts = match purpose {
+        Purpose::Lines { locale, texts: Some(texts) } => articy_texts::read(texts, locale, found),
+        _ => HashMap::new(),
+    };
+    let lines = articy::lines_of_package(objects, &texts);
+    let has_no_texts = texts.is_empty() && found.is_empty() && lines.iter().any(|line| line.text.is_empty());
+    if has_no_texts && purpose == Purpose::Recordings {
+        let without = Diagnostic::new(Code::ForeignSyntax, "the texts of the package are in a different file");
+        found.push(without.help("export the lines as CSV with the columns `file` and `text`"));
+    } else if has_no_texts {
+        let without =
+            Diagnostic::new(Code::ForeignOddity, "the texts of the package are missing, and are not compared");
+        found.push(without.help("put the file package_…_localization.json of the same export next to this file"));
+    }
+    lines
 }
 
 /// Returns the position of `part` in the string `node`, or that of the whole string if `part` is written differently

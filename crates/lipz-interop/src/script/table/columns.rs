@@ -156,7 +156,7 @@ fn text(names: &[String], name: usize, purpose: Purpose<'_>) -> Option<usize> {
     named(&TEXTS).or_else(|| match (of_locales.as_slice(), purpose) {
         ([], _) => named(&LINE),
         ([(only, _)], _) => Some(*only),
-        (several, Purpose::Lines { locale }) => {
+        (several, Purpose::Lines { locale, .. }) => {
             several.iter().find(|(_, tag)| Some(tag.as_str()) == locale).map(|(at, _)| *at)
         }
         (_, Purpose::Recordings) => None,
@@ -240,11 +240,11 @@ mod tests {
             ("line,key,speaker,de_DE,en-us,take", 1, true, 4),
             ("line,key,text_de-de", 1, true, 2),
         ] {
-            let found = find(head, Purpose::Lines { locale: Some("en-us") })
+            let found = find(head, Purpose::Lines { locale: Some("en-us"), texts: None })
                 .map(|columns| (columns.name, columns.is_id, columns.text));
             assert_eq!(found, Ok((name, is_id, text)), "{head}");
         }
-        let without = find("who,text", Purpose::Lines { locale: None }).unwrap_err();
+        let without = find("who,text", Purpose::Lines { locale: None, texts: None }).unwrap_err();
         assert_eq!(without.message, "the first line has no column `id`");
         assert_eq!(without.help.as_deref(), Some("name the columns `id` and `text`; other columns are ignored"));
     }

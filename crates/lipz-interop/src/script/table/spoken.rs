@@ -33,8 +33,8 @@ struct Gaps {
     is_doubled: bool,
 }
 
-/// Expressions, which are numbered in the tables (`{0}`), and markup (`[wave]`, `[plural {0} one="…"]`), which may stand
-/// for a text.
+/// Expressions, which are numbered in the tables (`{0}`), and markup (`[wave]`, `[plural {0} one="…"]`), which may
+/// stand for a text.
 const YARN_GAPS: Gaps = Gaps { brackets: &[('{', '}'), ('[', ']')], tags: None, is_doubled: false };
 /// Interpolations (`[name!t]`). Text tags (`{b}`) are not displayed.
 const RENPY_GAPS: Gaps = Gaps { brackets: &[('[', ']')], tags: Some(('{', '}')), is_doubled: true };

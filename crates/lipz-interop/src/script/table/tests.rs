@@ -65,8 +65,8 @@ fn ids_have_priority_and_are_shown_as_written() {
     assert_eq!(lines("File,Text\nAct1\\Mara.WAV,Hello.\n").0, owned(&[("Act1\\Mara", "Hello.")]));
 }
 
-/// The recording sheets of Yarn Spinner's extension for Visual Studio Code (`StringExtractor.cs` of its language server,
-/// version 3): columns that the project chooses, and an empty row after each block of lines.
+/// The recording sheets of Yarn Spinner's extension for Visual Studio Code (`StringExtractor.cs` of its language
+/// server, version 3): columns that the project chooses, and an empty row after each block of lines.
 #[test]
 fn recording_sheets_of_yarn_spinner_have_any_columns() {
     let sheet = "character,text,id,file,line\r\nMara,\"Hello, {0}!\",line:mara_hello,C:\\game\\Town.yarn,3\r\n,,,,\r\n\
@@ -93,9 +93,10 @@ fn tables_of_renpy_have_strings_and_raw_quotes() {
     assert!(found[0].is_error() && found[0].help.as_ref().unwrap().contains("tab-delimited"), "{found:?}");
 }
 
-/// The dialogue script of Unreal, as its localisation dashboard exports it (`ExportDialogueScriptCommandlet.cpp` of Unreal
-/// Engine 4.18; its columns are the members of `FDialogueScriptEntry`, which are the same in 5.3): UTF-8 with a byte order
-/// mark, all cells in quotes, and lists in parentheses. `AudioFileName` is the recording that the engine imports.
+/// The dialogue script of Unreal, as its localisation dashboard exports it (`ExportDialogueScriptCommandlet.cpp` of
+/// Unreal Engine 4.18; its columns are the members of `FDialogueScriptEntry`, which are the same in 5.3): UTF-8 with a
+/// byte order mark, all cells in quotes, and lists in parentheses. `AudioFileName` is the recording that the engine
+/// imports.
 #[test]
 fn dialogue_scripts_of_unreal_name_recordings() {
     let head = "\"SpeakingVoice\",\"TargetVoices\",\"SpokenDialogue\",\"VoiceActorDirection\",\"AudioFileName\",\
@@ -103,8 +104,8 @@ fn dialogue_scripts_of_unreal_name_recordings() {
         \"DialogueAssetGUID\"\n";
     let row = |text: &str, recording: &str| {
         format!(
-            "\"Mara\",\"(\"\"Otto\"\",\"\"[Otto,Tom]\"\")\",\"{text}\",\"quietly, \"\"sotto voce\"\"\",\"{recording}.wav\",\
-             \"/Game/Dialogue/{recording}.{recording}\",\"False\",\"(\"\"A05875C2C7CA4601_C174FFF6\"\")\",\
+            "\"Mara\",\"(\"\"Otto\"\",\"\"[Otto,Tom]\"\")\",\"{text}\",\"quietly, \"\"sotto voce\"\"\",\
+             \"{recording}.wav\",\"/Game/Dialogue/{recording}.{recording}\",\"False\",\"(\"\"A05875C2C7CA4601_C174FFF6\"\")\",\
              \"3A5B\",\"(\"\"77C1\"\",\"\"[77C1,0E12]\"\")\",\"A05875C2C7CA4601\"\n"
         )
     };

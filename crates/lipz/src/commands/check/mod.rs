@@ -81,7 +81,8 @@ pub(crate) struct Check {
     #[arg(long, value_name = "FILE")]
     cache: Option<PathBuf>,
 
-    /// Compare the clips with a script: a table (Ren'Py, Yarn Spinner, Unreal, CSV), JSON (Ink, articy) or .msg file (Fallout)
+    /// Compare the clips with a script: a table (Ren'Py, Yarn Spinner, Unreal, CSV), JSON (Ink, articy) or .msg file
+    /// (Fallout)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
     lines: Option<PathBuf>,
 

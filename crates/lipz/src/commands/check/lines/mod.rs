@@ -12,6 +12,7 @@ use lipz_compiler::{Compiler, Input};
 use lipz_diagnostics::{Code, Diagnostic, Report, bound, escape};
 use lipz_interop::{Script, ScriptLine};
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use texts::SourceText;
@@ -41,7 +42,10 @@ pub(super) fn check(
     let name = console::path(path);
     let inputs = &*run.inputs;
     let source_locale = super::translations::source_locale(project, inputs);
-    let (script, source, found) = Script::read_lines(&name, &bytes, source_locale.as_deref());
+    let (script, source, found) = match texts_beside(path, reporter)? {
+        Some(texts) => Script::read_lines_with_texts(&name, &bytes, &texts, source_locale.as_deref()),
+        None => Script::read_lines(&name, &bytes, source_locale.as_deref()),
+    };
     let unreadable = Report::new(source.clone(), found);
     if unreadable.has_errors() {
         return Err(reporter.refuse(vec![unreadable]));
@@ -83,6 +87,16 @@ pub(super) fn check(
     run.reports.extend(reports);
     lipz_diagnostics::reports::sort(&mut run.reports);
     Ok(is_ambiguous.into_inner())
+}
+
+/// Reads the texts of the lines, if the script has them in a second file, and if that exists.
+fn texts_beside(path: &Path, reporter: &mut Reporter) -> Result<Option<Vec<u8>>, Abort> {
+    let Some(texts) = Script::texts_beside(path) else { return Ok(None) };
+    match input_file::read(&texts) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(reporter.fail(input_file::unreadable(&texts, &error))),
+    }
 }
 
 /// Returns the clips of each line, by the path of the line. A clip with exactly this key is the only one.
