@@ -271,6 +271,28 @@ fn a_check_reports_every_problem_that_a_delivery_would_bring() {
 }
 
 /// Questions of a translator reach the others, and answers reach the translator.
+/// Questions come before translations, and clips are renamed in between.
+#[test]
+fn comments_on_a_clip_without_translations_follow_it() {
+    let scene = project();
+    let folder = scene.path();
+    scene.write("voices/otto.lipz", "{ \"visemes\": \"MA|EO\", \"text_en-us\": \"Good evening.|You?\" }\n");
+    scene.write("voices/mara.lipz", "{ \"text_en-us\": \"Yes.\" }\n");
+    export(folder, "po", "de.po");
+    replace(folder, "de.po", "#. as exported", "# Formal or not?\n#. as exported");
+    let text = fs::read_to_string(folder.join("de.po")).unwrap();
+    assert_eq!(import(folder, &["de.po"]).code, 0, "{text}");
+    let record = || fs::read_to_string(folder.join("lipz-texts.txt")).unwrap();
+    assert!(record().contains("voices/otto.lipz\ten-us\tde-de:-,-\tGood evening. | You?\n"), "{}", record());
+    assert_eq!(lipz(folder, ["check", "--quiet"]).stderr, "");
+    fs::rename(folder.join("voices/otto.lipz"), folder.join("voices/mayor.lipz")).unwrap();
+    fs::remove_file(folder.join("de.po")).unwrap();
+    export(folder, "po", "de.po");
+    let exported = fs::read_to_string(folder.join("de.po")).unwrap();
+    let of_mayor = exported.split("\n\n").find(|entry| entry.contains("\"mayor")).unwrap();
+    assert!(of_mayor.contains("# Formal or not?"), "{exported}");
+}
+
 #[test]
 fn comments_of_translators_are_kept_and_come_back() {
     for (format, name) in

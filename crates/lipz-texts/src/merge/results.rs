@@ -17,6 +17,8 @@ pub struct MergedFile {
     pub confirmed: Vec<ConfirmedTranslations>,
     /// The comments of translators, whether the translations were imported or not.
     pub comments: Vec<TranslatorComments>,
+    /// The source texts of the clip's segments; empty if it has none.
+    pub sources: Vec<String>,
     /// The source texts in the file that differ from those of the clip, with the number of the file. They are never
     /// imported.
     pub other_sources: Vec<(usize, Span)>,

@@ -77,6 +77,7 @@ impl TextRecord {
         }
         if of_file.is_empty() {
             self.comments.remove(file);
+            self.untranslated.remove(file);
         }
         true
     }

@@ -54,6 +54,11 @@ fn made(text: &str) -> Option<Option<ApprovedMark>> {
     Some(Some(ApprovedMark { mark: mark.parse().ok()?, state, is_imported }))
 }
 
+/// Returns the marks of a translation without information about any of its segments.
+pub(super) fn no_marks(segments: usize) -> String {
+    vec![NOTHING; segments].join(",")
+}
+
 /// Writes the line of a version, whose source texts are `source`.
 pub(super) fn write(f: &mut fmt::Formatter<'_>, file: &str, version: &Version, source: &str) -> fmt::Result {
     escaped(f, file)?;

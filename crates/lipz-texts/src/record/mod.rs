@@ -4,8 +4,10 @@ mod comments;
 mod line;
 mod merge;
 mod moved;
+mod sources;
 mod standing;
 mod unit;
+mod untranslated;
 mod version;
 
 pub use standing::Standing;
@@ -16,6 +18,7 @@ use comments::{CommentLine, Comments};
 use line::Line;
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use merge::merge;
+use sources::Sources;
 use standing::Fact;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -48,6 +51,8 @@ pub struct TextRecord {
     files: BTreeMap<String, Vec<Version>>,
     /// By the same paths, the comments of translators.
     comments: BTreeMap<String, Comments>,
+    /// By the same paths, the source texts of clips that have comments, but no translation.
+    untranslated: BTreeMap<String, Sources>,
 }
 
 impl TextRecord {
@@ -85,6 +90,7 @@ impl TextRecord {
             merge(versions);
             !versions.is_empty()
         });
+        record.drop_sources();
         Some((record, diagnostics))
     }
 
@@ -126,6 +132,7 @@ impl TextRecord {
     pub fn forget(&mut self, file: &str) {
         self.files.remove(file);
         self.comments.remove(file);
+        self.untranslated.remove(file);
     }
 
     /// Records that translations were made from the current source texts, for the segments that have a state here.
@@ -200,10 +207,17 @@ impl TextRecord {
         merge(versions);
         if versions.is_empty() {
             self.files.remove(file);
+        } else {
+            self.untranslated.remove(file);
         }
     }
 
     fn add(&mut self, line: Line) {
+        if line.version.is_untranslated() {
+            let source = (line.version.source_locale, line.version.sources);
+            self.untranslated.entry(line.file).or_default().insert(source);
+            return;
+        }
         self.files.entry(line.file).or_default().push(line.version);
     }
 }
@@ -217,7 +231,12 @@ impl fmt::Display for TextRecord {
             for version in self.files.get(file).into_iter().flatten() {
                 line::write(f, file, version, &joined(&version.sources))?;
             }
-            self.comments.get(file).map_or(Ok(()), |of_file| comments::write(f, file, of_file))?;
+            let Some(comments) = self.comments.get(file) else { continue };
+            let untranslated = self.untranslated.get(file).into_iter().flatten();
+            for (source, locale) in untranslated.filter_map(|source| Some((source, comments.keys().next()?))) {
+                sources::write(f, file, source, locale)?;
+            }
+            comments::write(f, file, comments)?;
         }
         Ok(())
     }

@@ -8,7 +8,8 @@ use std::collections::HashMap;
 impl TextRecord {
     /// Matches the `lost` files, which were deleted, with the `new` files, which are not in the record, and moves the
     /// lines of lost files. Files match if their texts do: the source text and a translation, or a translation alone if
-    /// only one lost file has it. Returns the old and the new paths.
+    /// only one lost file has it, or the source text alone if the lost file has comments and no translation. Returns
+    /// the old and the new paths.
     pub fn follow(&mut self, lost: &[String], new: &[(String, ClipTexts)]) -> Vec<(String, String)> {
         let mut by_translation: HashMap<(String, Vec<Mark>), Vec<usize>> = HashMap::new();
         for (number, versions) in
@@ -37,12 +38,16 @@ impl TextRecord {
             is_taken[number] = true;
             found.extend(lost.get(number).map(|lost| (lost.clone(), file.clone())));
         }
+        self.follow_untranslated(lost, new, &mut found);
         for (old, new) in &found {
             if let Some(versions) = self.files.remove(old) {
                 self.files.insert(new.clone(), versions);
             }
             if let Some(comments) = self.comments.remove(old) {
                 self.comments.insert(new.clone(), comments);
+            }
+            if let Some(sources) = self.untranslated.remove(old) {
+                self.untranslated.insert(new.clone(), sources);
             }
         }
         found

@@ -208,7 +208,8 @@ impl ImportTexts {
                     counts.add(merged.counts);
                     let is_written = unwritten.iter().all(|report| report.source.path != input.name());
                     if is_written {
-                        confirmed.push(ToRecord { input, confirmed: merged.confirmed, comments: merged.comments });
+                        let (of_clip, comments) = (merged.confirmed, merged.comments);
+                        confirmed.push(ToRecord { input, confirmed: of_clip, comments, sources: merged.sources });
                     }
                     found.extend(merged.found);
                     for (file, span) in merged.other_sources {
@@ -248,6 +249,8 @@ struct ToRecord {
     input: Input,
     confirmed: Vec<ConfirmedTranslations>,
     comments: Vec<TranslatorComments>,
+    /// The texts of its segments in the source locale.
+    sources: Vec<String>,
 }
 
 /// Records the source texts of the translations and the comments on them, and returns a message about them.
@@ -262,6 +265,7 @@ fn remember(mut file: RecordFile, source_locale: &str, clips: &[ToRecord]) -> Re
         for TranslatorComments { locale, lines, exported } in &clip.comments {
             has_new |= file.record.take_comments(&name, locale, lines, *exported);
         }
+        file.record.keep_source(&name, source_locale, &clip.sources);
         commented += usize::from(has_new);
     }
     let is_written = file.write()?;
