@@ -30,6 +30,28 @@ fn the_readers_read_the_files_of_their_engines() {
     assert_eq!(unreal_po(file, &[("Town", "Greet,1", "Hi.")]).len(), 0, "the text of the game is different");
 }
 
+/// The dialogue script of a language, as `ExportDialogueScriptCommandlet.cpp` of Unreal Engine 4.18 writes it.
+#[test]
+fn dialogue_scripts_of_unreal_are_translations_of_recordings() {
+    let script = "\u{feff}\"SpeakingVoice\",\"TargetVoices\",\"SpokenDialogue\",\"VoiceActorDirection\",\
+        \"AudioFileName\",\"DialogueAsset\",\"IsRecorded\",\"LocalizationKeys\",\"SpeakingVoiceGUID\",\
+        \"TargetVoiceGUIDs\",\"DialogueAssetGUID\"\n\
+        \"Mara\",\"(\"\"Otto\"\")\",\"'Wer da?' C:\\neu\",\"\",\"Mara_Gate_0.wav\",\
+        \"/Game/Mara_Gate.Mara_Gate\",\"True\",\"(\"\"A058_C174\"\")\",\"3A5B\",\"(\"\"77C1\"\")\",\"A058\"\n";
+    let read_as = |options: ReadOptions| read(Format::Csv, script.as_bytes(), &options);
+    let german = read_as(ReadOptions::new("en-us").known(["de-de", "fr-fr"]).wanted(["de-de"]));
+    assert_eq!(german.diagnostics, []);
+    let entries: Vec<_> = german
+        .entries
+        .iter()
+        .map(|entry| (entry.key.text.as_str(), &*entry.locale, entry.text.text.as_str()))
+        .collect();
+    assert_eq!(entries, [("Mara_Gate_0", "de-de", "'Wer da?' C:\\neu")]);
+    let unknown = read_as(ReadOptions::new("en-us").known(["de-de", "fr-fr"]));
+    let mut help = unknown.diagnostics.iter().filter_map(|found| found.help.as_deref());
+    assert!(help.any(|help| help.starts_with("name the locale of the column `SpokenDialogue`")), "{unknown:?}");
+}
+
 const TEXT: &str = "- Quoth \"he\", 'C:\\x'.";
 const GERMAN: &str = "- Ja, =x, 'C:\\x', \"so\".";
 

@@ -94,6 +94,8 @@ pub(super) enum CsvDialect {
     Plain,
     /// An engine that replaces escapes: Godot or Unreal.
     Escaped,
+    /// The dialogue script of Unreal, whose keys are the names of recordings.
+    DialogueScript,
     /// Yarn Spinner, whose keys begin with `line:`, and whose old translations begin with a note.
     Yarn,
 }
@@ -108,11 +110,19 @@ impl CsvDialect {
         };
         match () {
             () if has("language") && has("text") => CsvDialect::Yarn,
+            () if is_dialogue_script(names) => CsvDialect::DialogueScript,
             () if has("keys") || has("sourcestring") => CsvDialect::Escaped,
             () if names.iter().zip(columns).any(is_of_unity) => CsvDialect::Plain,
             () => CsvDialect::Sheet,
         }
     }
+}
+
+/// The columns of Unreal's dialogue script with the recordings and with the texts in the language of the file.
+const DIALOGUE_SCRIPT: [&str; 2] = ["AudioFileName", "SpokenDialogue"];
+
+fn is_dialogue_script(names: &[&str]) -> bool {
+    DIALOGUE_SCRIPT.iter().all(|known| names.iter().any(|name| name.trim().eq_ignore_ascii_case(known)))
 }
 
 /// Returns the content of the columns with these names; `Err` for one that is not imported.
@@ -122,7 +132,13 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
     let is_by_row = has("language") && has("text");
     // Tables that Weblate and the Translate Toolkit make of PO files.
     let is_of_po = has("context") && has("source") && has("target");
-    let keys = if is_of_po { ["context"; 3] } else { ["key", "keys", "id"] };
+    let is_dialogue_script = is_dialogue_script(names);
+    let [recording, spoken] = DIALOGUE_SCRIPT;
+    let keys = match () {
+        () if is_of_po => ["context"; 3],
+        () if is_dialogue_script => [recording; 3],
+        () => ["key", "keys", "id"],
+    };
     let key = keys.into_iter().find(|key| has(key)).unwrap_or_default();
     let only = options.wanted.first().filter(|_| options.wanted.len() == 1);
     let column = |name: &&str| {
@@ -132,7 +148,9 @@ pub(super) fn columns(names: &[&str], options: &ReadOptions) -> Vec<Result<CsvCo
         let is_number = name == "Id" && key != "id";
         if !key.is_empty() && is(name, key) {
             return Ok(CsvColumn::Key);
-        } else if is_of_po && is(name, "target") {
+        } else if is_dialogue_script && !is(name, spoken) {
+            return Ok(CsvColumn::Other);
+        } else if (is_of_po && is(name, "target")) || is_dialogue_script {
             return only.map(|locale| CsvColumn::Locale(locale.as_str().into())).ok_or(NoColumn::Target);
         } else if is_of_po && is(name, "translator_comments") && only.is_some() {
             return only.map(|locale| CsvColumn::Comments(locale.as_str().into())).ok_or(NoColumn::Unknown);

@@ -45,11 +45,11 @@ impl CsvHeader {
     /// Reads the columns from a row; `None` if keys or translations are missing.
     pub(super) fn read(row: &CsvRow, options: &ReadOptions, diagnostics: &mut Vec<Diagnostic>) -> Option<CsvHeader> {
         let names: Vec<&str> = row.cells.iter().map(String::as_str).collect();
-        let (mut found, mut has_target) = (Vec::new(), false);
+        let (mut found, mut target) = (Vec::new(), None);
         for (at, column) in columns(&names, options).into_iter().enumerate() {
             if let (Err(why), false) = (&column, options.wants_takes) {
-                has_target |= *why == NoColumn::Target;
                 let name = escape::quoted(names.get(at).copied().unwrap_or_default());
+                target = target.or_else(|| (*why == NoColumn::Target).then(|| name.clone()));
                 let (note, help) = match why {
                     NoColumn::Unknown => (
                         "its name is not a locale, nor that of a column that lipz or a known tool writes",
@@ -92,11 +92,11 @@ impl CsvHeader {
                 }
             }
         } else if !found.iter().any(|column| matches!(column, CsvColumn::Text | CsvColumn::Locale(_))) {
-            let help = match has_target {
-                true => "name the locale of the column `target` with `--locale`, as in de-de",
-                false => "name each column after its locale, as in de-de",
+            let help = match target {
+                Some(name) => format!("name the locale of the column {name} with `--locale`, as in de-de"),
+                None => "name each column after its locale, as in de-de".to_owned(),
             };
-            diagnostics.push(missing("translations", help));
+            diagnostics.push(missing("translations", &help));
             return None;
         }
         let dialect = CsvDialect::new(&names, &found);

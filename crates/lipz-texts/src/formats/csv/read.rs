@@ -44,7 +44,7 @@ fn rows(text: &str, options: &ReadOptions, incoming: &mut IncomingFile) {
         for cell in &mut row.cells {
             let text = match dialect {
                 CsvDialect::Sheet => cell::text(cell).to_owned(),
-                CsvDialect::Plain | CsvDialect::Yarn => continue,
+                CsvDialect::Plain | CsvDialect::Yarn | CsvDialect::DialogueScript => continue,
                 CsvDialect::Escaped => unescaped(cell).into_owned(),
             };
             *cell = text;

@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// The prefix of all keys in Yarn Spinner.
 pub(super) const YARN_LINE: &str = "line:";
+/// The end of all keys in a dialogue script of Unreal.
+const RECORDING: &str = ".wav";
 /// The prefix of translations whose source text has changed, in Yarn Spinner.
 const NEEDS_UPDATE: &str = "(NEEDS UPDATE) ";
 
@@ -74,7 +76,11 @@ impl CsvRow {
         }));
         let is_of_yarn = header.dialect == CsvDialect::Yarn;
         let row_locale = self.locale(header.language, options, incoming);
-        let own = if is_of_yarn { key.text.strip_prefix(YARN_LINE).unwrap_or(&key.text) } else { &key.text };
+        let own = match header.dialect {
+            CsvDialect::Yarn => key.text.strip_prefix(YARN_LINE).unwrap_or(&key.text),
+            CsvDialect::DialogueScript => key.text.strip_suffix(RECORDING).unwrap_or(&key.text),
+            _ => &key.text,
+        };
         let (id, segment) = entry::id(own);
         let key = Arc::new(Words { text: id.to_owned(), span: key.span });
         let entry = |column: &TranslationColumn| {
