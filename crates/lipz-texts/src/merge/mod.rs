@@ -88,7 +88,7 @@ impl Merge<'_> {
             }
         }
         let style = Style { default_locale: self.default_locale, ..Style::default() };
-        merged.sources = sources.unwrap_or_default();
+        merged.sources = clip_texts.get(self.source_locale).cloned().unwrap_or_default();
         merged.text = (!texts.is_empty()).then(|| splice::splice(file, clip, &texts, style, &strings));
         merged
     }
