@@ -127,7 +127,7 @@ fn plural_forms_of_other_tools_are_understood() {
     let expected = [("pl-pl-x-one", Some(2), "a"), ("pl-pl-x-few", Some(2), "b {n}"), ("pl-pl", Some(2), "c {n}")];
     assert_eq!(read_texts, expected);
     let messages: Vec<_> = incoming.diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
-    assert_eq!(messages, ["by the plural forms of the file, no number has form 3; it is not imported"]);
+    assert_eq!(messages, ["form 3 has no plural category of its own in pl-pl, and is not imported"]);
     // Without a header, the forms are those of the language.
     let without = po.replace("Plural-Forms", "X-Forms").replace("msgstr[3] \"d {n}\"\n", "");
     let read_without = read(Format::Po, without.as_bytes(), &options);
@@ -148,4 +148,92 @@ fn work_counts_the_variants_that_a_language_needs() {
     let open = |at: usize| work.locales[at].open.iter().map(|open| open.key.as_str()).collect::<Vec<_>>();
     assert_eq!(open(0), ["guards|x-fem"]);
     assert_eq!(open(1), ["guards|x-fem", "guards|x-one"]);
+}
+
+const LATVIAN: &str = r#"{ "text_en-us": "{n} left.", "text_en-us-x-one": "One left.", "text_lv-lv": "o {n}", "text_lv-lv-x-zero": "z {n}",
+    "text_lv-lv-x-one": "1 {n}" }"#;
+
+/// Returns the texts of a file after the import of a PO file, and the messages.
+fn merged(file: &str, po: &str, locale: &str, source_locale: &str) -> (ClipTexts, Vec<String>) {
+    let incoming = read(Format::Po, po.as_bytes(), &ReadOptions::new(source_locale).wanted([locale]));
+    let document = lipz_file::parse(file.as_bytes()).document.unwrap();
+    let merged = Merge::new(source_locale).merge(file, &document, &incoming.entries.iter().collect::<Vec<_>>());
+    let found = merged.found.into_iter().map(|(_, found)| found).chain(incoming.diagnostics);
+    let file = merged.text.unwrap_or(file.to_owned());
+    let texts = texts_of(&lipz_file::parse(file.as_bytes()).document.unwrap(), None);
+    (texts, found.map(|found| found.message).collect())
+}
+
+fn exported(file: &str, locale: &str, source_locale: &str) -> String {
+    let clip = lipz_file::parse(file.as_bytes()).document.unwrap();
+    let collect = Collect::new(source_locale, [locale]);
+    let text = collect.unit("g", &clip, &mut Vec::new()).unwrap();
+    let units = [vec![text.clone()], collect.variants(&text, &clip)].concat();
+    let exchange = Exchange { source_locale: source_locale.into(), locales: vec![locale.into()], units };
+    String::from_utf8(write(Format::Po, &exchange, &WriteOptions::new()).files[0].bytes.clone()).unwrap()
+}
+
+/// The header of gettext has other forms than that of CLDR for Latvian.
+#[test]
+fn marks_belong_to_categories_in_whatever_order_the_forms_are() {
+    let po = exported(LATVIAN, "lv-lv", "en-us");
+    assert!(po.contains("#. as exported: zero:") && po.contains("msgstr[0] \"z {n}\"\nmsgstr[1] \"1 {n}\""), "{po}");
+    let header = po.lines().find(|line| line.contains("Plural-Forms")).unwrap();
+    let gettext = "\"Plural-Forms: nplurals=3; plural=(n%10==1 && n%100!=11 ? 0 : n != 0 ? 1 : 2);\\n\"";
+    let forms = [
+        "\"z {n}\"\nmsgstr[1] \"1 {n}\"\nmsgstr[2] \"o {n}\"",
+        "\"1 {n}!\"\nmsgstr[1] \"o {n}\"\nmsgstr[2] \"z {n}!\"",
+    ];
+    let po = po.replace(header, gettext).replace(forms[0], forms[1]);
+    let (texts, messages) = merged(LATVIAN, &po, "lv-lv", "en-us");
+    assert_eq!(messages, [""; 0], "{po}");
+    let text = |tag: &str| texts[tag].concat();
+    assert_eq!([text("lv-lv-x-zero"), text("lv-lv-x-one"), text("lv-lv")], ["z {n}!", "1 {n}!", "o {n}"]);
+}
+
+/// A file from a template has the source texts of two forms only.
+#[test]
+fn files_from_templates_are_imported() {
+    let source = r#"{ "text_pl-pl": "O|{n} wielu", "text_pl-pl-x-one": "|jeden", "text_pl-pl-x-few": "|{n} kilku" }"#;
+    let po = "msgid \"\"\nmsgstr \"Plural-Forms: nplurals=3; plural=(n==1 ? 0 : n>=2 && n<=4 ? 1 : 2);\\n\"\n\nmsgctxt \"g\"\n\
+        msgid \"O | jeden\"\nmsgid_plural \"O | {n} wielu\"\nmsgstr[0] \"A | jeden\"\nmsgstr[1] \"A | {n} par\"\nmsgstr[2] \"A | {n} mnoho\"\n";
+    let (texts, messages) = merged(source, po, "cs-cz", "pl-pl");
+    assert_eq!(messages, [""; 0]);
+    assert_eq!(
+        [&texts["cs-cz"], &texts["cs-cz-x-few"], &texts["cs-cz-x-one"]],
+        [&["A", "{n} mnoho"], &["", "{n} par"], &["", "jeden"],]
+            .map(|texts| texts.map(str::to_owned).to_vec())
+            .each_ref()
+    );
+}
+
+#[test]
+fn a_language_without_plurals_has_translations_with_them() {
+    let japanese = r#"{ "text_ja-jp": "a|b {n}", "text_pl-pl": "P|{n} wielu" }"#;
+    let po = "msgid \"\"\nmsgstr \"\"\n\nmsgctxt \"g\"\nmsgid \"a | b {n}\"\nmsgid_plural \"a | b {n}\"\n\
+        msgstr[0] \"P | jeden {n}\"\nmsgstr[1] \"P | {n} wielu\"\nmsgstr[2] \"P | {n} wielu\"\n";
+    let (texts, messages) = merged(japanese, po, "pl-pl", "ja-jp");
+    assert_eq!(messages, [""; 0]);
+    assert_eq!(texts["pl-pl-x-few"], ["P", "{n} wielu"], "a form that equals the text is one");
+}
+
+#[test]
+fn what_translators_take_out_of_a_variant_goes() {
+    let project = r#"{ "text_en-us": "Look!|{n}.", "text_en-us-x-one": "|One.", "text_pl-pl": "Patrz!|{n}.", "text_pl-pl-x-one": "Patrz ty!|Jeden.",
+        "text_pl-pl-x-few": "|{n}" }"#;
+    let po = exported(project, "pl-pl", "en-us").replace("Patrz ty!", "Patrz!");
+    let (texts, messages) = merged(project, &po, "pl-pl", "en-us");
+    assert_eq!((texts["pl-pl-x-one"].as_slice(), messages), (&["".to_owned(), "Jeden.".to_owned()][..], vec![]));
+}
+
+#[test]
+fn unreadable_forms_are_an_error_with_the_right_ones() {
+    let po = exported(LATVIAN, "lv-lv", "en-us");
+    let header = po.lines().find(|line| line.contains("Plural-Forms")).unwrap();
+    let po = po.replace(header, "\"Plural-Forms: nplurals=INTEGER; plural=EXPRESSION;\\n\"");
+    let incoming = read(Format::Po, po.as_bytes(), &ReadOptions::new("en-us").wanted(["lv-lv"]));
+    assert!(incoming.entries.is_empty());
+    let found = &incoming.diagnostics[0];
+    assert_eq!(found.message, "`Plural-Forms` in the header cannot be read");
+    assert!(found.help.as_deref().is_some_and(|help| help.contains("nplurals=3; plural=(n%10==0")), "{found:?}");
 }

@@ -46,6 +46,10 @@ fn plural_forms_come_back_from_gettext() {
         stale.contains("LZ1911") && stale.contains("voices/guards.lipz:7:") && !stale.contains("guards.lipz:6:"),
         "{stale}"
     );
+    lipz(folder, ["export", "texts", "po", "--locale", "pl-pl", "-o", "stale.po"]);
+    let po = fs::read_to_string(folder.join("stale.po")).unwrap();
+    let both = "#| msgid \" | One guard is left.\"\n#| msgid_plural \"Look! | {n} guards are left.\"\n";
+    assert!(po.contains(both) && po.contains("#, fuzzy"), "gettext reads both lines or neither: {po}");
     let approved = lipz(folder, ["approve", "--all"]);
     assert!(approved.stdout.contains("guards pl-pl-x-one: "), "{approved:?}");
     assert_eq!(lipz(folder, ["check"]).stderr, "");

@@ -3,6 +3,7 @@
 use crate::exchange::model::VARIANT_MARK;
 use crate::exchange::variants::variant_tag;
 use crate::exchange::{Mark, State};
+use crate::plural::join_category;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
 use lipz_file::locale::{canonical_tag, has_lipz_shape, is_variant_key, language, split_variant};
 use lipz_file::text::DELIMITER;
@@ -198,14 +199,11 @@ impl Entry {
             self.key = Words { text: key.to_owned(), span: self.key.span }.into();
         }
     }
-}
 
-impl Entry {
     /// Makes the entry that of the variant with this plural category, or leaves it unchanged for `""`.
     pub(crate) fn add_category(&mut self, category: &str) {
         let (locale, rest) = split_variant(&self.locale);
-        let key =
-            [category, rest.unwrap_or("")].into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join("-");
+        let key = join_category(category, rest.unwrap_or(""));
         self.locale = variant_tag(locale, &key).into();
     }
 }

@@ -1,15 +1,16 @@
-//! Variants of texts as translations: what they are translated from, and which of them a locale needs.
+//! Variants of texts as translations: their sources, and the variants that a locale needs.
 //!
 //! The variant `de-de-x-few` is a translation of the variant `en-us-x-few`. If the source locale lacks that, it is a
 //! translation of the source text in the segments that vary. The other segments are blank.
 
 use crate::exchange::ClipTexts;
+use crate::exchange::model::joined;
 use crate::exchange::placeholder;
-use crate::plural::{Categories, split_category};
+use crate::plural::{Categories, join_category, split_category};
 use lipz_file::locale::{VARIANT_SEPARATOR, split_variant};
 use lipz_file::placeholder::PlaceholderPattern;
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// The texts that a translation is made from.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -20,6 +21,8 @@ pub struct SourceTexts<'t> {
     pub texts: Cow<'t, [String]>,
     /// The texts of the source locale.
     whole: &'t [String],
+    /// The locale of the translation, without a variant.
+    to: String,
 }
 
 impl<'t> SourceTexts<'t> {
@@ -38,8 +41,10 @@ impl<'t> SourceTexts<'t> {
     /// ```
     pub fn of(clip: &'t ClipTexts, source_locale: &'t str, locale: &str) -> Option<SourceTexts<'t>> {
         let whole = clip.get(source_locale)?.as_slice();
-        let (_, Some(key)) = split_variant(locale) else {
-            return Some(SourceTexts { locale: source_locale.into(), texts: whole.into(), whole });
+        let (to, key) = split_variant(locale);
+        let to = to.to_owned();
+        let Some(key) = key else {
+            return Some(SourceTexts { locale: source_locale.into(), texts: whole.into(), whole, to });
         };
         let tag = variant_tag(source_locale, key);
         let of_key = |key: &str| {
@@ -54,7 +59,21 @@ impl<'t> SourceTexts<'t> {
                 Cow::Owned(whole.iter().zip(varies).map(text).collect())
             }
         };
-        Some(SourceTexts { locale: tag.into(), texts, whole })
+        Some(SourceTexts { locale: tag.into(), texts, whole, to })
+    }
+
+    /// Returns the current source text of a segment, from 0, or of the clip, if a file has the same in another form: with
+    /// the text in the segments that do not vary, or the text itself, because an entry with plural forms has the sources
+    /// of two of them.
+    pub(crate) fn current(&self, segment: Option<usize>, then: &str) -> Option<String> {
+        let of = |texts: &[String]| match segment {
+            Some(at) => texts.get(at).cloned().unwrap_or_default(),
+            None => joined(texts),
+        };
+        let fill = |(text, whole): (&String, &String)| if text.is_empty() { whole.clone() } else { text.clone() };
+        let filled: Vec<String> = self.texts.iter().zip(self.whole).map(fill).collect();
+        let is_current = [of(&self.texts), of(&filled), of(self.whole)].iter().any(|known| known == then);
+        is_current.then(|| of(&self.texts))
     }
 
     /// Returns the difference between the placeholders of a segment and those of its source; `None` if there is none to
@@ -65,7 +84,7 @@ impl<'t> SourceTexts<'t> {
         let found = placeholder::difference(source, text, own)?;
         let (_, Some(key)) = split_variant(&self.locale) else { return Some(found) };
         let whole = self.whole.get(at).map_or("", String::as_str);
-        let is_one_number = matches!(split_category(key).0, Some("zero" | "one" | "two"));
+        let is_one_number = split_category(key).0.is_some_and(|name| Categories::of(&self.to).has_one_number(name));
         let is_allowed = match is_one_number {
             true => placeholder::are_among(text, whole, own),
             false => placeholder::difference(whole, text, own).is_none(),
@@ -119,23 +138,33 @@ pub(crate) fn variant_keys(clip: &ClipTexts, source_locale: &str, locale: &str) 
     };
     let (of_source, own) = (keys_of(source_locale), keys_of(locale));
     let mut all: Vec<VariantKey> = Vec::new();
+    if of_source.is_empty() && own.is_empty() {
+        return all;
+    }
+    let mut known = HashSet::new();
     let mut add = |key: String, is_needed| {
-        if all.iter().all(|known| known.key != key) {
+        if known.insert(key.clone()) {
             all.push(VariantKey { key, is_needed });
         }
     };
-    let with_category =
-        of_source.iter().chain(&own).map(|key| split_category(key)).filter(|(category, _)| category.is_some());
-    let rests: BTreeSet<&str> = with_category.map(|(_, rest)| rest).collect();
+    // `zero` in English is a text of its own, for a number that the language treats as many.
+    let of_language = Categories::of(source_locale);
+    let is_plural = |key: &&&str| {
+        let category = split_category(key).0;
+        category.is_some_and(|category| of_language.variants().contains(&category))
+    };
+    let own_language = Categories::of(if locale.is_empty() { source_locale } else { locale });
+    let is_own_plural =
+        |key: &&&str| split_category(key).0.is_some_and(|category| own_language.variants().contains(&category));
+    let plurals = of_source.iter().filter(is_plural).chain(own.iter().filter(is_own_plural));
+    let rests: BTreeSet<&str> = plurals.map(|key| split_category(key).1).collect();
     // A template is in no language, and has the plural forms of its source.
-    let language = if locale.is_empty() { source_locale } else { locale };
-    let categories = if rests.is_empty() { None } else { Some(Categories::of(language)) };
     for rest in rests {
-        for category in categories.iter().flat_map(Categories::variants) {
-            add(if rest.is_empty() { (*category).to_owned() } else { format!("{category}-{rest}") }, true);
+        for category in own_language.variants() {
+            add(join_category(category, rest), true);
         }
     }
-    of_source.iter().filter(|key| split_category(key).0.is_none()).for_each(|key| add((*key).to_owned(), true));
+    of_source.iter().filter(|key| !is_plural(key)).for_each(|key| add((*key).to_owned(), true));
     own.iter().for_each(|key| add((*key).to_owned(), false));
     all
 }
@@ -170,6 +199,7 @@ mod tests {
             "without those of the source"
         );
         assert_eq!(keys(&clip(&[("en-us", "a"), ("pl-pl-x-few", "b")]), "de-de"), "");
+        assert_eq!(keys(&clip(&[("en-us", "a"), ("en-us-x-zero", "b")]), "pl-pl"), "zero", "a special case");
     }
 
     #[test]
@@ -193,6 +223,7 @@ mod tests {
         assert!(!differs("ru-ru-x-one", "{n} стражник {name}"), "as in the text");
         assert!(!differs("de-de-x-one", "Eine Wache von {name}"));
         assert!(differs("de-de-x-one", "Eine Wache von {nmae}"));
+        assert!(differs("ru-ru-x-two", "стражник {name}"), "not a category of Russian");
         assert!(differs("ru-ru-x-few", "стражники {name}"));
         assert!(!differs("ru-ru-x-few", "{n} стражника {name}"));
         assert!(differs("de-de", "Wachen von {name}"));

@@ -103,8 +103,9 @@ impl<'r> TextLints<'r> {
                 let Some(from) = SourceTexts::of(&texts, source_locale, &translation.locale) else { break };
                 let of_variant = self.texts(clip).find(|text| text.locale == from.locale);
                 let of_locale = || self.texts(clip).find(|text| text.locale == source_locale);
-                let Some(string) = of_variant.or_else(of_locale).map(|text| text.string) else { break };
-                let source = LocaleText { locale: from.locale.to_string(), string, segments: from.texts.to_vec() };
+                let Some(written) = of_variant.or_else(of_locale) else { break };
+                let (locale, segments) = (from.locale.to_string(), from.texts.to_vec());
+                let source = LocaleText { locale, segments, ..written };
                 if translation.segments.len() != source.segments.len() {
                     continue; // reported separately
                 }
@@ -185,13 +186,16 @@ fn texts<'d>(clip: &'d Document<'_>, default_locale: Option<&'d str>) -> impl It
     clip.elements.iter().filter_map(move |element| {
         let locale = tag_of(&element.name.text, default_locale)?;
         let Value::String(string) = &element.value else { return None };
-        Some(LocaleText { locale, string, segments: trimmed(&string.text) })
+        Some(LocaleText { name: locale.clone(), locale, string, segments: trimmed(&string.text) })
     })
 }
 
 /// A text of a clip.
 struct LocaleText<'d> {
+    /// The locale, with the key of the variant whose texts these are.
     locale: String,
+    /// The locale, or the variant, in the name of the element.
+    name: String,
     string: &'d JsonString<'d>,
     /// Its segments, trimmed.
     segments: Vec<String>,

@@ -48,9 +48,9 @@ fn stale(
     is_changed: bool,
 ) -> Diagnostic {
     let message = match is_changed {
-        false => format!("the text in {} has changed since this was translated", source.locale),
+        false => format!("the text in {} has changed since this was translated", source.name),
         true => {
-            format!("the translation and the text in {} have both changed since the last translation", source.locale)
+            format!("the translation and the text in {} have both changed since the last translation", source.name)
         }
     };
     let now = source.segments.get(at).map_or("", String::as_str);

@@ -19,6 +19,19 @@ pub(super) struct ClipChanges {
     pub(super) is_newer: bool,
 }
 
+impl ClipChanges {
+    /// Returns the texts of the locale after the import; `None` if it has none.
+    pub(super) fn with_texts(&self, own: Option<&[String]>) -> Option<Vec<String>> {
+        let count = self.texts.keys().next_back().map_or(0, |last| last + 1);
+        let mut texts = own.map_or_else(Vec::new, <[String]>::to_vec);
+        texts.resize(texts.len().max(count), String::new());
+        for (at, text) in &self.texts {
+            texts.get_mut(*at).into_iter().for_each(|slot| slot.clone_from(text));
+        }
+        Some(texts).filter(|texts| !texts.is_empty())
+    }
+}
+
 /// Diagnostics, with the number of the file.
 type NumberedDiagnostics = Vec<(usize, Diagnostic)>;
 
@@ -101,7 +114,7 @@ impl ClipMerge<'_> {
                 self.refuse(entry, Code::TextSegments, span, &message, "delete it; the text is for one segment", found);
                 return None;
             }
-            return Some(vec![(number - 1, self.said(number - 1, text))]);
+            return Some(vec![(number - 1, self.to_store(number - 1, text))]);
         }
         let texts = trimmed(&entry.text.text);
         if texts.iter().all(String::is_empty) {
@@ -116,11 +129,11 @@ impl ClipMerge<'_> {
             self.refuse(entry, Code::TextSegments, entry.text.span, &message, help, found);
             return None;
         }
-        Some(texts.iter().enumerate().map(|(at, text)| (at, self.said(at, text))).collect())
+        Some(texts.iter().enumerate().map(|(at, text)| (at, self.to_store(at, text))).collect())
     }
 
     /// Returns the text of a segment: the project's, if it is spelled out there, but left blank in the file of a variant.
-    fn said(&self, at: usize, text: &str) -> String {
+    fn to_store(&self, at: usize, text: &str) -> String {
         let own = self.own.get(at).filter(|own| text.is_empty() && self.whole.get(at) == Some(own));
         own.map_or(text, String::as_str).to_owned()
     }
@@ -190,6 +203,12 @@ impl ClipMerge<'_> {
         result: &mut ClipChanges,
         found: &mut NumberedDiagnostics,
     ) {
+        // A translator may leave out what a variant has besides the segments that vary.
+        let is_left_out = entry.segment.is_none() && entry.mark.is_some() && !self.whole.is_empty();
+        if text.is_empty() && is_left_out && self.sources.get(at).is_some_and(String::is_empty) {
+            result.texts.insert(at, String::new());
+            return;
+        }
         if text.is_empty() {
             found.push(self.missing(entry, at));
             return;

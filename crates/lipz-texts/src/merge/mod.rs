@@ -9,6 +9,7 @@ mod options;
 mod renamed;
 mod results;
 mod splice;
+mod variant;
 
 pub use by_text::TextTranslations;
 pub use keys::{resolve_keys, unknown_keys};
@@ -49,6 +50,8 @@ impl Merge<'_> {
         let strings = strings(clip, self.default_locale);
         let clip_texts = texts_of(clip, self.default_locale);
         let mut texts = Vec::new();
+        // A locale comes before its variants, whose blank segments show its texts.
+        let mut imported: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for (locale, entries) in by_locale {
             merged.comments.push(comments(locale, &entries));
             let Some(sources) = SourceTexts::of(&clip_texts, self.source_locale, locale) else {
@@ -63,7 +66,12 @@ impl Merge<'_> {
             let (varied, key) = split_variant(locale);
             let whole = key.and_then(|_| clip_texts.get(varied)).map(Vec::as_slice);
             let project = [&*sources.texts, own.unwrap_or_default()];
-            let entries: Vec<_> = entries.into_iter().map(|entry| line_ends::of_project(entry, &project)).collect();
+            let entries = entries.into_iter().map(|entry| line_ends::of_project(entry, &project));
+            let mut entries: Vec<_> = entries.collect();
+            if key.is_some() {
+                let known = [whole, imported.get(varied).map(Vec::as_slice)];
+                entries.iter_mut().for_each(|entry| variant::as_in_project(entry, &sources, known));
+            }
             let entries: Vec<&Entry> = entries.iter().map(Cow::as_ref).collect();
             let result = clip::merge(self, &sources, [own, whole], &entries, &mut found);
             let sources = &*sources.texts;
@@ -73,6 +81,7 @@ impl Merge<'_> {
                 merged.confirmed.extend(confirmed::of_older(now.clone(), &entries, &result.texts));
                 merged.confirmed.extend(confirmed::of_entries(now, &entries));
                 merged.other_sources.extend(confirmed::other_sources(sources, &entries));
+                imported.extend(result.with_texts(own).map(|texts| (locale.to_owned(), texts)));
             }
             let has_own = own.is_some_and(|own| own.iter().any(|text| !text.is_empty()));
             let counts = &mut merged.counts;

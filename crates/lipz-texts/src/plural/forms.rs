@@ -30,8 +30,8 @@ const KNOWN: [(usize, &str); 19] = [
 /// The plural forms of a PO file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct PluralForms {
-    /// For each form, the plural category as the key of a variant; `""` for the text itself. `None` for a form that no
-    /// number has.
+    /// For each form, the plural category as the key of a variant; `""` for the text itself. `None` for a form without a
+    /// category of its own: no number up to [`LARGEST`](super::LARGEST) has it, or another form has more of its numbers.
     pub(crate) keys: Vec<Option<&'static str>>,
 }
 
@@ -61,20 +61,31 @@ impl PluralForms {
         Some(PluralForms::from_expression(&Expression::parse(field("plural")?)?, count, &Categories::of(locale)))
     }
 
-    /// Gives each form the category of most of its numbers.
+    /// Gives each form the category of most of its numbers. Of several forms in a category, that with the most numbers is
+    /// the one.
     fn from_expression(expression: &Expression, count: usize, categories: &Categories) -> PluralForms {
         let mut counts = vec![vec![0_usize; categories.names.len()]; count];
         for (number, category) in (0..).zip(&categories.of_numbers) {
             let form = expression.value(number).and_then(|form| counts.get_mut(form as usize));
             form.and_then(|counts| counts.get_mut(*category)).into_iter().for_each(|count| *count += 1);
         }
-        let key = |counts: Vec<usize>| {
-            let (category, _) =
-                counts.iter().enumerate().rev().filter(|(_, count)| **count > 0).max_by_key(|(_, count)| **count)?;
+        let best = |counts: &Vec<usize>| {
+            let (category, count) = counts.iter().enumerate().rev().max_by_key(|(_, count)| **count)?;
+            Some((category, *count)).filter(|(_, count)| *count > 0)
+        };
+        let of_forms: Vec<Option<(usize, usize)>> = counts.iter().map(best).collect();
+        let is_largest = |(category, count): (usize, usize), form: usize| {
+            let mut others = of_forms.iter().enumerate().filter(|(other, _)| *other != form);
+            others.all(|(other, best)| {
+                best.is_none_or(|(of_other, of_count)| of_other != category || (of_count, form) < (count, other))
+            })
+        };
+        let key = |(form, best): (usize, &Option<(usize, usize)>)| {
+            let (category, _) = best.filter(|best| is_largest(*best, form))?;
             // The text itself is for the last category.
             Some(categories.variants().get(category).copied().unwrap_or(""))
         };
-        PluralForms { keys: counts.into_iter().map(key).collect() }
+        PluralForms { keys: of_forms.iter().enumerate().map(key).collect() }
     }
 }
 
@@ -122,7 +133,9 @@ mod tests {
         let with_fractions =
             "nplurals=4; plural=(n==1 ? 0 : n%10>=2 && n%10<=4 && (n%100<12 || n%100>14) ? 1 : n!=1 ? 2 : 3);";
         assert_eq!(of(with_fractions, "pl-pl"), is("one few - ?"), "the fourth is for fractions");
-        assert_eq!(of("nplurals=2; plural=(n > 1);", "ja-jp"), is("- -"));
+        assert_eq!(of("nplurals=2; plural=(n > 1);", "ja-jp"), is("? -"), "one category, mostly in the second form");
+        let hebrew = "nplurals=4; plural=(n==1 ? 0 : n==2 ? 1 : n>10 && n%10==0 ? 2 : 3);";
+        assert_eq!(of(hebrew, "he-il"), is("one two ? -"));
         assert_eq!(of("nplurals=INTEGER; plural=EXPRESSION;", "de-de"), None);
         assert_eq!(of("nplurals=99; plural=n;", "de-de"), None);
         assert_eq!(of("", "de-de"), None);

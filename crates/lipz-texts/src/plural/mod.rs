@@ -8,6 +8,8 @@ pub(crate) use forms::PluralForms;
 use icu_locale_core::Locale;
 use icu_plurals::{PluralCategory, PluralRules};
 use lipz_file::locale::language;
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 /// The largest number whose category counts. Rules repeat every hundred. The exception are millions in a few languages, for
 /// which gettext's forms and most translators have no form.
@@ -35,7 +37,19 @@ const ALL: [(PluralCategory, &str); 6] = [
 
 impl Categories {
     /// Returns the categories of the language of a locale. A language that CLDR does not know has one.
-    pub(crate) fn of(locale: &str) -> Categories {
+    pub(crate) fn of(locale: &str) -> Arc<Categories> {
+        // Projects have few locales, and the rules of each take as long as checking a clip.
+        static KNOWN: LazyLock<Mutex<HashMap<String, Arc<Categories>>>> = LazyLock::new(Mutex::default);
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(categories) = known.get(locale) {
+            return Arc::clone(categories);
+        }
+        let categories = Arc::new(Categories::from_rules(locale));
+        known.insert(locale.to_owned(), Arc::clone(&categories));
+        categories
+    }
+
+    fn from_rules(locale: &str) -> Categories {
         let whole: Option<Locale> = locale.parse().ok().or_else(|| language(locale).parse().ok());
         let rules = whole.and_then(|locale| PluralRules::try_new(locale.into(), Default::default()).ok());
         let category = |number| rules.as_ref().map_or(PluralCategory::Other, |rules| rules.category_for(number));
@@ -52,10 +66,16 @@ impl Categories {
     pub(crate) fn variants(&self) -> &[&'static str] {
         self.names.split_last().map_or(&[], |(_, others)| others)
     }
+
+    /// Whether a category has a single number, as `one` in English, but not in Russian, where it includes 21.
+    pub(crate) fn has_one_number(&self, name: &str) -> bool {
+        let index = self.names.iter().position(|known| *known == name);
+        index.is_some_and(|index| self.of_numbers.iter().filter(|category| **category == index).count() == 1)
+    }
 }
 
 /// Whether a name in the key of a variant is a plural category.
-pub(crate) fn is_category(name: &str) -> bool {
+fn is_category(name: &str) -> bool {
     ALL.iter().any(|(_, category)| *category == name)
 }
 
@@ -63,6 +83,12 @@ pub(crate) fn is_category(name: &str) -> bool {
 pub(crate) fn split_category(key: &str) -> (Option<&str>, &str) {
     let (first, rest) = key.split_once('-').unwrap_or((key, ""));
     if is_category(first) { (Some(first), rest) } else { (None, key) }
+}
+
+/// Joins a plural category and the rest of a key, each of which may be empty: `few-fem`.
+pub(crate) fn join_category(category: &str, rest: &str) -> String {
+    let names = [category, rest].into_iter().filter(|name| !name.is_empty());
+    names.collect::<Vec<_>>().join("-")
 }
 
 #[cfg(test)]
@@ -81,6 +107,7 @@ mod tests {
         assert_eq!(of("pt-br"), "one other");
         assert_eq!(Categories::of("ru-ru").variants(), ["one", "few"]);
         assert!(Categories::of("ja-jp").variants().is_empty());
+        assert!(Categories::of("en-us").has_one_number("one") && !Categories::of("ru-ru").has_one_number("one"));
     }
 
     #[test]

@@ -156,28 +156,36 @@ impl Work {
 
     /// Adds a clip with its texts and their variants. `file` is the path of its Lipz file in the record.
     pub fn add(&mut self, key: &str, file: &str, texts: &ClipTexts, record: Option<&TextRecord>) {
-        self.add_texts(key, "", file, texts, record);
+        let is_needed = vec![true; self.locales.len()];
+        self.add_texts(key, ("", &is_needed), file, texts, record);
         if !texts.keys().any(|tag| is_variant(tag)) {
             return;
         }
-        let needed: BTreeSet<String> =
-            self.locales.iter().flat_map(|work| work.needed(&self.source_locale, texts)).collect();
-        for variant in needed {
-            self.add_texts(&format!("{key}{VARIANT_MARK}{variant}"), &variant, file, texts, record);
+        let needed: Vec<BTreeSet<String>> =
+            self.locales.iter().map(|work| work.needed(&self.source_locale, texts).collect()).collect();
+        let all: BTreeSet<&String> = needed.iter().flatten().collect();
+        for variant in all {
+            let is_needed: Vec<bool> = needed.iter().map(|needed| needed.contains(variant)).collect();
+            self.add_texts(&format!("{key}{VARIANT_MARK}{variant}"), (variant, &is_needed), file, texts, record);
         }
     }
 
     /// Adds the texts of a clip, or those of one of its variants, in the locales that need them.
-    fn add_texts(&mut self, id: &str, variant: &str, file: &str, texts: &ClipTexts, record: Option<&TextRecord>) {
+    fn add_texts(
+        &mut self,
+        id: &str,
+        (variant, is_needed): (&str, &[bool]),
+        file: &str,
+        texts: &ClipTexts,
+        record: Option<&TextRecord>,
+    ) {
         let tag = variant_tag(&self.source_locale, variant);
         let Some(sources) = SourceTexts::of(texts, &self.source_locale, &tag) else { return };
         let sources = &*sources.texts;
         let counts: Vec<usize> = sources.iter().map(|source| words(source)).collect();
         let shared: Vec<Arc<str>> = sources.iter().map(|source| source.as_str().into()).collect();
-        for work in &mut self.locales {
-            if !variant.is_empty() && !work.needed(&self.source_locale, texts).any(|needed| needed == variant) {
-                continue;
-            }
+        let in_need = self.locales.iter_mut().zip(is_needed).filter(|(_, is_needed)| **is_needed);
+        for (work, _) in in_need {
             let locale = variant_tag(&work.locale, variant);
             let own = texts.get(&locale).map_or(&[][..], Vec::as_slice);
             let standings = record.map(|record| record.standings(file, &tag, &locale, sources, own));

@@ -1,16 +1,24 @@
 //! Entries with plural forms: a text and its variants for plural categories.
 
 use crate::exchange::model::{Division, Exchange, Item, Unit};
-use crate::plural::{PluralForms, split_category};
+use crate::plural::{PluralForms, join_category, split_category};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The items of a file in one locale, some of which are plural forms of others.
 pub(super) struct Grouped<'e> {
     pub(super) items: Vec<Item<'e>>,
-    /// For each item with plural forms, by its index, the indices of the items of all forms.
-    forms: BTreeMap<usize, Vec<Option<usize>>>,
+    /// By the index of an item: its plural forms.
+    forms: BTreeMap<usize, ItemForms>,
     /// The items that are forms of others.
     inner: BTreeSet<usize>,
+}
+
+/// The plural forms of an item.
+pub(super) struct ItemForms {
+    /// The source text for one thing: that of the variant `one`, or that of the item.
+    pub(super) singular: String,
+    /// The category and the index of the item of each form; `None` for a form without a category.
+    pub(super) items: Vec<(&'static str, Option<usize>)>,
 }
 
 impl<'e> Grouped<'e> {
@@ -46,12 +54,13 @@ impl<'e> Grouped<'e> {
             if split_category(rest).0.is_some() || !varies {
                 continue;
             }
-            let of_form = |key: &Option<&str>| match (*key)? {
-                "" => Some(index),
-                key => places.get(&place(item, &with_rest(key, rest))).copied(),
+            let of_form = |key: &Option<&'static str>| match key {
+                None => ("", None),
+                Some("") => ("", Some(index)),
+                Some(key) => (*key, places.get(&place(item, &join_category(key, rest))).copied()),
             };
-            let of_forms: Vec<Option<usize>> = forms.keys.iter().map(of_form).collect();
-            let others = of_forms.iter().flatten().copied().filter(|form| *form != index);
+            let of_forms: Vec<(&str, Option<usize>)> = forms.keys.iter().map(of_form).collect();
+            let others = of_forms.iter().filter_map(|(_, form)| *form).filter(|form| *form != index);
             grouped.inner.extend(others);
             if exchange.locales.get(at).is_some_and(String::is_empty) {
                 // A template always has two forms, whatever the categories of the source are.
@@ -70,37 +79,23 @@ impl<'e> Grouped<'e> {
                     .take_while(|(_, other)| other.unit.key == item.unit.key);
                 grouped.inner.extend(near.filter(|(_, other)| is_form(other)).map(|(at, _)| at));
             }
-            grouped.forms.insert(index, of_forms);
+            let one = join_category("one", rest);
+            let one = variants.iter().find(|unit| unit.variant.as_ref() == Some(&one));
+            let singular = one.map(|unit| item.source_of_variant(unit)).filter(|source| !source.is_empty());
+            let singular = singular.unwrap_or_else(|| item.source());
+            grouped.forms.insert(index, ItemForms { singular, items: of_forms });
         }
         grouped
     }
 
     /// Returns the items that have an entry of their own, each with the items of its plural forms, if it has any.
-    pub(super) fn entries(&self) -> impl Iterator<Item = (&Item<'e>, Option<&[Option<usize>]>)> {
+    pub(super) fn entries(&self) -> impl Iterator<Item = (&Item<'e>, Option<&ItemForms>)> {
         let outer = self.items.iter().enumerate().filter(|(index, _)| !self.inner.contains(index));
-        outer.map(|(index, item)| (item, self.forms.get(&index).map(Vec::as_slice)))
+        outer.map(|(index, item)| (item, self.forms.get(&index)))
     }
 
     /// Whether an entry has plural forms.
     pub(super) fn has_plurals(&self) -> bool {
         !self.forms.is_empty()
     }
-}
-
-/// Returns the key of a variant with this plural category: `few-fem`.
-pub(super) fn with_rest(category: &str, rest: &str) -> String {
-    match (category, rest) {
-        ("", rest) => rest.to_owned(),
-        (category, "") => category.to_owned(),
-        (category, rest) => format!("{category}-{rest}"),
-    }
-}
-
-/// Returns the source text for one thing, of an item with plural forms: that of the variant `one`, or its own.
-pub(super) fn singular(exchange: &Exchange, item: &Item<'_>) -> String {
-    let one = with_rest("one", item.unit.variant.as_deref().unwrap_or(""));
-    let is_one = |unit: &&Unit| unit.key == item.unit.key && unit.variant.as_ref() == Some(&one);
-    let unit = exchange.units.iter().find(is_one);
-    let source = unit.map(|unit| item.source_of_variant(unit)).unwrap_or_default();
-    if source.is_empty() { item.source() } else { source }
 }

@@ -1,6 +1,6 @@
 //! Writing of PO files.
 
-use super::plural::{Grouped, singular};
+use super::plural::{Grouped, ItemForms};
 use super::string::literal;
 use super::{COMMENTS_EXPORTED, EXPORTED, SOURCES_EXPORTED};
 use crate::exchange::model::{Exchange, Item, State, Translation};
@@ -32,22 +32,22 @@ pub(crate) fn write(
         None => PluralForms::of(locale),
     };
     let grouped = Grouped::new(exchange, at, options.division, forms.as_ref().map(|(forms, _)| forms));
-    let plural_forms = forms.filter(|_| grouped.has_plurals()).map(|(_, header)| header);
+    // `msgmerge` needs the header where plural forms are added later; `msginit` writes it into files from a template.
+    let plural_forms = forms.filter(|_| grouped.has_plurals() || !locale.is_empty()).map(|(_, header)| header);
     let mut out = header(&exchange.source_locale, locale, plural_forms);
     let mut has_nul = false;
     if options.namespace.is_some() {
         report_misread(exchange, diagnostics);
     }
     let writer = EntryWriter {
-        exchange,
+        items: &grouped.items,
         at,
         is_template: locale.is_empty(),
         namespace: options.namespace.as_deref(),
         none: Translation::default(),
     };
     for (item, forms) in grouped.entries() {
-        let forms = forms.map(|forms| forms.iter().map(|form| grouped.items.get((*form)?)).collect::<Vec<_>>());
-        let text = writer.entry(item, forms.as_deref());
+        let text = writer.entry(item, forms);
         if text.contains("\\000") && !has_nul {
             has_nul = true;
             let id = item.unit.id();
@@ -88,7 +88,7 @@ const TEMPLATE_FORMS: &str = "nplurals=INTEGER; plural=EXPRESSION;";
 
 /// What the entries of a file have in common.
 struct EntryWriter<'e> {
-    exchange: &'e Exchange,
+    items: &'e [Item<'e>],
     /// The index of the locale.
     at: usize,
     is_template: bool,
@@ -101,9 +101,8 @@ impl EntryWriter<'_> {
         item.unit.translations.get(self.at).unwrap_or(&self.none)
     }
 
-    /// Returns the entry of an item. With plural `forms`, these are the items of all forms; `None` for those that no
-    /// number has.
-    fn entry(&self, item: &Item<'_>, forms: Option<&[Option<&Item<'_>>]>) -> String {
+    /// Returns the entry of an item, with its plural forms.
+    fn entry(&self, item: &Item<'_>, forms: Option<&ItemForms>) -> String {
         let mut out = String::new();
         let own = item.translator_comments(self.translation(item));
         for comment in own {
@@ -119,10 +118,21 @@ impl EntryWriter<'_> {
         if !own.is_empty() {
             let _ = writeln!(out, "#. {COMMENTS_EXPORTED}{}", Mark::of_comments(own));
         }
-        let of_forms: Vec<Option<&Item<'_>>> = forms.map_or_else(|| vec![Some(item)], <[_]>::to_vec);
+        let of_forms: Vec<(&str, Option<&Item<'_>>)> = match forms {
+            Some(forms) => {
+                let form = |(category, form): &(&'static str, Option<usize>)| {
+                    (*category, form.and_then(|form| self.items.get(form)))
+                };
+                forms.items.iter().map(form).collect()
+            }
+            None => vec![("", Some(item))],
+        };
         let marks = |mark: &dyn Fn(&Item<'_>) -> Mark| {
-            let marks = of_forms.iter().map(|form| form.map_or_else(|| Mark::of(""), mark).to_string());
-            marks.collect::<Vec<_>>().join(" ")
+            let one = |(category, form): &(&str, Option<&Item<'_>>)| {
+                let mark = mark((*form)?);
+                Some(if category.is_empty() { mark.to_string() } else { format!("{category}:{mark}") })
+            };
+            of_forms.iter().filter_map(one).collect::<Vec<_>>().join(" ")
         };
         // A template has no marks: `msgmerge` would copy them into files with translations.
         if !self.is_template {
@@ -135,31 +145,42 @@ impl EntryWriter<'_> {
         if !paths.is_empty() {
             let _ = writeln!(out, "#: {}", paths.join(" "));
         }
-        let made_from = item.made_from(self.translation(item));
+        let made_from = |form: &Item<'_>| form.made_from(self.translation(form));
         let is_stale = |form: &&Item<'_>| {
             let translation = self.translation(form);
             !form.text(translation).is_empty() && form.state(translation) == State::Initial
         };
-        let is_fuzzy = of_forms.iter().flatten().any(is_stale);
+        let is_fuzzy = of_forms.iter().filter_map(|(_, form)| *form).any(|form| is_stale(&form));
         let has_placeholders = placeholder::are_plain(&item.source());
         let flags = [(is_fuzzy, "fuzzy"), (has_placeholders, PLAIN_PLACEHOLDERS)].into_iter();
         let flags: Vec<&str> = flags.filter(|(is_set, _)| *is_set).map(|(_, flag)| flag).collect();
         if !flags.is_empty() {
             let _ = writeln!(out, "#, {}", flags.join(", "));
         }
-        let plural_id = if forms.is_some() { "msgid_plural" } else { "msgid" };
-        if let Some(made_from) = made_from {
-            for (number, line) in literal(&made_from).lines().enumerate() {
-                let _ = writeln!(out, "#| {}{line}", if number == 0 { format!("{plural_id} ") } else { String::new() });
+        let mut previous = |name: &str, text: &str| {
+            for (number, line) in literal(text).lines().enumerate() {
+                let _ = writeln!(out, "#| {}{line}", if number == 0 { format!("{name} ") } else { String::new() });
+            }
+        };
+        let one = of_forms.iter().find(|(category, _)| *category == "one").and_then(|(_, one)| made_from((*one)?));
+        match (made_from(item), forms) {
+            (Some(made_from), None) => previous("msgid", &made_from),
+            (None, None) => {}
+            (None, Some(_)) if one.is_none() => {}
+            // The two lines belong together.
+            (made_from, Some(forms)) => {
+                previous("msgid", one.as_ref().unwrap_or(&forms.singular));
+                previous("msgid_plural", &made_from.unwrap_or_else(|| item.source()));
             }
         }
         let context = self.namespace.map_or_else(|| item.id(), |namespace| unreal_identity(namespace, &item.id()));
         let _ = writeln!(out, "msgctxt {}", literal(&context));
-        if forms.is_some() {
-            let _ = writeln!(out, "msgid {}", literal(&singular(self.exchange, item)));
+        if let Some(forms) = forms {
+            let _ = writeln!(out, "msgid {}", literal(&forms.singular));
         }
-        let _ = writeln!(out, "{plural_id} {}", literal(&item.source()));
-        for (number, form) in of_forms.iter().enumerate() {
+        let name = if forms.is_some() { "msgid_plural" } else { "msgid" };
+        let _ = writeln!(out, "{name} {}", literal(&item.source()));
+        for (number, (_, form)) in of_forms.iter().enumerate() {
             let translations =
                 |form: &Item<'_>| item.text_of_variant(form, [item, form].map(|one| self.translation(one)));
             let text = form.map(translations).unwrap_or_default();

@@ -2,9 +2,7 @@
 
 use super::Reader;
 use crate::exchange::Mark;
-use crate::exchange::clip_texts::trimmed;
 use crate::exchange::entry::{Entry, Words};
-use crate::exchange::model::joined;
 use crate::plural::PluralForms;
 use lipz_diagnostics::{Code, Diagnostic};
 use std::sync::Arc;
@@ -13,8 +11,30 @@ use std::sync::Arc;
 pub(super) struct PluralMessage {
     /// The source texts for one thing, and for all other numbers.
     pub(super) sources: [Arc<Words>; 2],
-    /// The marks of the source texts of all forms.
-    pub(super) source_marks: Vec<Mark>,
+    /// The marks of the texts of all forms, and of their sources.
+    pub(super) marks: Marks,
+    pub(super) source_marks: Marks,
+}
+
+/// Marks by plural category, because other programs change the order of the forms. That of the text itself, or of an
+/// entry without plural forms, has none: `one:0292aac1 few:8a57147d 1e2eeca1`.
+#[derive(Default)]
+pub(super) struct Marks(Vec<(String, Mark)>);
+
+impl Marks {
+    /// Parses the marks in a comment. Stops at the first that is invalid.
+    pub(super) fn parse(text: &str) -> Marks {
+        let mark = |word: &str| {
+            let (category, mark) = word.split_once(':').unwrap_or(("", word));
+            Some((category.to_owned(), mark.parse().ok()?))
+        };
+        Marks(text.split_whitespace().map_while(mark).collect())
+    }
+
+    /// Returns the mark for a plural category, or with `""` for the text itself.
+    pub(super) fn of(&self, category: &str) -> Option<Mark> {
+        self.0.iter().find(|(known, _)| known == category).map(|(_, mark)| *mark)
+    }
 }
 
 /// One of the texts of a message with plural forms.
@@ -32,11 +52,10 @@ impl Reader<'_> {
             Some((category, form))
         };
         let forms: Vec<(&str, Form)> = forms.into_iter().filter_map(with_category).collect();
-        let whole = forms.iter().find(|(category, _)| category.is_empty());
-        let whole = whole.map_or_else(String::new, |(_, form)| form.entry.text.text.clone());
         let [one, other] = &message.sources;
-        for (category, Form { number, mut entry }) in forms {
-            entry.source_mark = message.source_marks.get(number).copied();
+        for (category, Form { mut entry, .. }) in forms {
+            entry.mark = message.marks.of(category);
+            entry.source_mark = message.source_marks.of(category);
             // The file has the source texts of two forms.
             entry.source = match (category, entry.source_mark) {
                 ("", _) => Some(Arc::clone(other)),
@@ -45,7 +64,6 @@ impl Reader<'_> {
                 (_, None) => Some(Arc::clone(other)),
             };
             if !category.is_empty() {
-                entry.text.text = without_unvaried(&entry.text.text, &whole, [&one.text, &other.text]);
                 // Comments concern the whole message, and belong to the text.
                 (entry.comments, entry.comments_mark) = (Vec::new(), None);
             }
@@ -57,32 +75,44 @@ impl Reader<'_> {
 
     /// Returns the plural category of a form; `""` for the text itself. Reports a text in a form that no number has.
     fn category(&mut self, form: usize, text: &Words, locale: &str) -> Option<&'static str> {
-        if self.forms.is_none() {
-            let stated = self.plural_header.as_ref().and_then(|header| PluralForms::of_header(header, locale));
-            self.forms = stated.or_else(|| Some(PluralForms::of(locale)?.0));
-        }
-        let category = self.forms.as_ref().and_then(|forms| forms.keys.get(form).copied().flatten());
+        let forms = match &self.forms {
+            Some(forms) => forms,
+            None => {
+                let forms = self.plural_forms(locale);
+                self.forms.insert(forms)
+            }
+        };
+        let category = forms.as_ref()?.keys.get(form).copied().flatten();
         if category.is_none() && !text.text.is_empty() {
-            let message = format!("by the plural forms of the file, no number has form {form}; it is not imported");
+            let message = format!("form {form} has no plural category of its own in {locale}, and is not imported");
             let diagnostic = Diagnostic::at(Code::ExchangeLoss, text.span, message);
-            let help = "correct `Plural-Forms` in the header, or delete the form";
+            let help = "the other forms are imported; if the form is needed, correct `Plural-Forms` in the header";
             self.incoming.diagnostics.push(diagnostic.help(help));
         }
         category
     }
-}
 
-/// Returns the text of a plural form with blanks in place of the segments that are as in the `whole` text and equal in
-/// both source texts. The export has filled them.
-fn without_unvaried(text: &str, whole: &str, sources: [&str; 2]) -> String {
-    let [of_form, whole, one, other] = [text, whole, sources[0], sources[1]].map(trimmed);
-    let count = of_form.len();
-    if count == 1 || [&whole, &one, &other].iter().any(|texts| texts.len() != count) {
-        return text.to_owned();
+    /// Returns the plural forms of the file: those of its header, or those of the language if the header states none.
+    /// Reports forms that cannot be read or are unknown.
+    fn plural_forms(&mut self, locale: &str) -> Option<PluralForms> {
+        let known = PluralForms::of(locale);
+        let Some(header) = &self.plural_header else {
+            if known.is_none() {
+                let message = format!("lipz does not know the plural forms of {locale}, so they are not imported");
+                let diagnostic = Diagnostic::new(Code::ExchangeSyntax, message);
+                self.incoming.diagnostics.push(diagnostic.help("add the header `Plural-Forms`"));
+            }
+            return known.map(|(forms, _)| forms);
+        };
+        let stated = PluralForms::of_header(&header.text, locale);
+        if stated.is_none() {
+            let message = "`Plural-Forms` in the header cannot be read";
+            let diagnostic = Diagnostic::at(Code::ExchangeSyntax, header.span, message);
+            self.incoming.diagnostics.push(match known {
+                Some((_, header)) => diagnostic.help(format!("write \"Plural-Forms: {header}\\n\"")),
+                None => diagnostic.help("write the number of forms, and the expression for the form of a number"),
+            });
+        }
+        stated
     }
-    let segment = |(at, text): (usize, &String)| {
-        let is_same = one.get(at) == other.get(at) && whole.get(at) == Some(text);
-        if is_same { String::new() } else { text.clone() }
-    };
-    joined(&of_form.iter().enumerate().map(segment).collect::<Vec<_>>())
 }

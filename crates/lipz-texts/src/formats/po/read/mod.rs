@@ -7,7 +7,7 @@ use super::{COMMENTS_EXPORTED, EXPORTED, SOURCES_EXPORTED};
 use crate::exchange::entry::{self, Entry, IncomingFile, ReadOptions, Words};
 use crate::exchange::{Mark, State, decode};
 use crate::plural::PluralForms;
-use forms::{Form, PluralMessage};
+use forms::{Form, Marks, PluralMessage};
 use lipz_diagnostics::{Code, Diagnostic, Span};
 use std::sync::Arc;
 
@@ -57,8 +57,8 @@ struct Message {
     /// The other texts of a plural, each with its number.
     other_texts: Vec<(usize, Words)>,
     /// The mark of the text, or those of all texts of a plural.
-    marks: Vec<Mark>,
-    source_marks: Vec<Mark>,
+    marks: Marks,
+    source_marks: Marks,
     comments: Vec<String>,
     comments_mark: Option<Mark>,
     is_fuzzy: bool,
@@ -71,12 +71,12 @@ struct Reader<'a> {
     /// The locale of the file.
     locale: Option<Arc<str>>,
     /// The header `Plural-Forms`.
-    plural_header: Option<String>,
+    plural_header: Option<Words>,
     message: Message,
     /// The entries with plural forms that belong to no clip.
     plurals: Vec<Span>,
-    /// The plural forms of the file, from the first entry that has some.
-    forms: Option<PluralForms>,
+    /// The plural forms of the file, from the first entry that has some; `None` inside if they are unknown.
+    forms: Option<Option<PluralForms>>,
     incoming: &'a mut IncomingFile,
 }
 
@@ -108,10 +108,7 @@ impl Reader<'_> {
         if let Some(flags) = comment.strip_prefix(',') {
             self.message.is_fuzzy |= flags.split(',').any(|flag| flag.trim() == "fuzzy");
         } else if let Some(extracted) = comment.strip_prefix('.') {
-            let marks = |name: &str| {
-                let marks = extracted.trim().strip_prefix(name.trim_end())?.split_whitespace();
-                Some(marks.map_while(|mark| mark.parse().ok()).collect())
-            };
+            let marks = |name: &str| extracted.trim().strip_prefix(name.trim_end()).map(Marks::parse);
             if let Some(exported) = marks(EXPORTED) {
                 self.message.marks = exported;
             } else if let Some(exported) = marks(SOURCES_EXPORTED) {
@@ -219,15 +216,15 @@ impl Reader<'_> {
             ..Entry::default()
         };
         let Some(plural) = message.plural else {
-            let one = entry(text, message.marks.first().copied());
+            let one = entry(text, message.marks.of(""));
             self.incoming.entries.push(Entry { source: Some(source.into()), ..one });
             return;
         };
         let texts = std::iter::once((0, text)).chain(message.other_texts);
-        let (marks, source_marks) = (message.marks, message.source_marks);
-        let forms = texts.map(|(form, text)| Form { number: form, entry: entry(text, marks.get(form).copied()) });
-        let plural = PluralMessage { sources: [Arc::new(source), Arc::new(plural)], source_marks };
-        self.plural_entries(&plural, forms.collect());
+        let forms = texts.map(|(number, text)| Form { number, entry: entry(text, None) }).collect();
+        let sources = [Arc::new(source), Arc::new(plural)];
+        let plural = PluralMessage { sources, marks: message.marks, source_marks: message.source_marks };
+        self.plural_entries(&plural, forms);
     }
 
     /// Reports the entries that texts of clips cannot be, and a file without any others.
@@ -250,7 +247,7 @@ impl Reader<'_> {
     /// Reads the first entry, which names the language and the plural forms.
     fn header(&mut self, text: &Words) {
         let forms = text.text.lines().find_map(|line| line.strip_prefix("Plural-Forms:"));
-        self.plural_header = forms.map(|forms| forms.trim().to_owned());
+        self.plural_header = forms.map(|forms| Words { text: forms.trim().to_owned(), span: text.span });
         if self.locale.is_some() {
             return; // the project determines the language
         }

@@ -294,8 +294,8 @@ fn run(arguments: &ExportTexts, reporter: &mut Reporter) -> CommandResult {
     }
     let is_whole = !lipz_diagnostics::reports::have_errors(&reports);
     let count = if is_whole { deliver(arguments, &written, &mut reports, reporter)? } else { 0 };
-    let clips = exchange.units.iter().filter(|unit| unit.variant.is_none()).count();
-    let clips = console::counted(clips, "clip");
+    let clips: BTreeSet<&str> = exchange.units.iter().map(|unit| unit.key.as_str()).collect();
+    let clips = console::counted(clips.len(), "clip");
     let locales = match exchange.locales.as_slice() {
         _ if is_template => "any locale".to_owned(),
         few if few.len() <= LOCALES_SHOWN => few.join(", "),
