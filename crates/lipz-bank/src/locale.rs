@@ -51,7 +51,8 @@ pub(crate) fn variant_among<'t, I: Iterator<Item = (Locale, &'t str)>>(
     let mut key = key;
     loop {
         let found = tags().find(|(_, tag)| is_variant(tag, varied, key));
-        match (found, key.rfind('-')) {
+        // The compiler keeps a panic in `str::rfind`, and the libraries for C and the web refuse to link one.
+        match (found, key.bytes().rposition(|byte| byte == b'-')) {
             (Some((variant, _)), _) => return variant,
             (None, Some(end)) => key = key.get(..end).unwrap_or(""),
             (None, None) => return locale,

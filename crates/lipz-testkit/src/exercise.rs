@@ -72,6 +72,7 @@ pub fn every_query(bank: &Bank<'_>, effort: Effort) {
     for locale in &locales {
         black_box((bank.locale(bank.locale_tag(*locale)).is_some(), bank.default_locale() == Some(*locale)));
         assert_eq!(Locale::from_words(locale.to_words()), *locale);
+        black_box((bank.variant(*locale, "few-fem"), bank.variant(*locale, "")));
     }
     said::of_babble(bank, limit);
     let voices = said::of_voices(bank, limit);

@@ -119,6 +119,7 @@ pub fn every_query_of(dialogue: &Dialogue<'_>) {
     let foreign = [Locale::from_words([1, u32::MAX]), Locale::from_words([u32::MAX, 0])];
     assert!(foreign.iter().all(|locale| dialogue.locale_tag(*locale).is_empty()));
     black_box(dialogue.default_locale().map(|locale| dialogue.locale_tag(locale)));
+    black_box(foreign.map(|locale| dialogue.variant(locale, "few-fem")));
     let voices: Vec<Voice> = dialogue.voices().take(8).collect();
     for voice in &voices {
         assert_eq!(Voice::from_words(voice.to_words()), *voice);

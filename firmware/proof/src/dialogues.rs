@@ -79,6 +79,7 @@ fn dialogue_asked(dialogue: &Dialogue<'_>, name: &str, number: u32, see: See) {
     for locale in dialogue.locales().chain(dialogue.locale(name)).chain(dialogue.default_locale()).chain([asked.locale])
     {
         see_bytes(see, dialogue.locale_tag(locale).as_bytes());
+        see_bytes(see, dialogue.locale_tag(dialogue.variant(locale, name)).as_bytes());
         locale.to_words().iter().for_each(|word| see(u64::from(*word)));
         asked.locale = locale;
     }

@@ -91,6 +91,7 @@ fn bank_asked(bank: &Bank<'_>, name: &str, number: u32, see: See) {
     let mut asked = asked(name, number, bank.event_name(name));
     for locale in bank.locales().chain(bank.locale(name)).chain(bank.default_locale()) {
         see_bytes(see, bank.locale_tag(locale).as_bytes());
+        see_bytes(see, bank.locale_tag(bank.variant(locale, name)).as_bytes());
         asked.locale = locale;
     }
     for voice in bank.voices().chain(bank.voice(name)) {
