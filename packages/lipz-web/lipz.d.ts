@@ -131,7 +131,7 @@ export class Dialogue {
    * The locale with this tag, spelled as in the files: `en-us`. Look it up once, and pass it to {@link Segment.text}.
    */
   locale(tag: string): Locale | undefined;
-  /** All locales, in no particular order. */
+  /** All locales, in no particular order. Tags with `-x-` are variants of texts: leave them out of a menu. */
   readonly locales: Locale[];
   /** The default locale, from the topmost file that sets one. */
   readonly defaultLocale: Locale | undefined;

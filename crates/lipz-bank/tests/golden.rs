@@ -6,7 +6,7 @@
 use lipz_testkit::exercise;
 use lipz_testkit::golden::dump;
 use lipz_testkit::golden::{
-    CURVES, DRAMA, DUBBED, FACES, LONG, PHONES, RECORDED, RIGS, SMALL, SPECIALS, STRIPPED, WIDE, verified,
+    CURVES, DRAMA, DUBBED, FACES, LONG, PHONES, RECORDED, RIGS, SMALL, SPECIALS, STRIPPED, VARIANTS, WIDE, verified,
 };
 use std::path::Path;
 
@@ -76,6 +76,11 @@ fn specials() {
 fn recorded() {
     check(RECORDED, "recorded.dump");
     check(DUBBED, "dubbed.dump");
+}
+
+#[test]
+fn variants() {
+    check(VARIANTS, "variants.dump");
 }
 
 /// Stripping the sources changes no answer: the dump is that of the bank with sources.

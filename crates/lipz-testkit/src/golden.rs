@@ -23,6 +23,8 @@ pub static LONG: &[u8] = include_bytes!("../../../fixtures/banks/v1/long.lipzban
 pub static RECORDED: &[u8] = include_bytes!("../../../fixtures/banks/v1/recorded.lipzbank");
 pub static SMALL: &[u8] = include_bytes!("../../../fixtures/banks/v1/small.lipzbank");
 pub static STRIPPED: &[u8] = include_bytes!("../../../fixtures/banks/v1/stripped.lipzbank");
+/// Variants of texts, with keys of one and two names.
+pub static VARIANTS: &[u8] = include_bytes!("../../../fixtures/banks/v1/variants.lipzbank");
 pub static WIDE: &[u8] = include_bytes!("../../../fixtures/banks/v1/wide.lipzbank");
 
 /// Returns a verified bank of this repository.

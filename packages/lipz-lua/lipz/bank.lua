@@ -96,7 +96,8 @@ function Bank:clips()
   end
 end
 
---- Returns the locales, in the order of their tags, those of text banks last.
+--- Returns the locales, in the order of their tags, those of text banks last. Tags with `-x-` are variants of texts:
+-- leave them out of a menu of languages.
 function Bank:locales() return self.all_locales end
 
 --- Returns the locale with a tag, such as `de-de`; nil if the bank does not have it.
@@ -105,6 +106,19 @@ function Bank:locale(tag)
     if locale.tag == tag then return locale end
   end
   return nil
+end
+
+--- Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
+-- files. A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names
+-- are left out from the end of the key, and in the end the locale itself is returned. Look variants up once per locale.
+function Bank:variant(locale, key)
+  local names = key
+  while names do
+    local variant = self:locale(locale.tag .. "-x-" .. names)
+    if variant then return variant end
+    names = names:match("^(.*)%-")
+  end
+  return locale
 end
 
 --- Returns the project's default locale; nil without one.

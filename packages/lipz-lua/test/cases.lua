@@ -127,6 +127,11 @@ function commands.locale(words)
   if not stage.locale then say("no locale") end
 end
 
+function commands.variant(words)
+  stage.locale = stage.bank:variant(stage.locale, words[2])
+  say(stage.locale.tag)
+end
+
 commands.clip = start
 
 function commands.speaker(words) stage.cursor:set_speaker(words[2]) end

@@ -7,8 +7,8 @@ local u64 = require("lipz.u64")
 local LONGEST_BYTES, START_CHARACTERS = 400, 40
 local BANKS = {
   { "drama" }, { "small" }, { "stripped", dump = "small" }, { "split", dump = "small", texts = { "de-de", "en-us" } },
-  { "wide" }, { "curves" }, { "faces" }, { "specials" }, { "phones" }, { "rigs" }, { "recorded" }, { "dubbed" },
-  { "long" },
+  { "wide" }, { "curves" }, { "faces" }, { "specials" }, { "phones" }, { "rigs" }, { "recorded" },
+  { "dubbed" }, { "variants" }, { "long" },
 }
 local TYPES = { blair = "Blair", toonboom = "ToonBoom", rms = "Rms" }
 

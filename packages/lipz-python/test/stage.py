@@ -70,6 +70,10 @@ class Stage:
         self.locale = words[0] if words[0] in self.bank.locales else None
         return [] if self.locale else ["no locale"]
 
+    def do_variant(self, words):
+        self.locale = self.bank.variant(self.locale, words[0])
+        return [self.locale]
+
     def do_clip(self, words):
         key, *given = words
         self.clip = self.bank.clip(key)

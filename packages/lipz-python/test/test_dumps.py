@@ -6,7 +6,7 @@ import fixtures
 from answers import answers
 from lipz.reader import Bank
 
-DUMPS = "drama small wide curves faces specials phones rigs recorded dubbed long".split()
+DUMPS = "drama small wide curves faces specials phones rigs recorded dubbed long variants".split()
 # These need a stack of banks, which this reader does not have.
 SKIPPED = "patched redubbed".split()
 

@@ -84,6 +84,9 @@ class Stage {
       case "locale":
         this.#locale = this.#dialogue.locale(words[0]);
         return this.#locale ? [] : ["no locale"];
+      case "variant":
+        this.#locale = this.#dialogue.variant(this.#locale, words[0]);
+        return [this.#locale.tag];
       case "clip":
         return this.#start(words);
       case "speaker":

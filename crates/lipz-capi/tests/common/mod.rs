@@ -25,6 +25,7 @@ golden! {
     REDUB = "v1/redub.lipzbank";
     SMALL = "v1/small.lipzbank";
     SPECIALS = "v1/specials.lipzbank";
+    VARIANTS = "v1/variants.lipzbank";
     SPLIT = "v1/split.lipzbank";
     GERMAN = "v1/split.de-de.lipztexts";
     ENGLISH = "v1/split.en-us.lipztexts";
@@ -34,7 +35,7 @@ golden! {
 }
 
 /// Dialogues of one file and of several, of every kind.
-pub(crate) const DIALOGUES: [&[&[u8]]; 12] = [
+pub(crate) const DIALOGUES: [&[&[u8]]; 13] = [
     &[CURVES],
     &[DRAMA],
     &[FACES],
@@ -43,6 +44,7 @@ pub(crate) const DIALOGUES: [&[&[u8]]; 12] = [
     &[RECORDED],
     &[SMALL],
     &[SPECIALS],
+    &[VARIANTS],
     &[SPLIT, GERMAN, ENGLISH],
     &[SMALL, PATCH],
     &[DUBBED, REDUB],

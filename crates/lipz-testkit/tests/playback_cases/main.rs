@@ -77,6 +77,11 @@ impl Stage {
                     self.answers.push_str("  no locale\n");
                 }
             }
+            ["variant", key] => {
+                let locale = dialogue.variant(self.locale.expect("a locale"), key);
+                let _ = writeln!(self.answers, "  {}", dialogue.locale_tag(locale));
+                self.locale = Some(locale);
+            }
             ["clip", key, ref given @ ..] => self.start(key, given),
             ["speaker", name] => {
                 self.cursor(|cursor| cursor.with_speaker(dialogue.event_name(name)));

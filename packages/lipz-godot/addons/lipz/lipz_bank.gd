@@ -129,7 +129,8 @@ func clips() -> Array[LipzClip]:
 	return list
 
 
-## Returns the languages, in the order of their tags, those of text banks last.
+## Returns the languages, in the order of their tags, those of text banks last. Tags with `-x-` are variants of texts:
+## leave them out of a menu.
 func locales() -> Array[LipzLocale]:
 	return _locales
 

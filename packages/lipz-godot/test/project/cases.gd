@@ -131,6 +131,9 @@ func _command(line: String) -> void:
 			_locale = _bank.locale(words[0])
 			if _locale == null:
 				_say("no locale")
+		"variant":
+			_locale = _bank.variant(_locale, words[0])
+			_say(_locale.tag)
 		"clip":
 			_start(words)
 		"speaker":

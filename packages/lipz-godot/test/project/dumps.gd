@@ -8,7 +8,7 @@ const Phones := preload("res://addons/lipz/phones.gd")
 
 const _BANKS: Array[String] = [
 	"drama", "small", "stripped", "split", "wide", "curves", "faces", "specials", "phones", "rigs", "recorded",
-	"dubbed", "long",
+	"dubbed", "long", "variants",
 ]
 ## Banks with the answers of a different bank.
 const _DUMPS: Dictionary = {"stripped": "small", "split": "small"}

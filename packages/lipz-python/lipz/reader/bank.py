@@ -107,8 +107,21 @@ class Bank:
 
     @property
     def locales(self) -> list[str]:
-        """The locales with texts, in ascending order."""
+        """The locales with texts, in ascending order. Tags with `-x-` are variants: leave them out of a menu."""
         return sorted({tag for table in self._texts for tag in table.tags})
+
+    def variant(self, locale: str, key: str) -> str:
+        """Returns the locale for texts of a variant.
+
+        For `pl-pl` and the key `few`, these are the texts of `text_pl-pl-x-few` in Lipz files. A key has the names of
+        all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names are left out from the end
+        of the key, and in the end the locale itself is returned. Look variants up once per locale.
+        """
+        tags = {tag for table in self._texts for tag in table.tags}
+        names = key.split("-")
+        longest_first = ("-".join(names[:count]) for count in range(len(names), 0, -1))
+        found = (f"{locale}-x-{part}" for part in longest_first)
+        return next((tag for tag in found if tag in tags), locale)
 
     @property
     def default_locale(self) -> str | None:

@@ -9,7 +9,8 @@ namespace Lipz.Tests
     {
         private static readonly string[] Own =
         {
-            "curves", "drama", "dubbed", "faces", "long", "phones", "recorded", "rigs", "small", "specials", "wide",
+            "curves", "drama", "dubbed", "faces", "long", "phones", "recorded", "rigs", "small", "specials",
+            "variants", "wide",
         };
 
         internal static string Compare(string fixtures, string formatPage)

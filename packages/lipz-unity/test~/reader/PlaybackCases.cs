@@ -44,6 +44,9 @@ namespace Lipz.Tests
                 case "locale":
                     locale = bank.Locale(words[1]);
                     return locale == null ? One("no locale") : None;
+                case "variant":
+                    locale = bank.Variant(locale, words[1]);
+                    return One(locale.Tag);
                 case "clip": return Start(words[1], words.Skip(2));
                 case "speaker":
                     cursor = clip.Resume(cursor, words[1]);

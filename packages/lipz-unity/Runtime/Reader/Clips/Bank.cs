@@ -148,7 +148,10 @@ namespace Lipz
             return names.At(KeyRecords.U32(slot, 8), KeyRecords.U16(slot, 12)) ?? "";
         }
 
-        /// <summary>All locales, in the order of their tags.</summary>
+        /// <summary>
+        /// All locales, in the order of their tags. Tags with <c>-x-</c> are variants of texts: leave them out of a
+        /// menu of languages.
+        /// </summary>
         public IReadOnlyList<BankLocale> Locales
         {
             get { return locales.All; }
@@ -158,6 +161,22 @@ namespace Lipz
         public BankLocale Locale(string tag)
         {
             return ByName.Find(locales.All, tag);
+        }
+
+        /// <summary>
+        /// Returns the locale for texts of a variant: for <c>pl-pl</c> and the key <c>few</c>, the texts of
+        /// <c>text_pl-pl-x-few</c> in Lipz files. A key has the names of all cases that apply: <c>few</c>, or
+        /// <c>few-fem</c>. If no clip has texts of the variant, names are left out from the end of the key, and in the
+        /// end the locale itself is returned. Look variants up once per locale.
+        /// </summary>
+        public BankLocale Variant(BankLocale locale, string key)
+        {
+            for (int length = key.Length; length > 0; length = key.LastIndexOf('-', length - 1))
+            {
+                BankLocale variant = Locale(locale.Tag + "-x-" + key.Substring(0, length));
+                if (variant != null) return variant;
+            }
+            return locale;
         }
 
         /// <summary>The default locale of the project; null without one.</summary>
