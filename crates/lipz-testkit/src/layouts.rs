@@ -23,7 +23,7 @@ struct GoldenProject {
     options: fn(Options) -> Options,
 }
 
-const PROJECTS: [GoldenProject; 9] = [
+const PROJECTS: [GoldenProject; 10] = [
     GoldenProject { bank: "drama", sources: "drama", options: before_curves },
     GoldenProject { bank: "small", sources: "banks/sources/small", options: before_curves },
     GoldenProject {
@@ -37,6 +37,11 @@ const PROJECTS: [GoldenProject; 9] = [
     GoldenProject { bank: "specials", sources: "banks/sources/specials", options: |options| options },
     GoldenProject { bank: "phones", sources: "banks/sources/phones", options: |options| options },
     GoldenProject { bank: "dubbed", sources: "banks/sources/dubbed", options: dubbed },
+    GoldenProject {
+        bank: "variants",
+        sources: "banks/sources/variants",
+        options: |options| english(options).literal_braces(true),
+    },
 ];
 
 /// Files that are the same in each layout: a split bank and its texts.
