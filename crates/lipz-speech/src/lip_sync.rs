@@ -126,7 +126,8 @@ impl<'m> LipSync<'m> {
         let hear = |recogniser: &Recogniser| recogniser.hear(open()?, extension);
         if reading.script.words.is_empty() && !sound.is_silent() {
             let heard = hear(self.recogniser.unwrap_or(Recogniser::built_in()))?;
-            return Ok(self.line(&sound, Reading { script: heard.script(), ..reading }));
+            let line = self.line(&sound, Reading { script: heard.script(), ..reading });
+            return sound.intact(line);
         }
         let mut line = self.line(&sound, reading);
         let built_in = || line.alignment.is_uncertain().then(Recogniser::built_in);
@@ -134,7 +135,7 @@ impl<'m> LipSync<'m> {
         if let Some(recogniser) = self.recogniser.or_else(built_in).filter(|_| is_compared) {
             line.alignment.mismatches = hear(recogniser)?.mismatches(&line.script, &line.alignment);
         }
-        Ok(line)
+        sound.intact(line)
     }
 
     /// Returns the visemes of audio in which `text` is spoken, like [`file`](LipSync::file), but

@@ -194,14 +194,15 @@ fn normal(mut numbers: Vec<f64>) -> Option<Vec<f64>> {
 mod tests {
     use super::*;
     use crate::features::mel::{BANDS, Spectrum};
+    use crate::features::spectrogram::Spectrogram;
     use crate::features::warp::Warp;
 
     /// Returns the spectra of sounds that change after so many frames.
-    fn spectrum(lengths: &[usize]) -> Vec<Spectrum> {
+    fn spectrum(lengths: &[usize]) -> Spectrogram {
         let sound = |number: usize| -> Spectrum {
             std::array::from_fn(|band| if band % 3 == number % 3 { 14_000 } else { 9_000 })
         };
-        lengths.iter().enumerate().flat_map(|(number, &length)| vec![sound(number); length]).collect()
+        lengths.iter().enumerate().flat_map(|(number, &length)| vec![sound(number); length]).collect::<Vec<_>>().into()
     }
 
     fn steps(lengths: &[usize]) -> Vec<PathStep> {
@@ -238,7 +239,7 @@ mod tests {
     fn boundaries_move_to_where_the_sound_changes() {
         let silence = [2_000; BANDS];
         let vowel: Spectrum = std::array::from_fn(|band| [15_000, 13_000, 11_000][band / 9]);
-        let spectrum = [vec![silence; 30], vec![vowel; 30], vec![silence; 30]].concat();
+        let spectrum = [vec![silence; 30], vec![vowel; 30], vec![silence; 30]].concat().into();
         // A path that is six frames late, then five frames early.
         let starts = starts(
             Model::english(),

@@ -4,7 +4,6 @@
 //! silence before, after or between sentences would change all of these, so they are cut.
 
 use super::{AlignedPhone, Alignment};
-use crate::features::mel::Spectrum;
 use crate::sound::audible;
 use crate::{Phone, Sound};
 use std::ops::Range;
@@ -29,20 +28,21 @@ struct Part {
 impl Excerpt {
     /// Returns the excerpt of a recording, or `None` if nothing in it is audible.
     pub(super) fn new(sound: &Sound) -> Option<Excerpt> {
-        let spectrum = sound.spectrum();
+        let (spectrum, duration_us) = (sound.spectrum(), sound.duration_us());
         let kept = audible::parts(spectrum);
         if kept.is_empty() {
             return None;
         }
-        let (mut frames, mut parts): (Vec<Spectrum>, Vec<Part>) = (Vec::new(), Vec::new());
-        for kept in kept {
-            let start_us = frames.len() as u64 * FRAME_US;
-            let later_us =
-                (kept.start as u64 * FRAME_US).cast_signed() - (frames.len() as u64 * FRAME_US).cast_signed();
-            frames.extend_from_slice(spectrum.get(kept)?);
-            parts.push(Part { time_us: start_us..frames.len() as u64 * FRAME_US, later_us });
-        }
-        Some(Excerpt { sound: sound.with_spectrum(frames), parts, duration_us: sound.duration_us() })
+        let mut frames = 0;
+        let part = |kept: &Range<usize>| {
+            let start_us = frames as u64 * FRAME_US;
+            frames += kept.len();
+            let later_us = (kept.start as u64 * FRAME_US).cast_signed() - start_us.cast_signed();
+            Part { time_us: start_us..frames as u64 * FRAME_US, later_us }
+        };
+        let parts = kept.iter().map(part).collect();
+        let sound = sound.with_spectrum(spectrum.cut(&kept));
+        Some(Excerpt { sound, parts, duration_us })
     }
 
     /// Returns the time of a start in the recording, in microseconds.

@@ -1,6 +1,6 @@
 //! Detection of pauses in any kind of noise: long stretches that are far below the voice.
 
-use crate::features::mel::Spectrum;
+use crate::features::spectrogram::Spectrogram;
 use crate::sound::level::{decibels, voice_powers};
 
 /// The distance between these stretches and the loud frames of the recording, in decibels. In speech with noise 20
@@ -17,7 +17,7 @@ const LOOSE_EDGE_FRAMES: usize = 12;
 const LOUD_PERCENT: usize = 95;
 
 /// Returns, by frame, whether it is in such a stretch.
-pub(super) fn quiet(spectrum: &[Spectrum]) -> Vec<bool> {
+pub(super) fn quiet(spectrum: &Spectrogram) -> Vec<bool> {
     let mut quiet = far_below_the_voice(&voice_powers(spectrum), DEPTH_DB);
     for run in quiet.chunk_by_mut(|a, b| a == b).filter(|run| run[0] && run.len() < LEAST_FRAMES) {
         run.fill(false);
@@ -63,14 +63,15 @@ pub(super) fn loud(powers: &[f32]) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::features::mel::Spectrum;
 
     /// Returns frames of noise, from pairs of the number of frames and the level in decibels relative to the loudest.
-    fn noise(parts: &[(usize, f32)]) -> Vec<Spectrum> {
+    fn noise(parts: &[(usize, f32)]) -> Spectrogram {
         let frame = |db: f32| -> Spectrum {
             #[expect(clippy::cast_possible_truncation, reason = "within the range of spectra")]
             std::array::from_fn(|_| (15_000.0 - db * 1024.0 / 4.342_945) as i16)
         };
-        parts.iter().flat_map(|&(count, db)| vec![frame(db); count]).collect()
+        parts.iter().flat_map(|&(count, db)| vec![frame(db); count]).collect::<Vec<_>>().into()
     }
 
     fn runs(parts: &[(usize, f32)]) -> Vec<(bool, usize)> {
@@ -98,6 +99,6 @@ mod tests {
     fn what_is_equally_loud_or_silent_everywhere_has_no_quiet_stretch() {
         assert_eq!(runs(&[(200, 0.0)]), [(false, 200)]);
         assert_eq!(runs(&[(200, 60.0)]), [(false, 200)]);
-        assert!(quiet(&[]).is_empty());
+        assert!(quiet(&Vec::new().into()).is_empty());
     }
 }

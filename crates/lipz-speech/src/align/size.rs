@@ -3,7 +3,8 @@
 use super::history::PathStep;
 use crate::features::cepstra::{Cepstrum, CleanBands, REACH, RING, Transform, log_volume, vector};
 use crate::features::floor::{Floor, level};
-use crate::features::mel::{BANDS, Spectrum};
+use crate::features::mel::BANDS;
+use crate::features::spectrogram::Spectrogram;
 use crate::features::warp::Warp;
 use crate::model::{Model, STREAM_WEIGHTS};
 use crate::{Phone, Sound};
@@ -51,8 +52,9 @@ pub(super) fn warp(model: &Model, sound: &Sound, steps: &[PathStep], phone_of: i
 }
 
 /// Returns the louder half of these frames, at regular intervals if they are many.
-fn loud(spectrum: &[Spectrum], frames: impl Iterator<Item = (usize, Phone)>) -> Vec<(usize, Phone)> {
-    let level = |frame: usize| spectrum.get(frame).map_or(i32::MIN, level);
+fn loud(spectrum: &Spectrogram, frames: impl Iterator<Item = (usize, Phone)>) -> Vec<(usize, Phone)> {
+    let levels: Vec<i32> = spectrum.iter().map(|frame| level(&frame)).collect();
+    let level = |frame: usize| levels.get(frame).copied().unwrap_or(i32::MIN);
     let frames: Vec<(usize, Phone)> = frames.collect();
     let mut levels: Vec<i32> = frames.iter().map(|(frame, _)| level(*frame)).collect();
     let middle = levels.len() / 2;
@@ -63,7 +65,7 @@ fn loud(spectrum: &[Spectrum], frames: impl Iterator<Item = (usize, Phone)>) -> 
 }
 
 /// Returns samples of these frames, and the mean of the bands of all frames.
-fn samples(spectrum: &[Spectrum], frames: &[(usize, Phone)]) -> (Vec<Sample>, [f32; BANDS]) {
+fn samples(spectrum: &Spectrogram, frames: &[(usize, Phone)]) -> (Vec<Sample>, [f32; BANDS]) {
     let mut sums = [0.0_f64; BANDS];
     let mut around: Vec<[f32; BANDS]> = Vec::with_capacity(RING);
     let (mut samples, mut next) = (Vec::with_capacity(frames.len()), frames.iter().peekable());

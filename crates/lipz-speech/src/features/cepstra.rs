@@ -4,8 +4,9 @@
 //! Each of the three streams has 13 values.
 
 use super::floor::Floor;
-use super::mel::{BANDS, Spectrum};
+use super::mel::BANDS;
 use super::noise::NoiseTracker;
+use super::spectrogram::{Spectrogram, SpectrogramFrames};
 use super::warp::Warp;
 use std::f64::consts::PI;
 
@@ -53,7 +54,7 @@ impl Frame {
 
 impl<'a> Vectors<'a> {
     /// Returns the vectors of the frames of `spectrum`, for a voice of this size.
-    pub(crate) fn new(spectrum: &'a [Spectrum], warp: Warp) -> Vectors<'a> {
+    pub(crate) fn new(spectrum: &'a Spectrogram, warp: Warp) -> Vectors<'a> {
         let floor = Floor::new(spectrum);
         let mut sums = [0.0_f64; COEFFICIENTS];
         let mut loudness = Vec::with_capacity(spectrum.len());
@@ -115,7 +116,7 @@ struct Cepstra<'a> {
 }
 
 impl<'a> Cepstra<'a> {
-    fn new(spectrum: &'a [Spectrum], floor: Floor, warp: Warp) -> Cepstra<'a> {
+    fn new(spectrum: &'a Spectrogram, floor: Floor, warp: Warp) -> Cepstra<'a> {
         Cepstra { bands: CleanBands::new(spectrum, floor), transform: Transform::new(warp) }
     }
 }
@@ -131,13 +132,13 @@ impl Iterator for Cepstra<'_> {
 /// The logarithm of the power in each band, without noise.
 #[derive(Clone)]
 pub(crate) struct CleanBands<'a> {
-    spectrum: std::slice::Iter<'a, Spectrum>,
+    spectrum: SpectrogramFrames<'a>,
     floor: Floor,
     noise: NoiseTracker,
 }
 
 impl<'a> CleanBands<'a> {
-    pub(crate) fn new(spectrum: &'a [Spectrum], floor: Floor) -> CleanBands<'a> {
+    pub(crate) fn new(spectrum: &'a Spectrogram, floor: Floor) -> CleanBands<'a> {
         CleanBands { spectrum: spectrum.iter(), floor, noise: NoiseTracker::default() }
     }
 }
@@ -146,7 +147,7 @@ impl Iterator for CleanBands<'_> {
     type Item = [f32; BANDS];
 
     fn next(&mut self) -> Option<[f32; BANDS]> {
-        let power = self.noise.clean(self.floor.raise(self.spectrum.next()?));
+        let power = self.noise.clean(self.floor.raise(&self.spectrum.next()?));
         Some(power.map(libm::logf))
     }
 }
@@ -232,9 +233,9 @@ fn transform() -> Vec<[f32; BANDS]> {
 mod tests {
     use super::*;
 
-    fn ramp(frames: i16) -> Vec<Spectrum> {
+    fn ramp(frames: i16) -> Spectrogram {
         let band = |t: i16, band: usize| 8_000 + 40 * (t % 13) * [0, 1, 2, 3, 4][band % 5];
-        (0..frames).map(|t| std::array::from_fn(|number| band(t, number))).collect()
+        (0..frames).map(|t| std::array::from_fn(|number| band(t, number))).collect::<Vec<_>>().into()
     }
 
     #[test]
@@ -272,7 +273,7 @@ mod tests {
     #[test]
     fn short_and_silent_sounds_are_no_trouble() {
         for spectrum in [vec![], vec![[0; BANDS]], vec![[-9_000; BANDS]; 5]] {
-            for frame in Vectors::new(&spectrum, Warp::NONE) {
+            for frame in Vectors::new(&spectrum.into(), Warp::NONE) {
                 assert!(frame.vector.iter().all(|number| number.is_finite()));
             }
         }

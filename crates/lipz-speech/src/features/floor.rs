@@ -6,6 +6,7 @@
 //! loudness of the speech, so that a recording aligns the same at every volume.
 
 use super::mel::{BANDS, Spectrum, logarithm_of, white_noise};
+use super::spectrogram::Spectrogram;
 
 /// The distance between the loud frames and the floor, in nats of power: 40 decibels.
 const DEPTH_NATS: f32 = 9.21;
@@ -18,8 +19,8 @@ pub(crate) struct Floor([f32; BANDS]);
 
 impl Floor {
     /// Returns the floor for a recording.
-    pub(crate) fn new(spectrum: &[Spectrum]) -> Floor {
-        let mut levels: Vec<i32> = spectrum.iter().map(level).collect();
+    pub(crate) fn new(spectrum: &Spectrogram) -> Floor {
+        let mut levels: Vec<i32> = spectrum.iter().map(|frame| level(&frame)).collect();
         let loud = match levels.len() {
             0 => 0,
             count => *levels.select_nth_unstable((count - 1) * LOUD_PERCENT / 100).1,
@@ -50,7 +51,7 @@ mod tests {
     fn the_floor_follows_the_volume() {
         let sound: Vec<Spectrum> = (0..50).map(|t| [10_000 + 100 * t; BANDS]).collect();
         let louder: Vec<Spectrum> = sound.iter().map(|frame| frame.map(|band| band + 2_048)).collect();
-        let (floor, higher) = (Floor::new(&sound), Floor::new(&louder));
+        let (floor, higher) = (Floor::new(&sound.into()), Floor::new(&louder.into()));
         for (low, high) in floor.0.iter().zip(higher.0) {
             assert!((high / low - libm::expf(2.0)).abs() < 0.01, "{low} {high}");
         }
@@ -58,7 +59,7 @@ mod tests {
 
     #[test]
     fn silence_has_a_floor() {
-        let floor = Floor::new(&[[-9_431; BANDS]; 3]);
+        let floor = Floor::new(&vec![[-9_431; BANDS]; 3].into());
         assert!(floor.0.iter().all(|power| power.is_finite() && *power > 0.0));
     }
 }

@@ -4,4 +4,6 @@ pub(crate) mod cepstra;
 pub(crate) mod floor;
 pub(crate) mod mel;
 mod noise;
+pub(crate) mod spectrogram;
+mod temporary;
 pub(crate) mod warp;

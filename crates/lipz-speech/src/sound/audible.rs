@@ -1,7 +1,7 @@
 //! The parts of a recording that are audible. The rest is silence, however long.
 
 use super::level::{SILENT_DB, decibels, voice_powers};
-use crate::features::mel::Spectrum;
+use crate::features::spectrogram::Spectrogram;
 use std::ops::Range;
 
 /// The distance between the voice and silence, in decibels. Breaths are up to 35 decibels below the voice.
@@ -13,12 +13,12 @@ const LEVEL_FRAMES: usize = 5;
 const SILENT_FRAMES: usize = 18;
 
 /// Returns the level of the voice, in decibels relative to full scale.
-pub(crate) fn level_db(spectrum: &[Spectrum]) -> f32 {
+pub(crate) fn level_db(spectrum: &Spectrogram) -> f32 {
     decibels(level(&voice_powers(spectrum)))
 }
 
 /// Returns the audible parts, each with a little of the silence around it; empty if nothing is audible.
-pub(crate) fn parts(spectrum: &[Spectrum]) -> Vec<Range<usize>> {
+pub(crate) fn parts(spectrum: &Spectrogram) -> Vec<Range<usize>> {
     let audible = audible(&voice_powers(spectrum)).into_iter();
     let with_silence =
         |part: Range<usize>| part.start.saturating_sub(SILENT_FRAMES)..(part.end + SILENT_FRAMES).min(spectrum.len());

@@ -1,6 +1,7 @@
 //! The loudness of the voice.
 
 use crate::features::mel::{BANDS, Spectrum, logarithm_of, white_noise};
+use crate::features::spectrogram::Spectrogram;
 
 /// Audio that is not louder than this is silent, in decibels relative to full scale.
 pub(crate) const SILENT_DB: f32 = -60.0;
@@ -20,7 +21,7 @@ pub(crate) struct Levels {
 }
 
 impl Levels {
-    pub(crate) fn new(spectrum: &[Spectrum]) -> Levels {
+    pub(crate) fn new(spectrum: &Spectrogram) -> Levels {
         let mut powers = voice_powers(spectrum);
         powers.sort_unstable_by(f32::total_cmp);
         let share = |percent: usize| powers.get(powers.len().saturating_sub(1) * percent / 100).copied().unwrap_or(0.0);
@@ -29,9 +30,9 @@ impl Levels {
 }
 
 /// Returns the power of the voice in each frame, without the pre-emphasis of the features; 1 is full scale.
-pub(crate) fn voice_powers(spectrum: &[Spectrum]) -> Vec<f32> {
+pub(crate) fn voice_powers(spectrum: &Spectrogram) -> Vec<f32> {
     let white = white_noise();
-    spectrum.iter().map(|frame| voice_power(frame, &white)).collect()
+    spectrum.iter().map(|frame| voice_power(&frame, &white)).collect()
 }
 
 fn voice_power(spectrum: &Spectrum, white: &[f32; BANDS]) -> f32 {

@@ -22,18 +22,20 @@ pub use clipping::Clipping;
 pub use damage::Damage;
 pub use error::SoundError;
 
-use crate::features::mel::{HOP, MelFrontEnd, RATE_HZ, Spectrum, WINDOW};
+use crate::features::mel::{HOP, MelFrontEnd, RATE_HZ, WINDOW};
+use crate::features::spectrogram::{Spectrogram, SpectrogramBuilder};
 pub(crate) use resample::Resampler;
-use std::io::{Cursor, Read, Seek};
+use std::io::{self, Cursor, Read, Seek};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// A recording: its length, and the spectrum of each hundredth of a second. It does not keep the samples: an hour of
-/// audio takes 18 megabytes.
+/// A recording: its length, and the spectrum of each hundredth of a second. It does not keep the samples. Of a recording
+/// of more than five minutes, it keeps most of the spectrum in a temporary file, 18 megabytes per hour, or in memory if
+/// there is no room for a file.
 #[derive(Clone, Debug)]
 pub struct Sound {
     samples: u64,
     rate_hz: u32,
-    spectrum: Vec<Spectrum>,
+    spectrum: Spectrogram,
     truncated: bool,
     is_altered: bool,
     damage: Damage,
@@ -145,6 +147,18 @@ impl Sound {
         self.damage
     }
 
+    /// Returns `made`, which was made from this recording, if all of the recording could be read.
+    ///
+    /// # Errors
+    ///
+    /// If a part of the temporary file of a long recording could not be read.
+    pub fn intact<T>(&self, made: T) -> Result<T, SoundError> {
+        match self.spectrum.is_lost() {
+            true => Err(SoundError::Io(io::Error::other("a temporary file cannot be read"))),
+            false => Ok(made),
+        }
+    }
+
     /// Whether the checksum in the file does not match the samples. Of the supported formats, only FLAC has one.
     pub fn is_altered(&self) -> bool {
         self.is_altered
@@ -188,21 +202,21 @@ impl Sound {
     }
 
     /// Returns the audible frames, or all frames if nothing is audible.
-    fn audible(&self) -> Vec<Spectrum> {
+    fn audible(&self) -> Spectrogram {
         let parts = audible::parts(&self.spectrum);
         if parts.is_empty() {
             return self.spectrum.clone();
         }
-        parts.into_iter().flat_map(|part| self.spectrum.get(part).unwrap_or_default()).copied().collect()
+        self.spectrum.cut(&parts)
     }
 
     /// Returns a recording with this spectrum.
-    pub(crate) fn with_spectrum(&self, spectrum: Vec<Spectrum>) -> Sound {
+    pub(crate) fn with_spectrum(&self, spectrum: Spectrogram) -> Sound {
         let samples = spectrum.len() as u64 * HOP as u64;
         Sound { samples, rate_hz: RATE_HZ, spectrum, clipping: Vec::new(), ..*self }
     }
 
-    pub(crate) fn spectrum(&self) -> &[Spectrum] {
+    pub(crate) fn spectrum(&self) -> &Spectrogram {
         &self.spectrum
     }
 }
@@ -214,7 +228,7 @@ struct Analysis {
     resampler: Resampler,
     resampled: Vec<f32>,
     front_end: MelFrontEnd,
-    spectrum: Vec<Spectrum>,
+    spectrum: SpectrogramBuilder,
 }
 
 impl Analysis {
@@ -225,7 +239,7 @@ impl Analysis {
             resampler: Resampler::new(rate_hz, RATE_HZ),
             resampled: Vec::new(),
             front_end: MelFrontEnd::new(),
-            spectrum: Vec::new(),
+            spectrum: SpectrogramBuilder::default(),
         }
     }
 
@@ -248,7 +262,7 @@ impl Analysis {
         Sound {
             samples: self.samples,
             rate_hz: self.rate_hz,
-            spectrum: self.spectrum,
+            spectrum: self.spectrum.finish(),
             truncated: false,
             is_altered: false,
             damage: Damage::default(),
@@ -259,11 +273,6 @@ impl Analysis {
     fn analyse(&mut self) {
         for sample in &mut self.resampled {
             *sample *= 32_768.0; // the model's units
-        }
-        // Grows by an eighth instead of doubling, because an hour takes 18 megabytes.
-        let more = self.resampled.len() / HOP + 1;
-        if self.spectrum.capacity() - self.spectrum.len() < more {
-            self.spectrum.reserve_exact(more.max(self.spectrum.len() / 8));
         }
         self.front_end.push(&self.resampled, |spectrum| self.spectrum.push(spectrum));
         self.resampled.clear();

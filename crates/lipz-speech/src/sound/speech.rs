@@ -6,6 +6,7 @@
 
 use crate::features::floor::Floor;
 use crate::features::mel::{BANDS, Spectrum};
+use crate::features::spectrogram::Spectrogram;
 
 /// The least change of the shape of speech within `STRIDE` frames, in nats per band: the median over all loud places.
 /// The minimum in 763 lines of human speech of more than a second in five languages and 123 synthetic ones, also with
@@ -27,7 +28,7 @@ const LOUD_PERCENT: usize = 95;
 const LOUD_NATS: f32 = 3.5;
 
 /// Whether a recording is noise, a tone, or music rather than speech.
-pub(crate) fn is_something_else(spectrum: &[Spectrum]) -> bool {
+pub(crate) fn is_something_else(spectrum: &Spectrogram) -> bool {
     if spectrum.len() < SHORTEST {
         return false;
     }
@@ -37,9 +38,9 @@ pub(crate) fn is_something_else(spectrum: &[Spectrum]) -> bool {
 
 /// Returns the median change of the shape over the loud places, in nats per band, or `None` if there are no such
 /// places.
-fn change(spectrum: &[Spectrum]) -> Option<f32> {
+fn change(spectrum: &Spectrogram) -> Option<f32> {
     let floor = Floor::new(spectrum);
-    let logarithms = |frame| floor.raise(frame).map(libm::logf);
+    let logarithms = |frame: Spectrum| floor.raise(&frame).map(libm::logf);
     let mut sums = [0.0; BANDS];
     let mut before = [[0.0; BANDS]; SMOOTHED];
     let mut shapes = [[0.0; BANDS]; STRIDE];

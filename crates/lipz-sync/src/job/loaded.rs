@@ -284,7 +284,8 @@ impl LoadedJob<'_> {
         };
         let mismatches = &mismatches;
         let hearing = mouth::Hearing { sound: &sound, model, is_unwritten, mismatches, corrected, with_grid, progress };
-        let mut heard = mouth::make(hearing, script, self.rate, options)?;
+        let heard = mouth::make(hearing, script, self.rate, options)?;
+        let mut heard = sound.intact(heard).map_err(|error| no_sound(&job.recording, &error))?;
         if condition.is_silent() || phones.is_some() {
             heard.forget_words(); // silent or corrected recordings have no doubtful words to report
         }
