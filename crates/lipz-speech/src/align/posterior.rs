@@ -17,24 +17,22 @@ impl Aligner<'_> {
     ///
     /// Without a text, a wrong decision closes or opens the mouth visibly. A mouth that blends the targets of all phones
     /// by these probabilities moves less, but follows the opening of the lips better than the single best phones.
-    pub fn posteriors(&self, sound: &Sound) -> Vec<[f32; Phone::COUNT]> {
+    pub fn posteriors(&self, sound: &Sound) -> impl Iterator<Item = [f32; Phone::COUNT]> {
         let vectors = Vectors::new(sound.spectrum(), Warp::NONE);
-        Emissions::new(self.model, vectors, quiet::quiet(sound.spectrum()))
-            .map(|scores| {
-                let of_phone = |phone: Phone| {
-                    let states = scores.get(phone.index() * STATES..(phone.index() + 1) * STATES).unwrap_or_default();
-                    states.iter().copied().fold(f32::MIN, f32::max)
-                };
-                let known = |phone: &Phone| phone.is_speech() || *phone == Phone::Sil;
-                let best = Phone::ALL.into_iter().filter(known).map(of_phone).fold(f32::MIN, f32::max);
-                let mut probabilities = Phone::ALL.map(|phone| match known(&phone) {
-                    true => libm::expf(EXPONENT * (of_phone(phone) - best)),
-                    false => 0.0,
-                });
-                let sum: f32 = probabilities.iter().sum();
-                probabilities.iter_mut().for_each(|probability| *probability /= sum);
-                probabilities
-            })
-            .collect()
+        Emissions::new(self.model, vectors, quiet::quiet(sound.spectrum())).map(|scores| {
+            let of_phone = |phone: Phone| {
+                let states = scores.get(phone.index() * STATES..(phone.index() + 1) * STATES).unwrap_or_default();
+                states.iter().copied().fold(f32::MIN, f32::max)
+            };
+            let known = |phone: &Phone| phone.is_speech() || *phone == Phone::Sil;
+            let best = Phone::ALL.into_iter().filter(known).map(of_phone).fold(f32::MIN, f32::max);
+            let mut probabilities = Phone::ALL.map(|phone| match known(&phone) {
+                true => libm::expf(EXPONENT * (of_phone(phone) - best)),
+                false => 0.0,
+            });
+            let sum: f32 = probabilities.iter().sum();
+            probabilities.iter_mut().for_each(|probability| *probability /= sum);
+            probabilities
+        })
     }
 }
