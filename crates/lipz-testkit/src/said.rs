@@ -8,6 +8,9 @@ use lipz_bank::playback::{ConsonantHold, Lead};
 use lipz_bank::{Bank, Clip, ClipId, Event, EventName, Fps, Micros, Time, Viseme, VisemeType, Voice};
 use std::hint::black_box;
 
+/// Keys of variants, some of which no file can have.
+pub(crate) const VARIANTS: [&str; 6] = ["few", "few-fem", "many-fem", "", "--", "żona-"];
+
 /// Calls every function of a frame rate, and every function with a frame rate as an argument.
 fn of_fps(fps: Fps) {
     let again = Fps::new(fps.numerator(), fps.denominator());

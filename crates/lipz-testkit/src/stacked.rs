@@ -1,5 +1,6 @@
 //! Every query of a dialogue whose files may be damaged.
 
+use crate::said;
 use lipz_bank::files::{DialogueError, DialogueFile, Files, SetIndex};
 use lipz_bank::{Bank, ClipId, Dialogue, EventName, Locale, Voice};
 use std::hint::black_box;
@@ -115,6 +116,10 @@ pub fn every_query_of(dialogue: &Dialogue<'_>) {
     for locale in &locales {
         assert_eq!(Locale::from_words(locale.to_words()), *locale);
         black_box(dialogue.locale(dialogue.locale_tag(*locale)).is_some());
+        for key in said::VARIANTS {
+            let variant = dialogue.variant(*locale, key);
+            assert!(variant == *locale || dialogue.locale_tag(variant).contains("-x-"));
+        }
     }
     let foreign = [Locale::from_words([1, u32::MAX]), Locale::from_words([u32::MAX, 0])];
     assert!(foreign.iter().all(|locale| dialogue.locale_tag(*locale).is_empty()));

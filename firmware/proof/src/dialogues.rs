@@ -81,7 +81,7 @@ fn dialogue_asked(dialogue: &Dialogue<'_>, name: &str, number: u32, see: See) {
         see_bytes(see, dialogue.locale_tag(locale).as_bytes());
         see_bytes(see, dialogue.locale_tag(dialogue.variant(locale, name)).as_bytes());
         locale.to_words().iter().for_each(|word| see(u64::from(*word)));
-        asked.locale = locale;
+        asked.locale = dialogue.variant(locale, name);
     }
     for voice in dialogue.voices().chain(dialogue.voice(name)).chain([asked.voice]) {
         see_bytes(see, dialogue.voice_tag(voice).as_bytes());
