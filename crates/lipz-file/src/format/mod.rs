@@ -10,7 +10,7 @@ mod spelling;
 
 pub use rewrite::rewrite;
 
-use crate::locale::{TextName, text_name};
+use crate::locale::{TextName, split_variant, text_name};
 use crate::{Document, Element, Value, curve, phones};
 use columns::SegmentRow;
 use std::borrow::Cow;
@@ -75,9 +75,12 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
     }
     let mut elements: Vec<(ElementRole, &Element<'_>)> =
         document.elements.iter().map(|element| (ElementRole::from_name(&element.name.text), element)).collect();
-    let first = first_text(&elements, style.default_locale);
-    if let Some((role, _)) = first.and_then(|index| elements.get_mut(index)) {
-        *role = ElementRole::FirstText;
+    if let Some(first) = first_locale(&elements, style.default_locale) {
+        for (role, _) in &mut elements {
+            if let ElementRole::Text { is_behind, locale, .. } = role {
+                *is_behind = *locale != first && !locale.is_empty();
+            }
+        }
     }
     elements.sort_by(|(a, _), (b, _)| a.cmp(b)); // stable: unknown elements keep their order
     let names: Vec<Cow<'_, str>> = elements.iter().map(|(_, element)| element.name.spelling()).collect();
@@ -98,9 +101,15 @@ pub fn format(document: &Document<'_>, style: Style<'_>) -> String {
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum ElementRole {
     Visemes,
-    FirstText,
-    /// A text, with its locale.
-    Text(String),
+    /// A text. The variants of a locale follow its text.
+    Text {
+        /// Whether its locale is not the one whose texts come first.
+        is_behind: bool,
+        /// Empty if the name has none.
+        locale: String,
+        /// The key of a variant.
+        key: Option<String>,
+    },
     Events,
     VisemeType,
     Fps,
@@ -120,22 +129,32 @@ impl ElementRole {
             phones::ELEMENT => ElementRole::Phones,
             _ => match text_name(name) {
                 None => ElementRole::Unknown,
-                Some(TextName::NoLocale) => ElementRole::Text(String::new()),
+                Some(TextName::NoLocale) => ElementRole::of_text(""),
                 Some(TextName::Canonical(tag) | TextName::Misspelt(tag) | TextName::OtherShape(_, Some(tag))) => {
-                    ElementRole::Text(tag)
+                    ElementRole::of_text(&tag)
                 }
-                Some(TextName::OtherShape(locale, None)) => ElementRole::Text(locale),
+                Some(TextName::OtherShape(locale, None)) => ElementRole::of_text(&locale),
             },
         }
     }
+
+    fn of_text(tag: &str) -> ElementRole {
+        let (locale, key) = split_variant(tag);
+        ElementRole::Text { is_behind: true, locale: locale.to_owned(), key: key.map(str::to_owned) }
+    }
 }
 
-/// Returns the index of the text that comes first.
-fn first_text(elements: &[(ElementRole, &Element<'_>)], default_locale: Option<&str>) -> Option<usize> {
-    // A text without a locale belongs to the default locale.
-    let is_default = |tag: &str| tag.is_empty() || Some(tag) == default_locale;
-    let default = elements.iter().position(|(role, _)| matches!(role, ElementRole::Text(tag) if is_default(tag)));
-    default.or_else(|| elements.iter().position(|(role, _)| matches!(role, ElementRole::Text(_))))
+/// Returns the locale whose texts come first, behind those without a locale, which belong to the default locale.
+fn first_locale(elements: &[(ElementRole, &Element<'_>)], default_locale: Option<&str>) -> Option<String> {
+    let locales = || {
+        elements.iter().filter_map(|(role, _)| match role {
+            ElementRole::Text { locale, .. } => Some(locale.as_str()),
+            _ => None,
+        })
+    };
+    let default = locales().find(|locale| Some(*locale) == default_locale);
+    let first = default.or_else(|| locales().find(|locale| locale.is_empty())).or_else(|| locales().next());
+    first.map(str::to_owned)
 }
 
 /// Returns the values as written, with aligned segments.
@@ -146,7 +165,7 @@ fn values<'d>(elements: &[(ElementRole, &'d Element<'d>)], line_ending: &str) ->
             (ElementRole::Visemes, Value::String(string)) => {
                 rows.push(SegmentRow::fixed(spelling::segments(string, false)));
             }
-            (ElementRole::Text(_) | ElementRole::FirstText | ElementRole::Events, Value::String(string)) => {
+            (ElementRole::Text { .. } | ElementRole::Events, Value::String(string)) => {
                 rows.push(SegmentRow::padded(spelling::segments(string, true)));
             }
             _ => {}
@@ -170,4 +189,37 @@ fn values<'d>(elements: &[(ElementRole, &'d Element<'d>)], line_ending: &str) ->
         (_, Value::Number(raw) | Value::Other(raw)) => Cow::Borrowed(raw.text.as_ref()),
     };
     elements.iter().map(value).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns the names of the formatted texts without `text_`.
+    fn order(names: &[&str], default_locale: Option<&str>) -> Vec<String> {
+        let texts: Vec<String> = names.iter().map(|name| format!("\"text{name}\": \"a\"")).collect();
+        let formatted = |text: &str| {
+            let document = crate::parse(text.as_bytes()).document.unwrap();
+            format(&document, Style { default_locale, ..Style::default() })
+        };
+        let text = formatted(&format!("{{ {} }}", texts.join(", ")));
+        assert_eq!(formatted(&text), text, "formatted twice");
+        text.split("\"text")
+            .skip(1)
+            .map(|rest| rest[..rest.find('"').unwrap()].trim_start_matches('_').into())
+            .collect()
+    }
+
+    #[test]
+    fn variants_follow_their_text() {
+        let texts = ["_pl-pl-x-few", "_en-us-x-one", "_pl-pl", "_de-de", "_en-us", "_en-us-x-fem", "_de-de-x-one"];
+        let english = ["en-us", "en-us-x-fem", "en-us-x-one"];
+        let german = ["de-de", "de-de-x-one"];
+        let polish = ["pl-pl", "pl-pl-x-few"];
+        assert_eq!(order(&texts, Some("en-us")), [&english[..], &german, &polish].concat(), "the default locale");
+        assert_eq!(order(&texts, Some("fr-fr")), [&polish[..], &german, &english].concat(), "that of the first text");
+        assert_eq!(order(&texts, None), [&polish[..], &german, &english].concat());
+        assert_eq!(order(&["_pl-pl", "", "_de-de-x-one", "_de-de"], None), ["", "de-de", "de-de-x-one", "pl-pl"]);
+        assert_eq!(order(&["_fr-fr", "_de-de", "_en-us-x-one"], Some("en-us")), ["en-us-x-one", "de-de", "fr-fr"]);
+    }
 }
