@@ -6,6 +6,7 @@ use lipz_bank::{Bank, Clip, Dialogue, Locale};
 use lipz_compiler::{Compiled, Compiler, Documents, Input, Options, SplitBank, coverage};
 use lipz_diagnostics::Code;
 use lipz_testkit::dialogues::with;
+use std::time::{Duration, Instant};
 
 const GUARDS: &str = r#"{ "visemes": "M|A", "text_en-us": "Look!|{n} guards.", "text_en-us-x-one": " | One guard.",
     "text_pl-pl": "Patrz!|{n} strażników.", "text_pl-pl-x-one": "|Jeden strażnik.", "text_pl-pl-x-few": "|{n} strażnicy.",
@@ -116,9 +117,29 @@ fn names_of_variants_are_checked() {
         let compiled = compiled(&options(), &[("a", file)]);
         compiled.reports.iter().flat_map(|report| &report.diagnostics).map(|diagnostic| diagnostic.code).collect()
     };
+    let with_key = |key: &str| format!(r#"{{ "text_en-us": "a", "text_en-us-x-{key}": "b" }}"#);
     assert_eq!(codes(r#"{ "text_en-us-x-one": "One." }"#), [Code::VariantWithoutText]);
     assert_eq!(codes(r#"{ "text_en-us": "a", "text_en-us-x-masculine": "b" }"#), [Code::LocaleShape]);
+    assert_eq!(codes(&with_key(&["fem"; 9].join("-"))), []);
+    assert_eq!(codes(&with_key(&["fem"; 10].join("-"))), [Code::LocaleShape]);
     assert_eq!(codes(r#"{ "text_en-us": "a", "text_en-us-x-One": "b" }"#), [Code::LocaleSpelling]);
     assert_eq!(codes(r#"{ "text_en-uk": "a", "text_en-uk-x-one": "b" }"#), [Code::UnknownLocale; 2]);
     assert_eq!(codes(r#"{ "text_en-us": "a|b", "text_en-us-x-one": "c" }"#), [Code::SegmentCount]);
+}
+
+#[test]
+fn a_bad_key_is_explained() {
+    let message = |key: &str| {
+        let file = format!(r#"{{ "text_en-us": "a", "text_en-us-x{key}": "b" }}"#);
+        let compiled = compiled(&options(), &[("a", &file)]);
+        compiled.reports[0].diagnostics[0].message.clone()
+    };
+    assert_eq!(message("-"), "the key of the variant is missing after `-x-`");
+    assert_eq!(message(""), "the key of the variant is missing after `-x-`");
+    assert_eq!(message("-żeńska"), "`żeńska` is not the key of a variant");
+    assert_eq!(message("-masculine"), "`masculine` is not the key of a variant");
+    let started = Instant::now();
+    let long = ["a"; 30_000].join("-");
+    assert_eq!(message(&format!("-{long}")), "the key of the variant has 59999 bytes; the limit is 35");
+    assert!(started.elapsed() < Duration::from_secs(5), "not quadratic");
 }

@@ -3,6 +3,7 @@
 //! A schema covers less than the checks of the compiler: it cannot count segments or include the rules of a game. For
 //! its rules, it uses the same constants as the checks.
 
+use crate::locale::{LONGEST_KEY, VARIANT_SEPARATOR};
 use crate::text::DELIMITER;
 use lipz_types::VisemeType;
 use serde_json::{Map, Value, json};
@@ -29,6 +30,11 @@ const VARIANT: &str = "(-x(-([a-wyz0-9]|[a-z0-9]{2,8}))+)?";
 pub fn json_schema(extended_locales: bool) -> String {
     let locale = if extended_locales { EXTENDED_LOCALE } else { LIPZ_LOCALE };
     let text_name = format!("^text_{locale}{VARIANT}$");
+    let mut text_names = json!({ "pattern": text_name });
+    if !extended_locales {
+        // Other locales vary in length, so the length of the name says nothing about that of the key.
+        text_names["maxLength"] = json!("text_ll-cc".len() + VARIANT_SEPARATOR.len() + LONGEST_KEY);
+    }
     let schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": ID,
@@ -64,7 +70,7 @@ pub fn json_schema(extended_locales: bool) -> String {
                 "examples": ["Mayor?|{louder} Mayor!"],
             },
         },
-        "propertyNames": { "if": { "pattern": "^text($|[_-])" }, "then": { "pattern": text_name } },
+        "propertyNames": { "if": { "pattern": "^text($|[_-])" }, "then": text_names },
         "allOf": codes_per_type(),
     });
     format!("{schema:#}\n")

@@ -90,6 +90,17 @@ fn extended_locales_pass_with_their_setting() {
     }
 }
 
+/// Names of any length would let editors accept what `check` refuses.
+#[test]
+fn keys_of_variants_are_limited() {
+    let plain = validator(&[]);
+    let is_valid = |key: String| plain.is_valid(&serde_json::json!({ format!("text_en-us-x-{key}"): "" }));
+    for count in 1..12 {
+        let key = ["fem"; 12][..count].join("-");
+        assert_eq!(is_valid(key.clone()), lipz_file::locale::is_variant_key(&key), "{key}");
+    }
+}
+
 #[test]
 fn the_published_copy_is_current() {
     let mut comparison = Comparison::default();

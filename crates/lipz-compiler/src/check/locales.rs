@@ -119,14 +119,8 @@ pub(super) fn keep_names_apart(document: &Document<'_>, diagnostics: &mut [Diagn
 
 /// Returns the diagnostic for a locale that the options do not allow. `is_tag` states whether it is a tag of BCP 47.
 fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Options) -> Diagnostic {
-    if let (base, Some(key)) = locale::split_variant(&locale.to_ascii_lowercase())
-        && LanguageTag::parse(base).is_some()
-        && !locale::is_variant_key(key)
-    {
-        let message = format!("{} is not the key of a variant", escape::quoted(key));
-        return Diagnostic::at(Code::LocaleShape, element.name.span(), message)
-            .note("a key is one or more names of at most 8 letters and digits, joined by hyphens")
-            .help(format!("write a shorter key: \"text_{base}-x-few\", \"text_{base}-x-few-fem\""));
+    if let Some(diagnostic) = other_key(element, locale) {
+        return diagnostic;
     }
     let shown = escape::quoted(locale);
     let diagnostic = if options.extended_locales {
@@ -145,6 +139,31 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
         _ if is_tag => diagnostic.help("add a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml"),
         _ => diagnostic.help("write \"text_ll-cc\", for example \"text_en-us\""),
     }
+}
+
+/// Returns the diagnostic for the tag of a variant whose key is missing, too long or spelled with other characters.
+fn other_key(element: &Element<'_>, locale: &str) -> Option<Diagnostic> {
+    let tag = locale.to_ascii_lowercase().replace('_', "-");
+    let (base, key) = match locale::split_variant(&tag) {
+        (base, Some(key)) => (base, key),
+        (tag, None) => (tag.strip_suffix("-x")?, ""),
+    };
+    if LanguageTag::parse(base).is_none() || locale::is_variant_key(key) {
+        return None;
+    }
+    let limit = locale::LONGEST_KEY;
+    let message = match key.len() {
+        0 => "the key of the variant is missing after `-x-`".to_owned(),
+        length if length > limit => format!("the key of the variant has {length} bytes; the limit is {limit}"),
+        _ => format!("{} is not the key of a variant", escape::quoted(key)),
+    };
+    let note = format!(
+        "a key is one or more names of at most {} letters a to z and digits, joined by hyphens, at most {limit} bytes \
+         in all; no name is `x`",
+        locale::LONGEST_NAME,
+    );
+    let help = format!("write a key of this form: \"text_{base}-x-few\", \"text_{base}-x-few-fem\"");
+    Some(Diagnostic::at(Code::LocaleShape, element.name.span(), message).note(note).help(help))
 }
 
 /// Returns the warning for a language or a country that is not in an ISO list.

@@ -5,7 +5,9 @@ mod tag;
 mod variant;
 
 pub use tag::LanguageTag;
-pub use variant::{VARIANT_SEPARATOR, is_variant, is_variant_key, shorter_keys, split_variant};
+pub use variant::{
+    LONGEST_KEY, LONGEST_NAME, VARIANT_SEPARATOR, is_variant, is_variant_key, shorter_keys, split_variant,
+};
 
 /// The locale in the name of a text element.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -55,8 +57,8 @@ pub fn text_name(name: &str) -> Option<TextName> {
 }
 
 impl TextName {
-    /// Returns the tag in canonical spelling, of the form `ll-cc` or of BCP 47, with its variant; `None` for a name without a locale, or
-    /// with one that is not a language tag.
+    /// Returns the tag in canonical spelling, of the form `ll-cc` or of BCP 47, with its variant; `None` for a name
+    /// without a locale, or with one that is not a language tag.
     pub fn tag(self) -> Option<String> {
         match self {
             TextName::Canonical(tag) | TextName::Misspelt(tag) => Some(tag),

@@ -8,7 +8,11 @@
 pub const VARIANT_SEPARATOR: &str = "-x-";
 
 /// The longest name in the key of a variant, in bytes (BCP 47).
-const LONGEST_NAME: usize = 8;
+pub const LONGEST_NAME: usize = 8;
+
+/// The longest key of a variant, in bytes: the length that BCP 47 recommends for the tags of a program (RFC 5646,
+/// section 4.4.1). Without a limit, a search for the beginnings of a key would take quadratic time.
+pub const LONGEST_KEY: usize = 35;
 
 /// Splits the tag of a text into its locale and the key of its variant, if it has one.
 ///
@@ -29,16 +33,19 @@ pub fn is_variant(tag: &str) -> bool {
     split_variant(tag).1.is_some()
 }
 
-/// Whether `key` can be the key of a variant: names of one to eight lower-case letters and digits, joined by hyphens.
+/// Whether `key` can be the key of a variant: names of one to eight lower-case letters and digits, joined by hyphens, at
+/// most [`LONGEST_KEY`] bytes in all.
 ///
 /// ```
 /// use lipz_file::locale::is_variant_key;
 /// assert!(is_variant_key("few") && is_variant_key("one-fem"));
 /// assert!(!is_variant_key("Few") && !is_variant_key("masculine") && !is_variant_key("one--fem"));
+/// assert!(is_variant_key(&["fem"; 9].join("-")) && !is_variant_key(&["fem"; 10].join("-")));
 /// ```
 pub fn is_variant_key(key: &str) -> bool {
     let is_letter = |byte: u8| byte.is_ascii_lowercase() || byte.is_ascii_digit();
-    key.split('-').all(|name| matches!(name.len(), 1..=LONGEST_NAME) && name != "x" && name.bytes().all(is_letter))
+    let is_name = |name: &str| matches!(name.len(), 1..=LONGEST_NAME) && name != "x" && name.bytes().all(is_letter);
+    key.len() <= LONGEST_KEY && key.split('-').all(is_name)
 }
 
 /// Returns the key and its beginnings, from long to short, which is the order in which a game's key finds a text:
