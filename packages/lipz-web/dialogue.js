@@ -8,6 +8,7 @@ import { FaceProfile } from "./face-profile.js";
 import { Locale, Voice, handleOf } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
 import * as c from "./structs.js";
+import { foundKeys } from "./variant.js";
 
 const NULL = [0, 0];
 /** The kinds of files, in the order of lipz.h. */
@@ -115,8 +116,8 @@ export class Dialogue {
   }
 
   variant(locale, key) {
-    for (let names = key.split("-"); names.length > 0; names.pop()) {
-      const found = this.locale(`${handleOf(Locale, locale).tag}-x-${names.join("-")}`);
+    for (const name of foundKeys(key)) {
+      const found = this.locale(`${handleOf(Locale, locale).tag}-x-${name}`);
       if (found !== undefined) return found;
     }
     return locale;

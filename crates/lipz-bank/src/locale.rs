@@ -42,22 +42,36 @@ fn is_variant(tag: &str, varied: &str, key: &str) -> bool {
     !varied.is_empty() && behind == Some(key)
 }
 
-/// Returns the variant of a locale with the most names of the key among `tags`, or the locale.
+/// Returns the variant of a locale among `tags` that a key finds, or the locale: the search is for the key, then for the
+/// key without names from its end, and then for the same without a leading plural category.
 pub(crate) fn variant_among<'t, I: Iterator<Item = (Locale, &'t str)>>(
     (locale, varied): (Locale, &str),
     key: &str,
     tags: impl Fn() -> I,
 ) -> Locale {
-    let mut key = key;
-    loop {
-        let found = tags().find(|(_, tag)| is_variant(tag, varied, key));
-        // The compiler keeps a panic in `str::rfind`, and the libraries for C and the web refuse to link one.
-        match (found, key.bytes().rposition(|byte| byte == b'-')) {
-            (Some((variant, _)), _) => return variant,
-            (None, Some(end)) => key = key.get(..end).unwrap_or(""),
-            (None, None) => return locale,
+    let find = |key: &str| Some(tags().find(|(_, tag)| is_variant(tag, varied, key))?.0);
+    let with_beginning = |mut key: &str| {
+        loop {
+            // The compiler keeps a panic in `str::rfind`, and the libraries for C and the web refuse to link one.
+            match (find(key), key.bytes().rposition(is_hyphen)) {
+                (Some(variant), _) => return Some(variant),
+                (None, Some(end)) => key = key.get(..end)?,
+                (None, None) => return None,
+            }
         }
-    }
+    };
+    with_beginning(key).or_else(|| with_beginning(behind_category(key)?)).unwrap_or(locale)
+}
+
+/// Returns the names of a key behind a leading plural category of Unicode's CLDR: `fem` for `few-fem`.
+fn behind_category(key: &str) -> Option<&str> {
+    let end = key.bytes().position(is_hyphen)?;
+    let (first, rest) = (key.get(..end)?, key.get(end.wrapping_add(1)..)?);
+    if matches!(first, "zero" | "one" | "two" | "few" | "many" | "other") { Some(rest) } else { None }
+}
+
+fn is_hyphen(byte: u8) -> bool {
+    byte == b'-'
 }
 
 /// The locales of a file with their texts: four of a bank's sections, and all sections of a text bank.
@@ -165,9 +179,9 @@ impl<'data> Bank<'data> {
     /// Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
     /// files. Clips without the variant show their text in the locale.
     ///
-    /// A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has that variant, names are left
-    /// out from the end of the key. In the end, the locale itself is returned. Look variants up once per locale: they
-    /// are compared with the tags of all locales.
+    /// A key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has that
+    /// variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the end, the
+    /// locale itself is returned. Look variants up once per locale: they are compared with the tags of all locales.
     pub fn variant(&self, locale: Locale, key: &str) -> Locale {
         let tags = || self.locales().map(|other| (other, self.locale_tag(other)));
         variant_among((locale, self.locale_tag(locale)), key, tags)

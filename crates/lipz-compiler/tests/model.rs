@@ -4,7 +4,7 @@
 
 use lipz_bank::{Bank, Clip, EventName, Micros, Segment};
 use lipz_compiler::{Compiler, Input, Options};
-use lipz_file::locale::{TextName, shorter_keys, split_variant, text_name};
+use lipz_file::locale::{TextName, found_keys, language, split_variant, text_name, without_category};
 use lipz_file::{Document, Value, event, text};
 use lipz_testkit::documents::document;
 use proptest::prelude::*;
@@ -81,7 +81,8 @@ impl Model {
         }
         if let (locale, Some(key)) = split_variant(tag) {
             let shown = self.shown_in(locale, options)?;
-            let mut variants = shorter_keys(key).map(|key| format!("{shown}-x-{key}"));
+            let key = if language(&shown) == language(locale) { Some(key) } else { without_category(key) };
+            let mut variants = key.into_iter().flat_map(found_keys).map(|key| format!("{shown}-x-{key}"));
             return variants.find(|variant| self.texts.contains_key(variant)).or(Some(shown));
         }
         let named = options.get_fallbacks().get(tag).cloned();

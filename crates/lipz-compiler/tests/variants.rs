@@ -49,7 +49,7 @@ fn a_key_selects_a_text() {
         assert_eq!(shown("guards", "pl-pl", "one-fem"), "Patrz!|Jeden strażnik.", "without the second name");
         assert_eq!(shown("guards", "pl-pl", "many"), "Patrz!|{n} strażników.", "no such variant");
         assert_eq!(shown("plain", "pl-pl", "few"), "Tak.", "no variant of this clip");
-        assert_eq!(shown("english", "pl-pl", "one"), "One left.", "a variant of the fallback locale");
+        assert_eq!(shown("english", "pl-pl", "one"), "{n} left.", "the English category has other numbers");
         assert_eq!(shown("english", "pl-pl", "few"), "{n} left.");
     });
     let bank = Bank::open(&bank).unwrap().verify().unwrap();
@@ -59,6 +59,27 @@ fn a_key_selects_a_text() {
     assert_eq!(bank.variant(polish, "--"), polish);
     let foreign = Locale::from_words([7, 7]);
     assert_eq!(bank.variant(foreign, "few"), foreign);
+}
+
+#[test]
+fn a_gender_is_found_for_all_numbers() {
+    let queen = r#"{ "visemes": "A", "text_en-us": "My liege.", "text_en-us-x-fem": "My queen.",
+        "text_pl-pl": "{n} panów.", "text_pl-pl-x-few": "{n} panowie.", "text_pl-pl-x-fem": "{n} pań." }"#;
+    let english =
+        r#"{ "visemes": "A", "text_en-us": "My liege.", "text_en-us-x-fem": "My queen.", "text_en-us-x-one": "1" }"#;
+    let bank = compiled(&options(), &[("english", english), ("queen", queen)]).bank.unwrap();
+    with(&[&bank], |dialogue| {
+        let shown = |clip, tag, key| shown(dialogue, clip, tag, key);
+        assert_eq!(shown("queen", "pl-pl", "many-fem"), "{n} pań.", "no variant is for `many`");
+        assert_eq!(shown("queen", "pl-pl", "other-fem-formal"), "{n} pań.");
+        assert_eq!(shown("queen", "pl-pl", "few-fem"), "{n} panowie.", "the number first");
+        assert_eq!(shown("queen", "pl-pl", "all-fem"), "{n} panów.", "only a plural category is left out");
+        assert_eq!(shown("queen", "pl-pl", "few-"), "{n} panowie.");
+        assert_eq!(shown("queen", "pl-pl", "many-"), "{n} panów.");
+        assert_eq!(shown("english", "pl-pl", "many-fem"), "My queen.", "a gender of the fallback locale");
+    });
+    let bank = Bank::open(&bank).unwrap().verify().unwrap();
+    assert_eq!(bank.locale_tag(bank.variant(bank.locale("pl-pl").unwrap(), "two-fem")), "pl-pl-x-fem");
 }
 
 #[test]
@@ -79,7 +100,7 @@ fn a_locale_is_packed_with_its_variants() {
         let mut tags: Vec<_> = dialogue.locales().map(|locale| dialogue.locale_tag(locale)).collect();
         tags.sort_unstable();
         assert_eq!(tags, ["pl-pl", "pl-pl-x-few", "pl-pl-x-few-fem", "pl-pl-x-one"]);
-        assert_eq!(shown(dialogue, "english", "pl-pl", "one"), "One left.", "with the variants that it borrows");
+        assert_eq!(shown(dialogue, "english", "pl-pl", "one"), "{n} left.", "with the text that it borrows");
         assert_eq!(shown(dialogue, "guards", "pl-pl", "few"), "Patrz!|{n} strażnicy.");
     });
 }
@@ -96,7 +117,7 @@ fn text_banks_have_variants() {
     assert_eq!(shown(&dialogue, "guards", "pl-pl", "few-fem"), "Popatrz!|{n} strażniczki.");
     assert_eq!(shown(&dialogue, "guards", "en-us", "one"), "Look!|One guard.");
     assert_eq!(shown(&dialogue, "plain", "pl-pl", "few"), "Tak.");
-    assert_eq!(shown(&dialogue, "english", "pl-pl", "one"), "One left.");
+    assert_eq!(shown(&dialogue, "english", "pl-pl", "one"), "{n} left.");
     let mut base = Bank::open(&split.base).unwrap().verify().unwrap();
     base.open_texts(&split.texts[1].1).unwrap();
 }

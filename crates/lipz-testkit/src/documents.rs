@@ -43,7 +43,7 @@ pub fn document() -> impl Strategy<Value = Document<'static>> {
             .prop_map(|number| element("fps", Value::Number(RawJson::new(number))));
         let event = prop_oneof![3 => segment(), 1 => proptest::sample::select(&FELT[..]).prop_map(str::to_owned)];
         let events = proptest::collection::vec(event, segments).prop_map(|parts| element("events", joined(&parts)));
-        let names = "text_(en-us|de-de|ja-jp|ar-eg|pt-br)|text-fr_ca|text_ES-MX|text_(de-de|en-us)-x-(few|few-fem)";
+        let names = "text_(en-us|de-de|ja-jp|ar-eg|pt-br)|text-fr_ca|text_ES-MX|text_(de-de|en-us)-x-(few|few-fem|fem)";
         let text = prop_oneof![3 => segment(), 1 => proptest::sample::select(&MARKED[..]).prop_map(str::to_owned)];
         let texts = proptest::collection::btree_map(names, proptest::collection::vec(text, segments), 0..4)
             .prop_map(|texts| texts.into_iter().map(|(name, parts)| element(name, joined(&parts))).collect::<Vec<_>>());

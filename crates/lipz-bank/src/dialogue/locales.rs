@@ -87,9 +87,9 @@ impl<'a> Dialogue<'a> {
     /// Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
     /// files. Clips without the variant show their text in the locale.
     ///
-    /// A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has that variant, names are left
-    /// out from the end of the key. In the end, the locale itself is returned. Look variants up once per locale: they
-    /// are compared with the tags of all locales.
+    /// A key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has that
+    /// variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the end, the
+    /// locale itself is returned. Look variants up once per locale: they are compared with the tags of all locales.
     pub fn variant(&self, locale: Locale, key: &str) -> Locale {
         let tags = || self.locales().map(|other| (other, self.locale_tag(other)));
         variant_among((locale, self.locale_tag(locale)), key, tags)

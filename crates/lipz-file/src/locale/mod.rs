@@ -6,7 +6,8 @@ mod variant;
 
 pub use tag::LanguageTag;
 pub use variant::{
-    LONGEST_KEY, LONGEST_NAME, VARIANT_SEPARATOR, is_variant, is_variant_key, shorter_keys, split_variant,
+    LONGEST_KEY, LONGEST_NAME, VARIANT_SEPARATOR, found_keys, is_variant, is_variant_key, split_variant,
+    without_category,
 };
 
 /// The locale in the name of a text element.

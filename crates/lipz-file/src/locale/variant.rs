@@ -14,6 +14,9 @@ pub const LONGEST_NAME: usize = 8;
 /// section 4.4.1). Without a limit, a search for the beginnings of a key would take quadratic time.
 pub const LONGEST_KEY: usize = 35;
 
+/// The plural categories of Unicode's CLDR (UTS 35, part 3, "Language Plural Rules").
+const PLURAL_CATEGORIES: [&str; 6] = ["zero", "one", "two", "few", "many", "other"];
+
 /// Splits the tag of a text into its locale and the key of its variant, if it has one.
 ///
 /// ```
@@ -48,13 +51,35 @@ pub fn is_variant_key(key: &str) -> bool {
     key.len() <= LONGEST_KEY && key.split('-').all(is_name)
 }
 
-/// Returns the key and its beginnings, from long to short, which is the order in which a game's key finds a text:
-/// `few-fem`, `few`.
+/// Returns the keys that a game's key finds within a locale, in the order of the search: the key and its beginnings, so
+/// that a number wins, then the same without the leading plural category, so that a gender wins over nothing.
 ///
 /// ```
-/// use lipz_file::locale::shorter_keys;
-/// assert_eq!(shorter_keys("few-fem").collect::<Vec<_>>(), ["few-fem", "few"]);
+/// use lipz_file::locale::found_keys;
+/// assert_eq!(found_keys("few-fem").collect::<Vec<_>>(), ["few-fem", "few", "fem"]);
+/// assert_eq!(found_keys("fem-formal").collect::<Vec<_>>(), ["fem-formal", "fem"]);
 /// ```
-pub fn shorter_keys(key: &str) -> impl Iterator<Item = &str> {
+pub fn found_keys(key: &str) -> impl Iterator<Item = &str> {
+    let behind = without_category(key).filter(|behind| behind.len() < key.len());
+    [Some(key), behind].into_iter().flatten().flat_map(beginnings)
+}
+
+/// Returns the key without its leading plural category, or `None` if nothing is left. In a text of another language,
+/// only this part selects a variant, because the category stands for other numbers there: the Russian `one` includes 21.
+///
+/// ```
+/// use lipz_file::locale::without_category;
+/// assert_eq!(without_category("few-fem"), Some("fem"));
+/// assert_eq!(without_category("fem"), Some("fem"));
+/// assert_eq!(without_category("few"), None);
+/// ```
+pub fn without_category(key: &str) -> Option<&str> {
+    let (first, rest) = key.split_once('-').unwrap_or((key, ""));
+    let rest = if PLURAL_CATEGORIES.contains(&first) { rest } else { key };
+    Some(rest).filter(|rest| !rest.is_empty())
+}
+
+/// Returns the key and its beginnings, from long to short: `few-fem`, `few`.
+fn beginnings(key: &str) -> impl Iterator<Item = &str> {
     std::iter::successors(Some(key), |key| Some(key.rsplit_once('-')?.0))
 }

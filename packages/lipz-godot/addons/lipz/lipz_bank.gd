@@ -14,6 +14,9 @@ const FaceProfile := preload("face_profile.gd")
 const File := preload("file.gd")
 const Hashing := preload("hashing.gd")
 
+## Those of Unicode's CLDR, which come first in the keys of variants.
+const PLURAL_CATEGORIES: PackedStringArray = ["zero", "one", "two", "few", "many", "other"]
+
 ## The number of clips.
 var clip_count := 0
 var _file: File
@@ -157,16 +160,25 @@ func nearest_locale(tag: String) -> LipzLocale:
 
 
 ## Returns the language for the texts of a variant: for `pl-pl` and the key `few`, those of `text_pl-pl-x-few` in Lipz
-## files. A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names
-## are left out from the end of the key, and in the end the language itself is returned. Look variants up once.
+## files. A key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has texts
+## of the variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the end, the
+## language itself is returned. Look variants up once.
 func variant(language: LipzLocale, key: String) -> LipzLocale:
+	var found := _variant_with_beginning(language, key)
+	if found == null and key.contains("-") and key.get_slice("-", 0) in PLURAL_CATEGORIES:
+		found = _variant_with_beginning(language, key.substr(key.find("-") + 1))
+	return language if found == null else found
+
+
+## Returns the variant with the most names of the beginning of the key; null without one.
+func _variant_with_beginning(language: LipzLocale, key: String) -> LipzLocale:
 	var names := key.split("-")
 	while not names.is_empty():
 		var found := locale(language.tag + "-x-" + "-".join(names))
 		if found != null:
 			return found
 		names.remove_at(names.size() - 1)
-	return language
+	return null
 
 
 ## Returns the default language of the project; null without one.

@@ -4,7 +4,7 @@ use super::cldr::{ancestors, script};
 use crate::project::Options;
 use crate::project::pseudo_locale::is_pseudo;
 use foldhash::{HashMap, HashSet};
-use lipz_file::locale::{language, shorter_keys, split_variant};
+use lipz_file::locale::{found_keys, language, split_variant, without_category};
 
 /// The locales of a bank or a clip, and their inheritance.
 pub(crate) struct Fallbacks {
@@ -27,6 +27,8 @@ struct Locale {
     /// The groups of locales in which it looks for a text, in order: those that share an ancestor, then those of its
     /// language, all in its script. Those of a variant are those of its locale.
     groups: Vec<u32>,
+    /// The language, in the tag.
+    language: Box<str>,
     /// If it is a variant: the number of the locale that it varies, if some clip has texts in it, and the key.
     variant: Option<(Option<usize>, Box<str>)>,
 }
@@ -61,7 +63,8 @@ impl Fallbacks {
                 known.filter(|&other| other != number).collect()
             });
             let groups = names.map(&mut group).collect();
-            locales.push(Locale { named, is_offered: !is_pseudo(tag) && variant.is_none(), groups, variant });
+            let is_offered = !is_pseudo(tag) && variant.is_none();
+            locales.push(Locale { named, is_offered, groups, language: language(tag).into(), variant });
         }
         let default = options.default_locale.as_deref().and_then(|tag| numbers.get(tag).copied());
         Fallbacks { locales, default, variants, nearest: vec![None; groups.len()], found: Vec::new() }
@@ -117,7 +120,8 @@ impl Fallbacks {
     }
 
     /// Returns the locale or variant whose text a clip shows in place of a missing variant: in the locale whose text it
-    /// shows in general, the variant with the most names of the key, or else that text.
+    /// shows in general, the variant that the key finds, or else that text. In another language, a plural category finds
+    /// nothing.
     fn in_place_of_variant(
         &self,
         locale: &Locale,
@@ -127,7 +131,9 @@ impl Fallbacks {
         let has_text_in = |number: &usize| has_text.contains(number);
         let shown = varied.filter(has_text_in).or_else(|| self.in_place_of(locale, has_text))?;
         let variant = |key: &str| self.variants.get(&(shown, key.into())).copied().filter(has_text_in);
-        shorter_keys(key).find_map(variant).or(Some(shown))
+        let is_alike = self.locales.get(shown).is_some_and(|other| other.language == locale.language);
+        let key = if is_alike { Some(key) } else { without_category(key) };
+        key.and_then(|key| found_keys(key).find_map(variant)).or(Some(shown))
     }
 }
 
@@ -144,8 +150,21 @@ mod tests {
 
     #[test]
     fn a_variant_falls_back_within_the_shown_locale() {
-        let tags =
-            ["de-at", "de-at-x-few", "de-de", "de-de-x-few", "de-de-x-few-fem", "de-de-x-one", "en-us", "en-us-x-one"];
+        let tags = [
+            "de-at-x-few-fem",
+            "de-at",
+            "de-at-x-few",
+            "de-de",
+            "de-de-x-fem",
+            "de-de-x-few",
+            "de-de-x-few-fem",
+            "de-de-x-one",
+            "en-us",
+            "en-us-x-fem",
+            "en-us-x-one",
+            "ru-ru-x-one",
+            "ru-ru-x-one-fem",
+        ];
         let number = |tag: &str| tags.iter().position(|known| *known == tag).unwrap();
         let mut fallbacks = Fallbacks::new(&tags, &Options::new().default_locale("en-us").unwrap());
         let mut shown = |own: &[&str], missing: &str| {
@@ -158,7 +177,13 @@ mod tests {
         assert_eq!(shown(&["de-de", "de-de-x-one"], "de-de-x-few"), Some("de-de"));
         assert_eq!(shown(&["de-de", "de-de-x-few"], "de-at-x-few"), Some("de-de-x-few"), "that of the fallback");
         assert_eq!(shown(&["de-at", "de-de", "de-de-x-few"], "de-at-x-few"), Some("de-at"), "a text of its own first");
-        assert_eq!(shown(&["en-us", "en-us-x-one"], "de-de-x-one"), Some("en-us-x-one"));
+        let genders = ["de-de", "de-de-x-fem", "de-de-x-one"];
+        assert_eq!(shown(&genders, "de-de-x-few-fem"), Some("de-de-x-fem"), "a gender without the number");
+        assert_eq!(shown(&genders, "de-at-x-few-fem"), Some("de-de-x-fem"));
+        assert_eq!(shown(&["de-de", "de-de-x-fem"], "de-de-x-few"), Some("de-de"), "nobody asked for a gender");
+        let english = ["en-us", "en-us-x-fem", "en-us-x-one"];
+        assert_eq!(shown(&english, "ru-ru-x-one"), Some("en-us"), "other numbers than in English, such as 21");
+        assert_eq!(shown(&english, "ru-ru-x-one-fem"), Some("en-us-x-fem"), "a gender is one in all languages");
         assert_eq!(shown(&["de-de-x-one"], "de-de"), None, "no locale falls back to a variant");
         assert_eq!(shown(&[], "de-de-x-few"), None);
     }
