@@ -108,17 +108,30 @@ function Bank:locale(tag)
   return nil
 end
 
---- Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
--- files. A key has the names of all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names
--- are left out from the end of the key, and in the end the locale itself is returned. Look variants up once per locale.
-function Bank:variant(locale, key)
+--- Returns the variant with this key, or with the longest beginning of it; nil if the bank has none.
+local function variant_with_beginning(bank, locale, key)
   local names = key
   while names do
-    local variant = self:locale(locale.tag .. "-x-" .. names)
+    local variant = bank:locale(locale.tag .. "-x-" .. names)
     if variant then return variant end
     names = names:match("^(.*)%-")
   end
-  return locale
+  return nil
+end
+
+--- The plural categories of Unicode's CLDR, which come first in a key.
+local PLURAL_CATEGORIES = { zero = true, one = true, two = true, few = true, many = true, other = true }
+
+--- Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
+-- files. A key has the names of all cases that apply, the plural category first: `few`, or `few-fem`. If no clip has
+-- texts of the variant, names are left out from its end (`few`), then the plural category (`fem`), and in the end the
+-- locale itself is returned. Look variants up once per locale.
+function Bank:variant(locale, key)
+  local variant = variant_with_beginning(self, locale, key)
+  if variant then return variant end
+  local first, rest = key:match("^(.-)%-(.*)$")
+  if PLURAL_CATEGORIES[first] then variant = variant_with_beginning(self, locale, rest) end
+  return variant or locale
 end
 
 --- Returns the project's default locale; nil without one.

@@ -32,6 +32,8 @@ _KEY = struct.Struct("<QIHH")
 _RATE = struct.Struct("<QII")
 _MAX_INTEGER_FPS = 1000
 _NO_RATE = 0xFFFF
+# The plural categories of Unicode's CLDR, which come first in the key of a variant.
+_PLURAL_CATEGORIES = {"zero", "one", "two", "few", "many", "other"}
 
 
 class Bank:
@@ -114,13 +116,15 @@ class Bank:
         """Returns the locale for texts of a variant.
 
         For `pl-pl` and the key `few`, these are the texts of `text_pl-pl-x-few` in Lipz files. A key has the names of
-        all cases that apply: `few`, or `few-fem`. If no clip has texts of the variant, names are left out from the end
-        of the key, and in the end the locale itself is returned. Look variants up once per locale.
+        all cases that apply, the plural category first: `few`, or `few-fem`. If no clip has texts of the variant, names
+        are left out from its end (`few`), then the plural category (`fem`), and in the end the locale itself is
+        returned. Look variants up once per locale.
         """
         tags = {tag for table in self._texts for tag in table.tags}
         names = key.split("-")
-        longest_first = ("-".join(names[:count]) for count in range(len(names), 0, -1))
-        found = (f"{locale}-x-{part}" for part in longest_first)
+        behind = names[1:] if names[0] in _PLURAL_CATEGORIES else []
+        beginnings = (part[:count] for part in (names, behind) for count in range(len(part), 0, -1))
+        found = (f"{locale}-x-{'-'.join(part)}" for part in beginnings)
         return next((tag for tag in found if tag in tags), locale)
 
     @property

@@ -81,6 +81,7 @@ assets! {
     "web/shape-names.js"
     "web/shapes.js"
     "web/structs.js"
+    "web/variant.js"
     "web/words.js"
 }
 

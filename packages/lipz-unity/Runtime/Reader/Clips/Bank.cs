@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Lipz
@@ -165,18 +166,32 @@ namespace Lipz
 
         /// <summary>
         /// Returns the locale for texts of a variant: for <c>pl-pl</c> and the key <c>few</c>, the texts of
-        /// <c>text_pl-pl-x-few</c> in Lipz files. A key has the names of all cases that apply: <c>few</c>, or
-        /// <c>few-fem</c>. If no clip has texts of the variant, names are left out from the end of the key, and in the
-        /// end the locale itself is returned. Look variants up once per locale.
+        /// <c>text_pl-pl-x-few</c> in Lipz files. A key has the names of all cases that apply, the plural category
+        /// first: <c>few</c>, or <c>few-fem</c>. If no clip has texts of the variant, names are left out from its end
+        /// (<c>few</c>), then the plural category (<c>fem</c>), and in the end the locale itself is returned. Look
+        /// variants up once per locale.
         /// </summary>
         public BankLocale Variant(BankLocale locale, string key)
+        {
+            int hyphen = key.IndexOf('-');
+            bool hasCategory = hyphen >= 0 && Array.IndexOf(PluralCategories, key.Substring(0, hyphen)) >= 0;
+            BankLocale variant = VariantWithBeginning(locale, key);
+            if (variant == null && hasCategory) variant = VariantWithBeginning(locale, key.Substring(hyphen + 1));
+            return variant ?? locale;
+        }
+
+        /// <summary>The plural categories of Unicode's CLDR, which come first in a key.</summary>
+        private static readonly string[] PluralCategories = { "zero", "one", "two", "few", "many", "other" };
+
+        /// <summary>Returns the variant with this key, or with the longest beginning of it; null without any.</summary>
+        private BankLocale VariantWithBeginning(BankLocale locale, string key)
         {
             for (int length = key.Length; length > 0; length = key.LastIndexOf('-', length - 1))
             {
                 BankLocale variant = Locale(locale.Tag + "-x-" + key.Substring(0, length));
                 if (variant != null) return variant;
             }
-            return locale;
+            return null;
         }
 
         /// <summary>The default locale of the project; null without one.</summary>

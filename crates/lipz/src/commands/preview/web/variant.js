@@ -1,0 +1,1 @@
+../../../../../../packages/lipz-web/variant.js
