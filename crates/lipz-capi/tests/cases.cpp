@@ -73,6 +73,9 @@ class Stage {
         } else if (verb == "locale") {
             locale_ = dialogue_->locale(words.at(1));
             std::cout << (locale_ ? "" : "  no locale\n");
+        } else if (verb == "variant") {
+            locale_ = dialogue_->variant(locale_.value(), words.at(1));
+            std::cout << "  " << lipz::view(locale_.value().tag) << "\n";
         } else if (verb == "clip") {
             start(words);
         } else if (verb == "speaker") {
