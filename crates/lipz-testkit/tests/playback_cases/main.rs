@@ -71,17 +71,8 @@ impl Stage {
                 self.dialogue = files::open(&self.files);
                 self.locale = None;
             }
-            ["locale", tag] => {
-                self.locale = self.dialogue.locale(tag);
-                if self.locale.is_none() {
-                    self.answers.push_str("  no locale\n");
-                }
-            }
-            ["variant", key] => {
-                let locale = dialogue.variant(self.locale.expect("a locale"), key);
-                let _ = writeln!(self.answers, "  {}", dialogue.locale_tag(locale));
-                self.locale = Some(locale);
-            }
+            ["locale", tag] => self.locale(tag),
+            ["variant", key] => self.variant(key),
             ["clip", key, ref given @ ..] => self.start(key, given),
             ["speaker", name] => {
                 self.cursor(|cursor| cursor.with_speaker(dialogue.event_name(name)));
@@ -132,6 +123,20 @@ impl Stage {
             ["voice", tag] => self.voice(tag),
             _ => panic!("no command: {line}"),
         }
+    }
+
+    fn locale(&mut self, tag: &str) {
+        self.locale = self.dialogue.locale(tag);
+        if self.locale.is_none() {
+            self.answers.push_str("  no locale\n");
+        }
+    }
+
+    /// Selects the variant of the locale with this key.
+    fn variant(&mut self, key: &str) {
+        let locale = self.dialogue.variant(self.locale.expect("a locale"), key);
+        let _ = writeln!(self.answers, "  {}", self.dialogue.locale_tag(locale));
+        self.locale = Some(locale);
     }
 
     /// Starts a clip, with the frame rate and the viseme type of these words.

@@ -101,8 +101,8 @@ impl EntryWriter<'_> {
         item.unit.translations.get(self.at).unwrap_or(&self.none)
     }
 
-    /// Returns the entry of an item, with its plural forms.
-    fn entry(&self, item: &Item<'_>, forms: Option<&ItemForms>) -> String {
+    /// Returns the comments of an entry for people, and the mark of those of translators.
+    fn comments(&self, item: &Item<'_>) -> String {
         let mut out = String::new();
         let own = item.translator_comments(self.translation(item));
         for comment in own {
@@ -118,6 +118,12 @@ impl EntryWriter<'_> {
         if !own.is_empty() {
             let _ = writeln!(out, "#. {COMMENTS_EXPORTED}{}", Mark::of_comments(own));
         }
+        out
+    }
+
+    /// Returns the entry of an item, with its plural forms.
+    fn entry(&self, item: &Item<'_>, forms: Option<&ItemForms>) -> String {
+        let mut out = self.comments(item);
         let of_forms: Vec<(&str, Option<&Item<'_>>)> = match forms {
             Some(forms) => {
                 let form = |(category, form): &(&'static str, Option<usize>)| {
@@ -157,22 +163,13 @@ impl EntryWriter<'_> {
         if !flags.is_empty() {
             let _ = writeln!(out, "#, {}", flags.join(", "));
         }
-        let mut previous = |name: &str, text: &str| {
-            for (number, line) in literal(text).lines().enumerate() {
-                let _ = writeln!(out, "#| {}{line}", if number == 0 { format!("{name} ") } else { String::new() });
-            }
-        };
         let one = of_forms.iter().find(|(category, _)| *category == "one").and_then(|(_, one)| made_from((*one)?));
-        match (made_from(item), forms) {
-            (Some(made_from), None) => previous("msgid", &made_from),
-            (None, None) => {}
-            (None, Some(_)) if one.is_none() => {}
-            // The two lines belong together.
-            (made_from, Some(forms)) => {
-                previous("msgid", one.as_ref().unwrap_or(&forms.singular));
-                previous("msgid_plural", &made_from.unwrap_or_else(|| item.source()));
-            }
-        }
+        out.push_str(&previous(
+            item,
+            made_from(item),
+            forms.map(|forms| one.as_ref().unwrap_or(&forms.singular)),
+            one.is_some(),
+        ));
         let context = self.namespace.map_or_else(|| item.id(), |namespace| unreal_identity(namespace, &item.id()));
         let _ = writeln!(out, "msgctxt {}", literal(&context));
         if let Some(forms) = forms {
@@ -188,6 +185,23 @@ impl EntryWriter<'_> {
             let _ = writeln!(out, "msgstr{index} {}", literal(&text));
         }
         out
+    }
+}
+
+/// Returns the lines with the source text that a translation was made from. With plural forms, they also have the source
+/// text for one thing, because gettext reads both or neither.
+fn previous(item: &Item<'_>, made_from: Option<String>, singular: Option<&String>, is_old: bool) -> String {
+    let comment = |name: &str, text: &str| {
+        let lines = format!("{name} {}", literal(text));
+        lines.lines().map(|line| format!("#| {line}\n")).collect::<String>()
+    };
+    match (made_from, singular) {
+        (Some(made_from), None) => comment("msgid", &made_from),
+        (None, singular) if singular.is_none() || !is_old => String::new(),
+        (made_from, singular) => {
+            let singular = comment("msgid", singular.map_or("", String::as_str));
+            singular + &comment("msgid_plural", &made_from.unwrap_or_else(|| item.source()))
+        }
     }
 }
 
