@@ -142,7 +142,7 @@ pub(super) const RULES: &[Rule] = &[
             "unicode-segmentation",
             "zip",
         ],
-        below: Below::AtMost(60),
+        below: Below::AtMost(63),
     },
     Rule {
         name: "lipz-speech",
