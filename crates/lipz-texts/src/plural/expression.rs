@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_are_those_of_c() {
+    fn values_of_expressions() {
         let value = |text: &str, number| Expression::parse(text).unwrap().value(number);
         assert_eq!(value("n != 1", 1), Some(0));
         assert_eq!(value("!n", 0), Some(1));
