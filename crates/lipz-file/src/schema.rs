@@ -3,7 +3,7 @@
 //! A schema covers less than the checks of the compiler: it cannot count segments or include the rules of a game. For
 //! its rules, it uses the same constants as the checks.
 
-use crate::locale::{LONGEST_KEY, VARIANT_SEPARATOR};
+use crate::locale::LONGEST_KEY;
 use crate::text::DELIMITER;
 use lipz_types::VisemeType;
 use serde_json::{Map, Value, json};
@@ -33,7 +33,7 @@ pub fn json_schema(extended_locales: bool) -> String {
     let mut text_names = json!({ "pattern": text_name });
     if !extended_locales {
         // Other locales vary in length, so the length of the name says nothing about that of the key.
-        text_names["maxLength"] = json!("text_ll-cc".len() + VARIANT_SEPARATOR.len() + LONGEST_KEY);
+        text_names["maxLength"] = json!("text_ll-cc-x-".len() + LONGEST_KEY);
     }
     let schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",

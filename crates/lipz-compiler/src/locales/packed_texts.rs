@@ -4,7 +4,7 @@ use crate::clip::{ClipData, ClipText, Locales};
 use crate::locales::fallback::Fallbacks;
 use crate::project::Options;
 use foldhash::HashMap;
-use lipz_file::locale::{VARIANT_SEPARATOR, split_variant};
+use lipz_file::locale::{split_variant, variant_tag};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -55,7 +55,7 @@ fn with_variants<'p>(packed: &'p BTreeSet<String>, tags: &[String]) -> Cow<'p, B
             continue;
         }
         let borrowers = packed.iter().filter(|packed| !tags.contains(packed));
-        all.to_mut().extend(borrowers.map(|packed| format!("{packed}{VARIANT_SEPARATOR}{key}")));
+        all.to_mut().extend(borrowers.map(|packed| variant_tag(packed, key)));
     }
     all
 }

@@ -6,7 +6,7 @@ mod variant;
 
 pub use tag::LanguageTag;
 pub use variant::{
-    LONGEST_KEY, LONGEST_NAME, VARIANT_SEPARATOR, found_keys, is_variant, is_variant_key, split_variant,
+    LONGEST_KEY, LONGEST_NAME, found_keys, is_variant, is_variant_key, split_category, split_variant, variant_tag,
     without_category,
 };
 

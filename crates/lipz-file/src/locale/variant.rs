@@ -5,7 +5,7 @@
 //! `few-fem`. Because a variant has a tag like a locale, a bank and its readers need nothing else for it.
 
 /// The subtag between a locale and the key of a variant, with its hyphens.
-pub const VARIANT_SEPARATOR: &str = "-x-";
+const SEPARATOR: &str = "-x-";
 
 /// The longest name in the key of a variant, in bytes (BCP 47).
 pub const LONGEST_NAME: usize = 8;
@@ -25,10 +25,21 @@ const PLURAL_CATEGORIES: [&str; 6] = ["zero", "one", "two", "few", "many", "othe
 /// assert_eq!(split_variant("pl-pl"), ("pl-pl", None));
 /// ```
 pub fn split_variant(tag: &str) -> (&str, Option<&str>) {
-    match tag.split_once(VARIANT_SEPARATOR) {
+    match tag.split_once(SEPARATOR) {
         Some((locale, key)) => (locale, Some(key)),
         None => (tag, None),
     }
+}
+
+/// Returns the tag of a variant, or with an empty key that of the locale.
+///
+/// ```
+/// use lipz_file::locale::variant_tag;
+/// assert_eq!(variant_tag("pl-pl", "few"), "pl-pl-x-few");
+/// assert_eq!(variant_tag("pl-pl", ""), "pl-pl");
+/// ```
+pub fn variant_tag(locale: &str, key: &str) -> String {
+    if key.is_empty() { locale.to_owned() } else { format!("{locale}{SEPARATOR}{key}") }
 }
 
 /// Whether a tag is that of a variant.
@@ -64,6 +75,19 @@ pub fn found_keys(key: &str) -> impl Iterator<Item = &str> {
     [Some(key), behind].into_iter().flatten().flat_map(beginnings)
 }
 
+/// Splits a key into its plural category, which comes first, and the rest, which is the key if there is no category.
+///
+/// ```
+/// use lipz_file::locale::split_category;
+/// assert_eq!(split_category("few-fem"), (Some("few"), "fem"));
+/// assert_eq!(split_category("few"), (Some("few"), ""));
+/// assert_eq!(split_category("fem-few"), (None, "fem-few"));
+/// ```
+pub fn split_category(key: &str) -> (Option<&str>, &str) {
+    let (first, rest) = key.split_once('-').unwrap_or((key, ""));
+    if PLURAL_CATEGORIES.contains(&first) { (Some(first), rest) } else { (None, key) }
+}
+
 /// Returns the key without its leading plural category, or `None` if nothing is left. In a text of another language,
 /// only this part selects a variant, because the category stands for other numbers there: the Russian `one` includes 21.
 ///
@@ -74,9 +98,7 @@ pub fn found_keys(key: &str) -> impl Iterator<Item = &str> {
 /// assert_eq!(without_category("few"), None);
 /// ```
 pub fn without_category(key: &str) -> Option<&str> {
-    let (first, rest) = key.split_once('-').unwrap_or((key, ""));
-    let rest = if PLURAL_CATEGORIES.contains(&first) { rest } else { key };
-    Some(rest).filter(|rest| !rest.is_empty())
+    Some(split_category(key).1).filter(|rest| !rest.is_empty())
 }
 
 /// Returns the key and its beginnings, from long to short: `few-fem`, `few`.

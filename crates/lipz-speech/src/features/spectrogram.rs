@@ -38,7 +38,7 @@ struct Stored {
 #[derive(Debug, Default)]
 pub(crate) struct SpectrogramBuilder {
     stored: Stored,
-    /// Whether the file takes no more frames. If there is no room for it, all frames stay in memory.
+    /// Whether writing the file has failed. All further frames then stay in memory.
     is_full: bool,
 }
 

@@ -2,9 +2,9 @@
 
 use crate::exchange::clip_texts::{strings, texts_of, trimmed};
 use crate::exchange::model::{Segment, State, Translation, Unit};
-use crate::exchange::variants::{SourceTexts, VariantKey, variant_keys, variant_tag};
+use crate::exchange::variants::{SourceTexts, VariantKey, variant_keys};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
-use lipz_file::locale::{is_variant, split_variant};
+use lipz_file::locale::{is_variant, split_variant, variant_tag};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, speakers};
 use lipz_file::{Document, Value};

@@ -1,11 +1,10 @@
 //! The results of readers: texts, their clips, and their positions in the file.
 
 use crate::exchange::model::VARIANT_MARK;
-use crate::exchange::variants::variant_tag;
 use crate::exchange::{Mark, State};
 use crate::plural::join_category;
 use lipz_diagnostics::{Code, Diagnostic, Span, escape};
-use lipz_file::locale::{canonical_tag, has_lipz_shape, is_variant_key, language, split_variant};
+use lipz_file::locale::{canonical_tag, has_lipz_shape, is_variant_key, language, split_variant, variant_tag};
 use lipz_file::text::DELIMITER;
 use std::sync::Arc;
 

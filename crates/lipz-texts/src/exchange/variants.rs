@@ -6,8 +6,8 @@
 use crate::exchange::ClipTexts;
 use crate::exchange::model::joined;
 use crate::exchange::placeholder;
-use crate::plural::{Categories, join_category, split_category};
-use lipz_file::locale::{VARIANT_SEPARATOR, split_variant};
+use crate::plural::{Categories, join_category};
+use lipz_file::locale::{split_category, split_variant, variant_tag};
 use lipz_file::placeholder::PlaceholderPattern;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashSet};
@@ -76,8 +76,7 @@ impl<'t> SourceTexts<'t> {
         is_current.then(|| of(&self.texts))
     }
 
-    /// Returns the difference between the placeholders of a segment and those of its source; `None` if there is none to
-    /// report. A variant may have those of the text. For a plural category with one number, it may do without:
+    /// Returns the difference between the placeholders of a segment and those of its source, if lipz reports it. A variant may have those of the text. For a plural category with one number, it may do without:
     /// `One guard.`
     pub(crate) fn placeholder_difference(&self, at: usize, text: &str, own: &[PlaceholderPattern]) -> Option<String> {
         let source = self.texts.get(at).map_or("", String::as_str);
@@ -91,11 +90,6 @@ impl<'t> SourceTexts<'t> {
         };
         (!is_allowed).then_some(found)
     }
-}
-
-/// Returns the tag of a variant: `en-us-x-few`. Without a key, that of the locale.
-pub(crate) fn variant_tag(locale: &str, key: &str) -> String {
-    if key.is_empty() { locale.to_owned() } else { format!("{locale}{VARIANT_SEPARATOR}{key}") }
 }
 
 /// Returns the tag of a source text for a translation into `locale`, which may be a variant.

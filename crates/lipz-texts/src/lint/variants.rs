@@ -1,10 +1,10 @@
 //! Variants that a translation lacks.
 
 use super::LocaleText;
-use crate::exchange::variants::{variant_keys, variant_tag};
+use crate::exchange::variants::variant_keys;
 use crate::exchange::{ClipTexts, SourceTexts};
 use lipz_diagnostics::{Code, Diagnostic};
-use lipz_file::locale::is_variant;
+use lipz_file::locale::{is_variant, variant_tag};
 
 /// Reports the variants that the language of a translation needs, but that the clip lacks, or has only in part.
 pub(super) fn check(

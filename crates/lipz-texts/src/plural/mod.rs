@@ -74,17 +74,6 @@ impl Categories {
     }
 }
 
-/// Whether a name in the key of a variant is a plural category.
-fn is_category(name: &str) -> bool {
-    ALL.iter().any(|(_, category)| *category == name)
-}
-
-/// Splits the key of a variant into its plural category, which comes first, and the rest: `few` and `fem`.
-pub(crate) fn split_category(key: &str) -> (Option<&str>, &str) {
-    let (first, rest) = key.split_once('-').unwrap_or((key, ""));
-    if is_category(first) { (Some(first), rest) } else { (None, key) }
-}
-
 /// Joins a plural category and the rest of a key, each of which may be empty: `few-fem`.
 pub(crate) fn join_category(category: &str, rest: &str) -> String {
     let names = [category, rest].into_iter().filter(|name| !name.is_empty());
@@ -108,13 +97,5 @@ mod tests {
         assert_eq!(Categories::of("ru-ru").variants(), ["one", "few"]);
         assert!(Categories::of("ja-jp").variants().is_empty());
         assert!(Categories::of("en-us").has_one_number("one") && !Categories::of("ru-ru").has_one_number("one"));
-    }
-
-    #[test]
-    fn a_key_begins_with_its_category() {
-        assert_eq!(split_category("few-fem"), (Some("few"), "fem"));
-        assert_eq!(split_category("few"), (Some("few"), ""));
-        assert_eq!(split_category("fem"), (None, "fem"));
-        assert_eq!(split_category("fem-few"), (None, "fem-few"));
     }
 }

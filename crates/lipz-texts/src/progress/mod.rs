@@ -11,10 +11,10 @@ pub use matches::SourceMatch;
 pub use page::page;
 
 use crate::exchange::model::{State, Unit, VARIANT_MARK};
-use crate::exchange::variants::{variant_keys, variant_tag};
+use crate::exchange::variants::variant_keys;
 use crate::exchange::{ClipTexts, SourceTexts, words};
 use crate::record::{Standing, TextRecord};
-use lipz_file::locale::is_variant;
+use lipz_file::locale::{is_variant, variant_tag};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 

@@ -2,8 +2,9 @@
 
 use super::{Standing, TextRecord};
 use crate::exchange::model::{State, Unit};
-use crate::exchange::variants::{source_tag, variant_tag};
+use crate::exchange::variants::source_tag;
 use crate::merge::ConfirmedTranslations;
+use lipz_file::locale::variant_tag;
 
 impl TextRecord {
     /// Sets the states, the source texts and the comments of a unit's translations, which are in these locales.

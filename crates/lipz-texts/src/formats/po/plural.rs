@@ -1,7 +1,8 @@
 //! Entries with plural forms: a text and its variants for plural categories.
 
 use crate::exchange::model::{Division, Exchange, Item, Unit};
-use crate::plural::{PluralForms, join_category, split_category};
+use crate::plural::{PluralForms, join_category};
+use lipz_file::locale::split_category;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The items of a file in one locale, some of which are plural forms of others.
