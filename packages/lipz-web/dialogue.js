@@ -8,7 +8,6 @@ import { FaceProfile } from "./face-profile.js";
 import { Locale, Voice, handleOf } from "./handle.js";
 import { FIRST, SECOND } from "./memory.js";
 import * as c from "./structs.js";
-import { foundKeys } from "./variant.js";
 
 const NULL = [0, 0];
 /** The kinds of files, in the order of lipz.h. */
@@ -116,11 +115,10 @@ export class Dialogue {
   }
 
   variant(locale, key) {
-    for (const name of foundKeys(key)) {
-      const found = this.locale(`${handleOf(Locale, locale).tag}-x-${name}`);
-      if (found !== undefined) return found;
-    }
-    return locale;
+    const memory = this.#memory;
+    const asked = handleOf(Locale, locale).put(memory, FIRST);
+    const found = new Locale(memory, memory.ask(c.lipz_locale, "lipz_dialogue_variant", asked, ...memory.text(key)));
+    return found.tag === locale.tag ? locale : found;
   }
 
   voice(tag) {

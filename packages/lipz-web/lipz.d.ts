@@ -137,9 +137,9 @@ export class Dialogue {
   readonly defaultLocale: Locale | undefined;
   /**
    * The locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz files. A
-   * key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has texts of the
-   * variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the end, the locale
-   * itself is returned. Look variants up once per locale.
+   * key lists all cases that apply, the plural category first: `few`, or `few-fem`. The search removes names from the
+   * end of the key (`few-fem`, `few`), and then does the same without the plural category (`fem`). If no clip has any
+   * of these, the result is the locale itself. Look variants up once per locale.
    */
   variant(locale: Locale, key: string): Locale;
   /**

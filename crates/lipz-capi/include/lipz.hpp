@@ -450,7 +450,8 @@ class Dialogue {
     std::optional<lipz_locale> locale(std::string_view tag) const noexcept {
         return answer<lipz_locale>([&](auto *out) { return lipz_dialogue_locale(get(), tag.data(), tag.size(), out); });
     }
-    /// Returns the locale for texts of a variant, such as `few` or `few-fem`; the locale itself if no clip has such texts.
+    /// Returns the locale for texts of a variant. For the key `few-fem`, tries `few-fem`, `few` and `fem`; if no clip
+    /// has any of these, returns `locale`. Look variants up once per locale.
     std::optional<lipz_locale> variant(const lipz_locale &locale, std::string_view key) const noexcept {
         return answer<lipz_locale>(
             [&](auto *out) { return lipz_dialogue_variant(get(), &locale, key.data(), key.size(), out); });

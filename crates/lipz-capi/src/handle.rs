@@ -144,9 +144,9 @@ pub unsafe extern "C" fn lipz_dialogue_locale_by_index(
 }
 
 /// Writes the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
-/// files. A key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has
-/// texts of the variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the
-/// end, the locale itself is written. Look variants up once per locale.
+/// files. A key lists all cases that apply, the plural category first: `few`, or `few-fem`. The search removes names
+/// from the end of the key (`few-fem`, `few`), and then does the same without the plural category (`fem`). If no clip
+/// has any of these, the answer is the locale itself. Look variants up once per locale.
 #[no_mangle]
 pub unsafe extern "C" fn lipz_dialogue_variant(
     dialogue: Option<&Dialogue>,

@@ -243,7 +243,9 @@ static void command(char *words[], unsigned count, const char *folder) {
         has_locale = lipz_dialogue_locale(&dialogue, words[1], strlen(words[1]), &locale) == LIPZ_OK;
         printf("%s", has_locale ? "" : "  no locale\n");
     } else if (is(words[0], "variant")) {
-        must(lipz_dialogue_variant(&dialogue, &locale, words[1], strlen(words[1]), &locale), "variant");
+        lipz_locale variant;
+        must(lipz_dialogue_variant(&dialogue, &locale, words[1], strlen(words[1]), &variant), "variant");
+        locale = variant;
         printf("  %.*s\n", (int)locale.tag.length_bytes, locale.tag.data);
     } else if (is(words[0], "clip")) {
         start(words, count);

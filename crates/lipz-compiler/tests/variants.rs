@@ -164,3 +164,17 @@ fn a_bad_key_is_explained() {
     assert_eq!(message(&format!("-{long}")), "the key of the variant has 59999 bytes; the limit is 35");
     assert!(started.elapsed() < Duration::from_secs(5), "not quadratic");
 }
+
+/// The reader has its own list of plural categories, because it depends on no tool.
+#[test]
+fn the_reader_and_the_tools_have_the_same_plural_categories() {
+    let file = r#"{ "text_en-us": "{n} guards.", "text_en-us-x-fem": "{n} of them." }"#;
+    let bank = compiled(&options(), &[("a", file)]).bank.unwrap();
+    let bank = Bank::open(&bank).unwrap().verify().unwrap();
+    let english = bank.locale("en-us").unwrap();
+    for name in ["zero", "one", "two", "few", "many", "other", "all", "formal"] {
+        let is_category = lipz_file::locale::split_category(name).0.is_some();
+        let found = bank.locale_tag(bank.variant(english, &format!("{name}-fem")));
+        assert_eq!(found == "en-us-x-fem", is_category, "{name}");
+    }
+}

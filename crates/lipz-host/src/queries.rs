@@ -57,8 +57,8 @@ impl Dialogue {
         self.view().locale_tag(locale)
     }
 
-    /// Returns the locale for texts of a variant, such as `few` or `few-fem`; the locale itself if no clip has texts of
-    /// the variant. Look variants up once per locale.
+    /// Returns the locale for texts of a variant. For the key `few-fem`, tries `few-fem`, `few` and `fem`; if no clip
+    /// has any of these, returns `locale`. Look variants up once per locale.
     pub fn variant(&self, locale: Locale, key: &str) -> Locale {
         self.view().variant(locale, key)
     }

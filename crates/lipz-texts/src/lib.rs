@@ -27,8 +27,8 @@ mod record;
 mod script;
 
 pub use exchange::{
-    ChosenTake, ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment, Shape,
-    SourceTexts, State, Translation, Unit, Words, WriteOptions, difference, texts_of, words,
+    ChosenTake, ClipSources, ClipTexts, Collect, Division, Entry, Exchange, IncomingFile, Mark, ReadOptions, Segment,
+    Shape, SourceTexts, State, Translation, Unit, Words, WriteOptions, difference, texts_of, words,
 };
 pub use formats::csv::defused;
 pub use formats::{Format, WriteResult, WrittenFile, read, write};

@@ -93,6 +93,22 @@ fn translated_variants_come_back_in_every_format() {
     }
 }
 
+/// The marks of an unchanged file are those of the texts.
+#[test]
+fn an_unchanged_file_changes_nothing() {
+    let document = lipz_file::parse(CLIP.as_bytes()).document.unwrap();
+    let shapes = Shape::ALL.into_iter().map(|shape| (Format::Csv, WriteOptions::new().shape(shape)));
+    for (format, options) in Format::ALL.iter().map(|format| (*format, WriteOptions::new())).chain(shapes) {
+        for file in write(format, &exchange(&["ja-jp", "pl-pl"]), &options).files {
+            let entries = read(format, &file.bytes, &ReadOptions::new("en-us")).entries;
+            let marked = entries.iter().filter(|entry| entry.mark.is_some()).count();
+            assert_eq!(marked, entries.len(), "{format:?} {options:?}");
+            let merged = Merge::new("en-us").merge(CLIP, &document, &entries.iter().collect::<Vec<_>>());
+            assert_eq!((merged.text, merged.found), (None, Vec::new()), "{format:?} {options:?}");
+        }
+    }
+}
+
 #[test]
 fn a_file_has_the_variants_of_its_language() {
     let po = |locale: &str| {
@@ -134,6 +150,9 @@ fn plural_forms_of_other_tools_are_understood() {
     assert!(
         read_without.entries.iter().map(|entry| &entry.locale).eq(incoming.entries.iter().map(|entry| &entry.locale))
     );
+    let unreadable = po.replace("msgstr[2]", "msgstr[z]");
+    let unreadable = read(Format::Po, unreadable.as_bytes(), &options).diagnostics;
+    assert_eq!(unreadable[0].message, "the number of the plural form cannot be read");
     let menu = "msgid \"\"\nmsgstr \"Language: pl\\n\"\n\nmsgid \"a\"\nmsgid_plural \"b\"\nmsgstr[0] \"c\"\n\n\
         msgctxt \"x\"\nmsgid \"y\"\nmsgstr \"z\"\n";
     let menu = read(Format::Po, menu.as_bytes(), &options);

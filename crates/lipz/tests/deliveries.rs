@@ -270,7 +270,6 @@ fn a_check_reports_every_problem_that_a_delivery_would_bring() {
     }
 }
 
-/// Questions of a translator reach the others, and answers reach the translator.
 /// Questions come before translations, and clips are renamed in between.
 #[test]
 fn comments_on_a_clip_without_translations_follow_it() {
@@ -293,6 +292,7 @@ fn comments_on_a_clip_without_translations_follow_it() {
     assert!(of_mayor.contains("# Formal or not?"), "{exported}");
 }
 
+/// Questions of a translator reach the others, and answers reach the translator.
 #[test]
 fn comments_of_translators_are_kept_and_come_back() {
     for (format, name) in

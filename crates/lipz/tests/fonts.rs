@@ -40,7 +40,11 @@ fn lines_are_measured_in_the_font_of_their_locale() {
     scene.write("voices/mara.lipz", "{ \"text_pl-pl\": \"Łódź.\" }\n");
     scene.write("lipz.toml", SETTINGS.replace("line-pixels = 64\nfont-pixels = 16\n", ""));
     let without = lipz(scene.path(), CHECK);
-    assert!(without.stderr.contains("`text.locales.ja.line-pixels` needs a size of the font"), "{}", without.stderr);
+    assert!(
+        without.stderr.contains("`text.locales.ja.line-pixels` is set, but `font-pixels` is missing"),
+        "{}",
+        without.stderr
+    );
     scene.write("lipz.toml", "sources = [\"voices\"]\n[text]\nfont = \"fonts/latin.ttf\"\n");
     scene.expect("LZ0518-missing-glyph", &CHECK);
     scene.finish(2);

@@ -315,6 +315,10 @@ fn a_project_without_recordings_has_a_script() {
     fs::create_dir(scene.path().join("rec")).unwrap();
     let lines = lipz(scene.path(), ["check", "--lines", "script.csv", "--allow", "warnings", "--warn", "LZ1921"]);
     assert!(!lines.stderr.contains("LZ1921") && lines.code == 0, "{lines:?}");
+    let script = fs::read_to_string(scene.path().join("script.csv")).unwrap();
+    scene.write("script.csv", script.replace("Bye now.", "See you."));
+    let lines = lipz(scene.path(), ["check", "--lines", "script.csv", "--allow", "warnings", "--warn", "LZ1921"]);
+    assert!(lines.stderr.contains("LZ1921"), "the lines belong to the clips: {lines:?}");
     let folder = export(&scene, &["csv", "--locale", "de-de", "-o", "voices"]);
     assert!(folder.code == 2 && folder.stderr.contains("`voices` is a folder"), "{folder:?}");
     let unknown = export(&scene, &["csv", "--locale", "fr-fr", "-o", "-"]);

@@ -99,6 +99,9 @@ fn keys_of_variants_are_limited() {
         let key = ["fem"; 12][..count].join("-");
         assert_eq!(is_valid(key.clone()), lipz_file::locale::is_variant_key(&key), "{key}");
     }
+    for key in ["x", "masculine", "one-x-fem", "Few", "", "1", "a-", "few--fem"] {
+        assert_eq!(is_valid(key.to_owned()), lipz_file::locale::is_variant_key(key), "{key}");
+    }
 }
 
 #[test]

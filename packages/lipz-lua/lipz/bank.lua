@@ -123,9 +123,9 @@ end
 local PLURAL_CATEGORIES = { zero = true, one = true, two = true, few = true, many = true, other = true }
 
 --- Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
--- files. A key has the names of all cases that apply, the plural category first: `few`, or `few-fem`. If no clip has
--- texts of the variant, names are left out from its end (`few`), then the plural category (`fem`), and in the end the
--- locale itself is returned. Look variants up once per locale.
+-- files. A key lists all cases that apply, the plural category first: `few`, or `few-fem`. The search removes names
+-- from the end of the key (`few-fem`, `few`), and then does the same without the plural category (`fem`). If no clip
+-- has any of these, the result is the locale itself. Look variants up once per locale.
 function Bank:variant(locale, key)
   local variant = variant_with_beginning(self, locale, key)
   if variant then return variant end

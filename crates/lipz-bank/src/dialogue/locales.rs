@@ -84,12 +84,12 @@ impl<'a> Dialogue<'a> {
         }
     }
 
-    /// Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in Lipz
-    /// files. Clips without the variant show their text in the locale.
+    /// Returns the locale for texts of a variant: for `pl-pl` and the key `few`, the texts of `text_pl-pl-x-few` in
+    /// Lipz files. Clips without the variant show their text in the locale.
     ///
-    /// A key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has that
-    /// variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the end, the
-    /// locale itself is returned. Look variants up once per locale: they are compared with the tags of all locales.
+    /// A key lists all cases that apply, the plural category first: `few`, or `few-fem`. The search removes names from
+    /// the end of the key (`few-fem`, `few`), and then does the same without the plural category (`fem`). If no clip
+    /// has any of these, the result is the locale itself. Look variants up once per locale.
     pub fn variant(&self, locale: Locale, key: &str) -> Locale {
         let tags = || self.locales().map(|other| (other, self.locale_tag(other)));
         variant_among((locale, self.locale_tag(locale)), key, tags)

@@ -136,9 +136,26 @@ fn other_shape(element: &Element<'_>, locale: &str, is_tag: bool, options: &Opti
             let name = format!("\"text_{tag}\"");
             diagnostic.help(format!("remove the space: {name}")).fix(element.name.span(), name)
         }
+        _ if let Some(tag) = meant_variant(locale, options) => {
+            diagnostic.help(format!("for a variant, write \"text_{tag}\""))
+        }
         _ if is_tag => diagnostic.help("add a country, or accept any BCP 47 tag: extended-locales = true in lipz.toml"),
         _ => diagnostic.help("write \"text_ll-cc\", for example \"text_en-us\""),
     }
+}
+
+/// Returns the tag of the variant that a name probably means: `x-one` without a locale, or `en-us-one` without `x`.
+fn meant_variant(locale: &str, options: &Options) -> Option<String> {
+    let tag = locale.to_ascii_lowercase().replace('_', "-");
+    let (base, key) = match tag.strip_prefix("x-") {
+        Some(key) => (default_locale(options).unwrap_or_else(|| "en-us".to_owned()), key),
+        None => {
+            let (base, key) = tag.split_at_checked("ll-cc".len())?;
+            (base.to_owned(), key.strip_prefix('-')?)
+        }
+    };
+    let is_variant = locale::has_lipz_shape(&base) && locale::is_variant_key(key);
+    is_variant.then(|| locale::variant_tag(&base, key))
 }
 
 /// Returns the diagnostic for the tag of a variant whose key is missing, too long or spelled with other characters.

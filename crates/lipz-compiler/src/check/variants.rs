@@ -55,7 +55,7 @@ fn without_text(file: &CheckedClip<'_>, diagnostics: &mut Vec<Diagnostic>) {
         let message = format!("`{}` is a variant of `text_{locale}`, which is missing", text.name.text);
         diagnostics.push(
             Diagnostic::at(Code::VariantWithoutText, text.name.span(), message)
-                .note("games that do not ask for the variant show the text of a fallback locale")
+                .note("games that do not request the variant show the text of a fallback locale")
                 .help(format!("add \"text_{locale}\", the text for all other cases")),
         );
     }

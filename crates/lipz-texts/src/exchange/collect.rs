@@ -2,9 +2,9 @@
 
 use crate::exchange::clip_texts::{strings, texts_of, trimmed};
 use crate::exchange::model::{Segment, State, Translation, Unit};
-use crate::exchange::variants::{SourceTexts, VariantKey, variant_keys};
+use crate::exchange::variants::{ClipSources, VariantKey, keys_of_all, variant_keys};
 use lipz_diagnostics::{Code, Diagnostic, Severity, escape};
-use lipz_file::locale::{is_variant, split_variant, variant_tag};
+use lipz_file::locale::{is_variant, variant_tag};
 use lipz_file::rate::Rate;
 use lipz_file::text::{DELIMITER, is_white_space, speakers};
 use lipz_file::{Document, Value};
@@ -100,39 +100,25 @@ impl Collect {
         }
         let of_locales: Vec<Vec<VariantKey>> =
             self.locales.iter().map(|locale| variant_keys(&texts, &self.source_locale, locale)).collect();
-        // The plural forms of a PO file come from the source, even if its own language has only one.
-        let of_source = texts.keys().map(|tag| split_variant(tag)).filter(|(locale, _)| *locale == self.source_locale);
-        let all =
-            of_locales.iter().flatten().map(|known| known.key.as_str()).chain(of_source.filter_map(|(_, key)| key));
-        let mut keys: Vec<&str> = Vec::new();
-        for key in all {
-            if !keys.contains(&key) {
-                keys.push(key);
-            }
-        }
-        let variant = |key: &str| {
-            let tag = variant_tag(&self.source_locale, key);
-            let sources = SourceTexts::of(&texts, &self.source_locale, &tag)?;
+        let Some(sources_of) = ClipSources::new(&texts, &self.source_locale) else { return Vec::new() };
+        let variant = |key: String| {
+            let sources = sources_of.of(&variant_tag(&self.source_locale, &key));
             let segment = |(whole, source): (&Segment, &String)| match source.is_empty() {
                 true => Segment::default(),
                 false => Segment { source: source.clone(), ..whole.clone() },
             };
             let translation = |(locale, keys): (&String, &Vec<VariantKey>)| {
-                let own = texts.get(&variant_tag(locale, key)).filter(|own| own.len() == sources.texts.len());
+                let own = texts.get(&variant_tag(locale, &key)).filter(|own| own.len() == sources.texts.len());
                 let is_unneeded = keys.iter().all(|known| known.key != key);
                 let state = if own.is_none() { State::Initial } else { State::Translated };
                 let texts = own.cloned().unwrap_or_else(|| vec![String::new(); sources.texts.len()]);
                 Translation { texts, state, is_unneeded, ..Translation::default() }
             };
-            Some(Unit {
-                key: unit.key.clone(),
-                variant: Some(key.to_owned()),
-                segments: unit.segments.iter().zip(&*sources.texts).map(segment).collect(),
-                translations: self.locales.iter().zip(&of_locales).map(translation).collect(),
-                ..Unit::default()
-            })
+            let segments = unit.segments.iter().zip(&*sources.texts).map(segment).collect();
+            let translations = self.locales.iter().zip(&of_locales).map(translation).collect();
+            Unit { key: unit.key.clone(), variant: Some(key), segments, translations, ..Unit::default() }
         };
-        keys.into_iter().filter_map(variant).collect()
+        keys_of_all(&texts, &self.source_locale, &of_locales).into_iter().map(variant).collect()
     }
 
     fn segments(&self, clip: &Document<'_>, sources: &[String]) -> Vec<Segment> {

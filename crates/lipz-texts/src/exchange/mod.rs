@@ -22,6 +22,6 @@ pub use collect::Collect;
 pub use entry::{ChosenTake, Entry, IncomingFile, ReadOptions, Words};
 pub use mark::Mark;
 pub use model::{Division, Exchange, Segment, State, Translation, Unit};
-pub use variants::SourceTexts;
+pub use variants::{ClipSources, SourceTexts};
 pub use words::words;
 pub use write_options::{Shape, WriteOptions};

@@ -7,9 +7,10 @@ use crate::exchange::ClipTexts;
 use crate::exchange::model::joined;
 use crate::exchange::placeholder;
 use crate::plural::{Categories, join_category};
-use lipz_file::locale::{split_category, split_variant, variant_tag};
+use lipz_file::locale::{split_category, split_variant, variant_tag, without_category};
 use lipz_file::placeholder::PlaceholderPattern;
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::collections::{BTreeSet, HashSet};
 
 /// The texts that a translation is made from.
@@ -25,43 +26,59 @@ pub struct SourceTexts<'t> {
     to: String,
 }
 
-impl<'t> SourceTexts<'t> {
-    /// Returns the texts that the translation into `locale`, which may be a variant, is made from; `None` without texts in
-    /// the source locale.
+/// The texts of a clip as sources of its translations.
+#[derive(Debug)]
+pub struct ClipSources<'t> {
+    clip: &'t ClipTexts,
+    source_locale: &'t str,
+    whole: &'t [String],
+    /// For each segment, whether it varies.
+    varies: OnceCell<Vec<bool>>,
+}
+
+impl<'t> ClipSources<'t> {
+    /// Returns the sources of translations from a locale; `None` if the clip has no text in it.
+    pub fn new(clip: &'t ClipTexts, source_locale: &'t str) -> Option<ClipSources<'t>> {
+        let whole = clip.get(source_locale)?.as_slice();
+        Some(ClipSources { clip, source_locale, whole, varies: OnceCell::new() })
+    }
+
+    /// Returns the texts that the translation into `locale`, which may be a variant, is made from.
     ///
     /// ```
-    /// use lipz_texts::{SourceTexts, texts_of};
+    /// use lipz_texts::{ClipSources, texts_of};
     /// let clip = br#"{ "text_en-us": "Look!|{n} guards.", "text_en-us-x-one": "|One guard." }"#;
     /// let clip = texts_of(&lipz_file::parse(clip).document.ok_or("a valid file")?, None);
-    /// let of = |locale| SourceTexts::of(&clip, "en-us", locale).map(|source| source.texts.join("|"));
-    /// assert_eq!(of("pl-pl").as_deref(), Some("Look!|{n} guards."));
-    /// assert_eq!(of("pl-pl-x-one").as_deref(), Some("|One guard."));
-    /// assert_eq!(of("pl-pl-x-few").as_deref(), Some("|{n} guards."));
+    /// let sources = ClipSources::new(&clip, "en-us").ok_or("a text")?;
+    /// let of = |locale| sources.of(locale).texts.join("|");
+    /// assert_eq!(of("pl-pl"), "Look!|{n} guards.");
+    /// assert_eq!(of("pl-pl-x-one"), "|One guard.");
+    /// assert_eq!(of("pl-pl-x-few"), "|{n} guards.");
     /// # Ok::<(), &str>(())
     /// ```
-    pub fn of(clip: &'t ClipTexts, source_locale: &'t str, locale: &str) -> Option<SourceTexts<'t>> {
-        let whole = clip.get(source_locale)?.as_slice();
+    pub fn of(&self, locale: &str) -> SourceTexts<'t> {
         let (to, key) = split_variant(locale);
-        let to = to.to_owned();
+        let ClipSources { clip, source_locale, whole, .. } = *self;
         let Some(key) = key else {
-            return Some(SourceTexts { locale: source_locale.into(), texts: whole.into(), whole, to });
+            return SourceTexts { locale: source_locale.into(), texts: whole.into(), whole, to: to.to_owned() };
         };
-        let tag = variant_tag(source_locale, key);
         let of_key = |key: &str| {
             Some(clip.get(&variant_tag(source_locale, key))?.as_slice()).filter(|own| own.len() == whole.len())
         };
-        let rest = || Some(split_category(key).1).filter(|rest| !rest.is_empty() && *rest != key);
+        let rest = || without_category(key).filter(|rest| *rest != key);
         let texts = match of_key(key).or_else(|| of_key(rest()?)) {
             Some(own) => own.into(),
             None => {
-                let varies = varying(clip, source_locale, whole.len());
-                let text = |(text, varies): (&String, bool)| if varies { text.clone() } else { String::new() };
+                let varies = self.varies.get_or_init(|| varying(clip, source_locale, whole.len()));
+                let text = |(text, varies): (&String, &bool)| if *varies { text.clone() } else { String::new() };
                 Cow::Owned(whole.iter().zip(varies).map(text).collect())
             }
         };
-        Some(SourceTexts { locale: tag.into(), texts, whole, to })
+        SourceTexts { locale: variant_tag(source_locale, key).into(), texts, whole, to: to.to_owned() }
     }
+}
 
+impl SourceTexts<'_> {
     /// Returns the current source text of a segment, from 0, or of the clip, if a file has the same in another form: with
     /// the text in the segments that do not vary, or the text itself, because an entry with plural forms has the sources
     /// of two of them.
@@ -76,8 +93,8 @@ impl<'t> SourceTexts<'t> {
         is_current.then(|| of(&self.texts))
     }
 
-    /// Returns the difference between the placeholders of a segment and those of its source, if lipz reports it. A variant may have those of the text. For a plural category with one number, it may do without:
-    /// `One guard.`
+    /// Returns the difference between the placeholders of a segment and those of its source, if lipz reports it. A variant
+    /// may have those of the text. For a plural category with one number, it may do without: `One guard.`
     pub(crate) fn placeholder_difference(&self, at: usize, text: &str, own: &[PlaceholderPattern]) -> Option<String> {
         let source = self.texts.get(at).map_or("", String::as_str);
         let found = placeholder::difference(source, text, own)?;
@@ -141,26 +158,37 @@ pub(crate) fn variant_keys(clip: &ClipTexts, source_locale: &str, locale: &str) 
             all.push(VariantKey { key, is_needed });
         }
     };
-    // `zero` in English is a text of its own, for a number that the language treats as many.
     let of_language = Categories::of(source_locale);
-    let is_plural = |key: &&&str| {
-        let category = split_category(key).0;
-        category.is_some_and(|category| of_language.variants().contains(&category))
-    };
-    let own_language = Categories::of(if locale.is_empty() { source_locale } else { locale });
-    let is_own_plural =
-        |key: &&&str| split_category(key).0.is_some_and(|category| own_language.variants().contains(&category));
-    let plurals = of_source.iter().filter(is_plural).chain(own.iter().filter(is_own_plural));
-    let rests: BTreeSet<&str> = plurals.map(|key| split_category(key).1).collect();
     // A template is in no language, and has the plural forms of its source.
+    let own_language = Categories::of(if locale.is_empty() { source_locale } else { locale });
+    let plurals_of_source = of_source.iter().filter(|key| is_plural(key, &of_language));
+    let plurals = plurals_of_source.chain(own.iter().filter(|key| is_plural(key, &own_language)));
+    let rests: BTreeSet<&str> = plurals.map(|key| split_category(key).1).collect();
     for rest in rests {
         for category in own_language.variants() {
             add(join_category(category, rest), true);
         }
     }
-    of_source.iter().filter(|key| !is_plural(key)).for_each(|key| add((*key).to_owned(), true));
+    // `zero` in English is a text of its own, for a number that the language treats as many.
+    let others = of_source.iter().filter(|key| !is_plural(key, &of_language));
+    others.for_each(|key| add((*key).to_owned(), true));
     own.iter().for_each(|key| add((*key).to_owned(), false));
     all
+}
+
+/// Whether a key begins with a plural category that needs a variant in a language.
+fn is_plural(key: &str, language: &Categories) -> bool {
+    split_category(key).0.is_some_and(|category| language.variants().contains(&category))
+}
+
+/// Returns the keys of all variants that a file with these locales can have, each once. The plural forms of a PO file
+/// come from the source, even if the language of the file has only one.
+pub(crate) fn keys_of_all(clip: &ClipTexts, source_locale: &str, of_locales: &[Vec<VariantKey>]) -> Vec<String> {
+    let of_source = clip.keys().map(|tag| split_variant(tag)).filter(|(locale, _)| *locale == source_locale);
+    let of_locales = of_locales.iter().flatten().map(|known| known.key.as_str());
+    let mut known = HashSet::new();
+    let all = of_locales.chain(of_source.filter_map(|(_, key)| key)).filter(|key| known.insert(*key));
+    all.map(str::to_owned).collect()
 }
 
 #[cfg(test)]
@@ -198,21 +226,21 @@ mod tests {
 
     #[test]
     fn sources_are_blank_where_nothing_varies() {
-        let of = |clip: &ClipTexts, locale: &str| SourceTexts::of(clip, "en-us", locale).unwrap().texts.join("|");
+        let of = |clip: &ClipTexts, locale: &str| ClipSources::new(clip, "en-us").unwrap().of(locale).texts.join("|");
         let guards = clip(&[("en-us", "a|b"), ("en-us-x-fem", "|c"), ("de-de-x-one", "d|d")]);
         assert_eq!(of(&guards, "pl-pl-x-few-fem"), "|c", "without the category");
         assert_eq!(of(&guards, "pl-pl-x-few"), "|b");
         let german = clip(&[("en-us", "a|b"), ("de-de-x-one", "d|")]);
         assert_eq!(of(&german, "de-de-x-one"), "a|");
         assert_eq!(of(&clip(&[("en-us", "a|b")]), "de-de-x-one"), "a|b");
-        assert_eq!(SourceTexts::of(&german, "fr-fr", "de-de"), None);
+        assert!(ClipSources::new(&german, "fr-fr").is_none());
     }
 
     #[test]
     fn numbers_in_words_need_no_placeholder() {
         let guards = clip(&[("en-us", "{n} guards of {name}"), ("en-us-x-one", "One guard of {name}")]);
         let differs = |locale: &str, text: &str| {
-            SourceTexts::of(&guards, "en-us", locale).unwrap().placeholder_difference(0, text, &[]).is_some()
+            ClipSources::new(&guards, "en-us").unwrap().of(locale).placeholder_difference(0, text, &[]).is_some()
         };
         assert!(!differs("ru-ru-x-one", "{n} стражник {name}"), "as in the text");
         assert!(!differs("de-de-x-one", "Eine Wache von {name}"));

@@ -16,7 +16,7 @@ pub use glyphs::{FontLimit, LinePixels, check_glyphs};
 pub use terms::Terms;
 
 use crate::exchange::clip_texts::{tag_of, trimmed};
-use crate::exchange::{SourceTexts, markup, placeholder, texts_of};
+use crate::exchange::{ClipSources, SourceTexts, markup, placeholder, texts_of};
 use crate::record::TextRecord;
 use characters::OddPlace;
 use lipz_diagnostics::{Code, Diagnostic, Span, bound};
@@ -24,6 +24,7 @@ use lipz_file::locale::{language, split_variant};
 use lipz_file::placeholder::PlaceholderPattern;
 use lipz_file::text;
 use lipz_file::{Document, JsonString, Value};
+use std::collections::HashMap;
 
 /// The most diagnostics of one kind that are listed for a text. The rest are counted.
 const SHOWN: usize = 3;
@@ -91,31 +92,34 @@ impl<'r> TextLints<'r> {
     /// Reports the problems of a clip's translations. `file` is the path of its Lipz file in the record.
     pub fn check(&self, file: &str, clip: &Document<'_>, diagnostics: &mut Vec<Diagnostic>) {
         let before = diagnostics.len();
-        for text in self.texts(clip) {
-            odd_characters(&text, diagnostics);
+        let all: Vec<LocaleText<'_>> = self.texts(clip).collect();
+        let mut by_locale: HashMap<&str, &LocaleText<'_>> = HashMap::new();
+        for text in &all {
+            odd_characters(text, diagnostics);
+            by_locale.entry(&text.locale).or_insert(text);
         }
         let others = self.record.map(|record| record.source_locales_of(file)).unwrap_or_default();
         let others = others.into_iter().filter(|locale| *locale != self.source_locale);
         let texts = texts_of(clip, self.default_locale.as_deref());
         for source_locale in others.chain([self.source_locale.as_str()]) {
-            let is_translation = |text: &LocaleText<'_>| split_variant(&text.locale).0 != source_locale;
-            for translation in self.texts(clip).filter(is_translation) {
-                let Some(from) = SourceTexts::of(&texts, source_locale, &translation.locale) else { break };
-                let of_variant = self.texts(clip).find(|text| text.locale == from.locale);
-                let of_locale = || self.texts(clip).find(|text| text.locale == source_locale);
-                let Some(written) = of_variant.or_else(of_locale) else { break };
+            let Some(sources) = ClipSources::new(&texts, source_locale) else { continue };
+            let is_translation = |text: &&LocaleText<'_>| split_variant(&text.locale).0 != source_locale;
+            for translation in all.iter().filter(is_translation) {
+                let from = sources.of(&translation.locale);
+                let written = by_locale.get(&*from.locale).or_else(|| by_locale.get(source_locale));
+                let Some(LocaleText { name, string, .. }) = written else { continue };
                 let (locale, segments) = (from.locale.to_string(), from.texts.to_vec());
-                let source = LocaleText { locale, segments, ..written };
+                let source = LocaleText { locale, name: name.clone(), string, segments };
                 if translation.segments.len() != source.segments.len() {
                     continue; // reported separately
                 }
                 if let Some(record) = self.record {
-                    stale::check(record, file, &source, &translation, diagnostics);
+                    stale::check(record, file, &source, translation, diagnostics);
                 }
                 // A translation should match the text in the project's own locale, whichever its source was.
                 if source_locale == self.source_locale {
-                    self.compare(&from, &source, &translation, diagnostics);
-                    variants::check(&texts, source_locale, &translation, diagnostics);
+                    self.compare(&from, &source, translation, diagnostics);
+                    variants::check(&texts, &sources, source_locale, translation, diagnostics);
                 }
                 bound::limit_many(diagnostics);
             }

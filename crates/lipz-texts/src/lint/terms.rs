@@ -92,8 +92,10 @@ impl Terms {
             let term = self.terms.entry(words).or_insert_with(|| Term { text, translations: BTreeMap::new() });
             for (locale, texts) in &translations {
                 let known = term.translations.entry(locale.clone()).or_default();
-                for text in texts.iter().filter(|text| !known.contains(text)).cloned().collect::<Vec<_>>() {
-                    known.push(text);
+                for text in texts {
+                    if !known.contains(text) {
+                        known.push(text.clone());
+                    }
                 }
             }
         }

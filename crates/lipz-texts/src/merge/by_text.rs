@@ -28,7 +28,7 @@ impl<'e> TextTranslations<'e> {
         let is_usable = |entry: &&Entry| is_foreign(entry, keys) && !entry.text.text.trim().is_empty();
         for entry in entries.iter().filter(is_usable) {
             if is_variant(&entry.locale) {
-                let message = "a plural form or other variant belongs to no clip, and is not imported";
+                let message = "a plural form or other variant does not belong to a clip, and is not imported";
                 found.push((entry.file, Diagnostic::at(Code::UnknownTextKey, entry.text.span, message)));
                 bound::limit_many_of_files(&mut found);
                 continue;

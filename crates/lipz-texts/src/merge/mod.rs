@@ -18,7 +18,7 @@ pub use renamed::follow_renamed_clips;
 pub use results::{ConfirmedTranslations, Counts, MergedFile, TranslatorComments};
 
 use crate::exchange::clip_texts::strings;
-use crate::exchange::{Entry, Mark, SourceTexts, texts_of};
+use crate::exchange::{ClipSources, Entry, Mark, texts_of};
 use lipz_diagnostics::{Code, Diagnostic};
 use lipz_file::Document;
 use lipz_file::format::Style;
@@ -49,12 +49,13 @@ impl Merge<'_> {
         }
         let strings = strings(clip, self.default_locale);
         let clip_texts = texts_of(clip, self.default_locale);
+        let clip_sources = ClipSources::new(&clip_texts, self.source_locale);
         let mut texts = Vec::new();
         // A locale comes before its variants, whose blank segments show its texts.
         let mut imported: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for (locale, entries) in by_locale {
             merged.comments.push(comments(locale, &entries));
-            let Some(sources) = SourceTexts::of(&clip_texts, self.source_locale, locale) else {
+            let Some(sources) = clip_sources.as_ref().map(|sources| sources.of(locale)) else {
                 let first = entries.first().map(|entry| (entry.file, entry.key.span)).unwrap_or_default();
                 let message = format!("the clip has no text in {}, the source of the translation", self.source_locale);
                 merged.found.push((first.0, Diagnostic::at(Code::OutdatedSource, first.1, message)));

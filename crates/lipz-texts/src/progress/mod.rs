@@ -12,7 +12,7 @@ pub use page::page;
 
 use crate::exchange::model::{State, Unit, VARIANT_MARK};
 use crate::exchange::variants::variant_keys;
-use crate::exchange::{ClipTexts, SourceTexts, words};
+use crate::exchange::{ClipSources, ClipTexts, words};
 use crate::record::{Standing, TextRecord};
 use lipz_file::locale::{is_variant, variant_tag};
 use std::collections::BTreeSet;
@@ -157,7 +157,9 @@ impl Work {
     /// Adds a clip with its texts and their variants. `file` is the path of its Lipz file in the record.
     pub fn add(&mut self, key: &str, file: &str, texts: &ClipTexts, record: Option<&TextRecord>) {
         let is_needed = vec![true; self.locales.len()];
-        self.add_texts(key, ("", &is_needed), file, texts, record);
+        let source_locale = self.source_locale.clone();
+        let Some(sources) = ClipSources::new(texts, &source_locale) else { return };
+        self.add_texts(key, ("", &is_needed), file, (texts, &sources), record);
         if !texts.keys().any(|tag| is_variant(tag)) {
             return;
         }
@@ -166,7 +168,13 @@ impl Work {
         let all: BTreeSet<&String> = needed.iter().flatten().collect();
         for variant in all {
             let is_needed: Vec<bool> = needed.iter().map(|needed| needed.contains(variant)).collect();
-            self.add_texts(&format!("{key}{VARIANT_MARK}{variant}"), (variant, &is_needed), file, texts, record);
+            self.add_texts(
+                &format!("{key}{VARIANT_MARK}{variant}"),
+                (variant, &is_needed),
+                file,
+                (texts, &sources),
+                record,
+            );
         }
     }
 
@@ -176,11 +184,11 @@ impl Work {
         id: &str,
         (variant, is_needed): (&str, &[bool]),
         file: &str,
-        texts: &ClipTexts,
+        (texts, sources): (&ClipTexts, &ClipSources<'_>),
         record: Option<&TextRecord>,
     ) {
         let tag = variant_tag(&self.source_locale, variant);
-        let Some(sources) = SourceTexts::of(texts, &self.source_locale, &tag) else { return };
+        let sources = sources.of(&tag);
         let sources = &*sources.texts;
         let counts: Vec<usize> = sources.iter().map(|source| words(source)).collect();
         let shared: Vec<Arc<str>> = sources.iter().map(|source| source.as_str().into()).collect();

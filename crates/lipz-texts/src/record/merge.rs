@@ -11,7 +11,7 @@ use std::mem;
 /// one counts. If there are several translations, all count: those of each segment are sorted by mark, each in its own
 /// version.
 pub(super) fn merge(versions: &mut Vec<Version>) {
-    versions.retain(|version| version.made.values().flatten().any(Option::is_some));
+    versions.retain(|version| !version.is_untranslated());
     versions.sort_by(|a, b| a.texts().cmp(&b.texts()));
     let mut merged = Vec::with_capacity(versions.len());
     let mut rest = mem::take(versions).into_iter().peekable();

@@ -1,7 +1,6 @@
 //! The source texts of clips without translations, as lines of the record.
 
 use super::line::{escaped, no_marks};
-use super::version::Version;
 use crate::exchange::model::joined;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -21,11 +20,4 @@ pub(super) fn write(
     write!(f, "\t{source_locale}\t{locale}:{}\t", no_marks(sources.len()))?;
     escaped(f, &joined(sources))?;
     f.write_str("\n")
-}
-
-impl Version {
-    /// Whether the version has source texts, but no translation.
-    pub(super) fn is_untranslated(&self) -> bool {
-        self.made.values().flatten().all(Option::is_none)
-    }
 }

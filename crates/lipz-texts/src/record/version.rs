@@ -16,6 +16,11 @@ pub(super) struct Version {
 }
 
 impl Version {
+    /// Whether the version has source texts, but no translation.
+    pub(super) fn is_untranslated(&self) -> bool {
+        self.made.values().flatten().all(Option::is_none)
+    }
+
     /// Returns the source locale, without the variant whose texts these are.
     pub(super) fn locale(&self) -> &str {
         split_variant(&self.source_locale).0

@@ -14,7 +14,7 @@ const FaceProfile := preload("face_profile.gd")
 const File := preload("file.gd")
 const Hashing := preload("hashing.gd")
 
-## Those of Unicode's CLDR, which come first in the keys of variants.
+## The plural categories of Unicode's CLDR, which come first in the keys of variants.
 const PLURAL_CATEGORIES: PackedStringArray = ["zero", "one", "two", "few", "many", "other"]
 
 ## The number of clips.
@@ -160,9 +160,9 @@ func nearest_locale(tag: String) -> LipzLocale:
 
 
 ## Returns the language for the texts of a variant: for `pl-pl` and the key `few`, those of `text_pl-pl-x-few` in Lipz
-## files. A key has the names of all cases that apply, a plural category first: `few`, or `few-fem`. If no clip has texts
-## of the variant, names are left out from the end of the key (`few`), then the plural category (`fem`). In the end, the
-## language itself is returned. Look variants up once.
+## files. A key lists all cases that apply, the plural category first: `few`, or `few-fem`. The search removes names
+## from the end of the key (`few-fem`, `few`), and then does the same without the plural category (`fem`). If no clip
+## has any of these, the result is the language itself. Look variants up once per language.
 func variant(language: LipzLocale, key: String) -> LipzLocale:
 	var found := _variant_with_beginning(language, key)
 	if found == null and key.contains("-") and key.get_slice("-", 0) in PLURAL_CATEGORIES:

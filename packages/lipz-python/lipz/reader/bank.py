@@ -115,10 +115,10 @@ class Bank:
     def variant(self, locale: str, key: str) -> str:
         """Returns the locale for texts of a variant.
 
-        For `pl-pl` and the key `few`, these are the texts of `text_pl-pl-x-few` in Lipz files. A key has the names of
-        all cases that apply, the plural category first: `few`, or `few-fem`. If no clip has texts of the variant, names
-        are left out from its end (`few`), then the plural category (`fem`), and in the end the locale itself is
-        returned. Look variants up once per locale.
+        For `pl-pl` and the key `few`, these are the texts of `text_pl-pl-x-few` in Lipz files. A key lists all cases
+        that apply, the plural category first: `few`, or `few-fem`. The search removes names from the end of the key
+        (`few-fem`, `few`), and then does the same without the plural category (`fem`). If no clip has any of these,
+        the result is the locale itself. Look variants up once per locale.
         """
         tags = {tag for table in self._texts for tag in table.tags}
         names = key.split("-")

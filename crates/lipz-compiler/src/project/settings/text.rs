@@ -69,12 +69,12 @@ impl SettingsReader<'_> {
                 "line-columns" => limits.line_columns = value.count(found),
                 "line-pixels" => pixels.line_pixels = self.line_pixels(locale, &value),
                 "font" => pixels.font = self.named_file(&value),
-                "font-pixels" => pixels.font_pixels = value.positive(found),
+                "font-pixels" => pixels.font_pixels = value.font_pixels(found),
                 "lines" => limits.lines = value.count(found),
                 "characters-per-second" => limits.characters_per_second = value.positive(found),
                 "shortest-seconds" => limits.shortest_seconds = value.positive(found),
                 _ => {
-                    let message = format!("{} is not a limit of texts", escape::quoted(setting));
+                    let message = format!("{} is not a setting of texts in a locale", escape::quoted(setting));
                     let diagnostic = Diagnostic::at(Code::UnknownSetting, span(&value.key), message);
                     found.push(match nearest(setting, LIMITS) {
                         Some(known) => {
@@ -91,9 +91,10 @@ impl SettingsReader<'_> {
 
     /// Reads the most pixels of a line. The font can be in a table that is read later.
     pub(super) fn line_pixels(&mut self, locale: Option<&str>, value: &NamedValue<'_>) -> Option<u32> {
+        let pixels = value.count(&mut self.diagnostics)?;
         let locale = locale.map(str::to_owned);
         self.line_pixels.push(LinePixels { locale, name: value.name.clone(), span: value.span() });
-        value.count(&mut self.diagnostics)
+        Some(pixels)
     }
 
     /// Reports limits in pixels for texts whose font or its size is not set.
@@ -101,13 +102,16 @@ impl SettingsReader<'_> {
         for LinePixels { locale, name, span } in std::mem::take(&mut self.line_pixels) {
             let limits = &self.settings.pixel_limits;
             let limit = locale.map_or_else(|| limits.project.clone(), |locale| limits.of(&locale));
-            let what = match (limit.font, limit.font_pixels) {
+            let (missing, help) = match (limit.font, limit.font_pixels) {
                 (Some(_), Some(_)) => continue,
-                (Some(_), None) => "a size of the font",
-                (None, _) => "a font",
+                (Some(_), None) => ("`font-pixels`", "add the size of the font in pixels: font-pixels = 32"),
+                (None, Some(_)) => ("`font`", "add the font of the game: font = \"game.ttf\""),
+                (None, None) => {
+                    ("`font`", "add the font of the game and its size in pixels: font = \"game.ttf\", font-pixels = 32")
+                }
             };
-            let help = "add the font of the game and its size in pixels: font = \"game.ttf\", font-pixels = 32";
-            let diagnostic = Diagnostic::at(Code::SettingValue, span, format!("`{name}` needs {what}"));
+            let message = format!("`{name}` is set, but {missing} is missing");
+            let diagnostic = Diagnostic::at(Code::SettingValue, span, message);
             self.diagnostics.push(diagnostic.help(help));
         }
     }

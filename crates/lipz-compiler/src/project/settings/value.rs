@@ -78,12 +78,21 @@ impl<'t> NamedValue<'t> {
         }
     }
 
-    /// Returns a number above 0.
+    /// Returns a number above 0, which is a limit.
     pub(super) fn positive(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
+        self.above_zero("remove the line for no limit", diagnostics)
+    }
+
+    /// Returns the size of a font, in pixels.
+    pub(super) fn font_pixels(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
+        self.above_zero("write the size of the font in pixels, such as 32", diagnostics)
+    }
+
+    fn above_zero(&self, help: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         let number = self.decimal(diagnostics)?;
         match f64::from_str(&number) {
             Ok(number) if number > 0.0 && number.is_finite() => Some(number),
-            _ => self.refuse("is not a number above 0", "remove the line for no limit", diagnostics),
+            _ => self.refuse("is not a number above 0", help, diagnostics),
         }
     }
 

@@ -7,12 +7,16 @@ use std::collections::HashMap;
 /// Returns the dialogue fragments of packages that have a technical name and a text.
 pub(super) fn lines(packages: Node<'_>) -> Vec<ExportedLine> {
     let models = packages.items().into_iter().flatten().filter_map(|package| package.get(&["Models"])?.items());
-    models.flatten().filter_map(|model| line(model, &HashMap::new())).collect()
+    fragments(models.flatten(), &HashMap::new())
 }
 
 /// Returns those of a package of articy:draft X, with the texts by their keys.
 pub(super) fn lines_of_package(objects: Node<'_>, texts: &HashMap<String, String>) -> Vec<ExportedLine> {
-    objects.items().into_iter().flatten().filter_map(|object| line(object, texts)).collect()
+    fragments(objects.items().into_iter().flatten(), texts)
+}
+
+fn fragments<'n>(models: impl Iterator<Item = Node<'n>>, texts: &HashMap<String, String>) -> Vec<ExportedLine> {
+    models.filter_map(|model| line(model, texts)).collect()
 }
 
 /// Returns the name of a file with objects, if `packages` are those of a manifest of articy:draft X.
@@ -83,6 +87,10 @@ mod tests {
         assert_eq!(read(Some("en-us")), lines("No."));
         assert_eq!(read(Some("de-de")), lines("Nein."));
         assert_eq!(read(None), lines(""), "the language is unknown");
+        let german = texts.replace(r#"{"":{"#, r#"{"en":{"Text":"A"},"de-DE":{"#);
+        let (_, _, found) =
+            Script::read_lines_with_texts("objects.json", objects.as_bytes(), german.as_bytes(), Some("fr-fr"));
+        assert_eq!(found[0].message, "the package has no texts in fr-fr, and lipz does not compare them");
         let (script, _, found) = Script::read_lines("objects.json", objects.as_bytes(), None);
         assert_eq!((script.len(), found[0].code.to_string().as_str()), (2, "LZ1104"));
         let (_, _, found) = Script::read("objects.json", objects.as_bytes(), None);

@@ -25,29 +25,30 @@ pub(super) fn of_json(text: &str, purpose: Purpose<'_>) -> (Script, Vec<Diagnost
     let mut found = Vec::new();
     let Some(file) = root(text, &mut found) else { return (script, found) };
     let member = |name: &str| file.get(&[name]);
-    let mut help = None;
-    let (lines, message) = match (member("inkVersion"), member("Packages"), member("Objects")) {
+    let (lines, message, help) = match (member("inkVersion"), member("Packages"), member("Objects")) {
         (Some(_), ..) => {
             let (lines, too_deep) = ink::lines(file);
             found.extend(too_deep);
-            (lines, "the story has no line with a tag such as `# id: mara_hello`")
+            (lines, "the story has no line with a tag such as `# id: mara_hello`", None)
         }
-        (None, Some(packages), _) => {
-            help = articy::objects_of_manifest(packages).map(|objects| format!("name the objects: {objects}"));
-            let message = match help {
-                Some(_) => "the file lists packages of articy:draft, and has no lines",
-                None => "the project has no dialogue fragment with a technical name and a text",
-            };
-            (articy::lines(packages), message)
-        }
+        (None, Some(packages), _) => match articy::objects_of_manifest(packages) {
+            None => {
+                (articy::lines(packages), "the project has no dialogue fragment with a technical name and a text", None)
+            }
+            Some(objects) => (
+                articy::lines(packages),
+                "the file lists the packages of an articy:draft project, but does not contain lines",
+                Some(format!("read the file with the objects instead: {}", escape::quoted(&objects))),
+            ),
+        },
         (None, None, Some(objects)) => {
             let message = "the package has no dialogue fragment with a technical name and a text";
-            (of_package(objects, purpose, &mut found), message)
+            (of_package(objects, purpose, &mut found), message, None)
         }
         (None, None, None) => {
-            help = articy_texts::are_texts(file)
-                .then(|| "name the objects, whose file is called package_…_objects.json".to_owned());
-            (Vec::new(), "the file is neither a compiled story of Ink nor an exported project of articy:draft")
+            let help = "read the file with the objects instead, whose name is package_…_objects.json";
+            let message = "the file is neither a compiled story of Ink nor an exported project of articy:draft";
+            (Vec::new(), message, articy_texts::are_texts(file).then(|| help.to_owned()))
         }
     };
     if lines.is_empty() && found.is_empty() {
@@ -75,16 +76,26 @@ fn of_package(objects: Node<'_>, purpose: Purpose<'_>, found: &mut Vec<Diagnosti
         _ => HashMap::new(),
     };
     let lines = articy::lines_of_package(objects, &texts);
-    let has_no_texts = texts.is_empty() && found.is_empty() && lines.iter().any(|line| line.text.is_empty());
-    if has_no_texts && purpose == Purpose::Recordings {
-        let without = Diagnostic::new(Code::ForeignSyntax, "the texts of the package are in a different file");
-        found.push(without.help("export the lines as CSV with the columns `file` and `text`"));
-    } else if has_no_texts {
-        let without =
-            Diagnostic::new(Code::ForeignOddity, "the texts of the package are missing, and are not compared");
-        found.push(without.help("put the file package_…_localization.json of the same export next to this file"));
-    }
+    let is_without = texts.is_empty() && found.is_empty() && lines.iter().any(|line| line.text.is_empty());
+    found.extend(is_without.then(|| without_texts(purpose)));
     lines
+}
+
+/// Returns the diagnostic for a package whose lines have no texts.
+fn without_texts(purpose: Purpose<'_>) -> Diagnostic {
+    match purpose {
+        Purpose::Recordings => Diagnostic::new(Code::ForeignSyntax, "the texts of the package are in a different file")
+            .help("export the lines as CSV with the columns `file` and `text`"),
+        Purpose::Lines { locale: Some(locale), texts: Some(_) } => {
+            let message = format!("the package has no texts in {locale}, and lipz does not compare them");
+            Diagnostic::new(Code::ForeignOddity, message).help("name a locale of the project, or export it again")
+        }
+        Purpose::Lines { .. } => {
+            let message = "the texts of the package are missing, and lipz does not compare them";
+            Diagnostic::new(Code::ForeignOddity, message)
+                .help("put the file package_…_localization.json of the same export next to this file")
+        }
+    }
 }
 
 /// Returns the position of `part` in the string `node`, or that of the whole string if `part` is written differently

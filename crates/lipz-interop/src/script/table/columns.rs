@@ -101,7 +101,7 @@ fn head(script: &str, delimiter: u8) -> Option<Vec<String>> {
     Some(head.iter().map(|cell| cell.text.trim().to_owned()).collect())
 }
 
-/// Whether the first line of a table has an ID of Yarn Spinner. Its recording sheets have the columns that a project
+/// Whether the first ID in the column `id` is one of Yarn Spinner. Its recording sheets have the columns that a project
 /// chooses.
 fn has_yarn_ids(script: &str, delimiter: u8, names: &[String]) -> bool {
     let Some(id) = column(names, &["id"]) else { return false };

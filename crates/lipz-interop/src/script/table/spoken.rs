@@ -58,8 +58,9 @@ impl Gaps {
                     }
                     None => (rest, rest.len()),
                 },
+                (None, Some(_)) if self.is_doubled && after.starts_with(character) => (&rest[..1], 2),
                 (None, Some(tag)) => {
-                    let end = end(rest, tag).unwrap_or(character.len_utf8());
+                    let end = end(rest, tag).unwrap_or(rest.len());
                     (&rest[..end], end)
                 }
                 (None, None) if character == '\\' && !self.is_doubled && after.starts_with(is_escape) => {
@@ -98,6 +99,8 @@ mod tests {
         assert_eq!(renpy("[items[0].name] and {size=[big]}[b]{/size}"), ["", " and {size=[big]}", "{/size}"]);
         assert_eq!(renpy("Press [[Esc]."), ["Press [Esc]."]);
         assert_eq!(renpy("An open [name"), [""; 0]);
+        assert_eq!(renpy("{{ [name] }}"), ["{ ", " }}"], "a doubled brace is displayed as one");
+        assert!(renpy(&"{a".repeat(100_000)).is_empty(), "in linear time");
         let yarn = |text| parts(text, TableOrigin::YarnSpinner);
         assert_eq!(yarn("Hello."), [""; 0]);
         assert_eq!(yarn("Mara: Hello, {0}. [wave]Hi![/wave]"), ["Hello, ", ". ", "Hi!", ""]);
@@ -107,9 +110,10 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_text_has_parts(text in "[a\\\\\\[\\]{}:é]{0,12}") {
+        fn dividing_any_text_keeps_no_more_than_the_text(text in "[a\\\\\\[\\]{}:é]{0,12}") {
             for origin in [TableOrigin::YarnSpinner, TableOrigin::RenPy] {
-                parts(&text, origin);
+                let kept: usize = parts(&text, origin).iter().map(String::len).sum();
+                prop_assert!(kept <= text.len());
             }
         }
     }

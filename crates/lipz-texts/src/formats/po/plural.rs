@@ -65,20 +65,11 @@ impl<'e> Grouped<'e> {
             grouped.inner.extend(others);
             if exchange.locales.get(at).is_some_and(String::is_empty) {
                 // A template always has two forms, whatever the categories of the source are.
-                let is_form = |other: &Item<'_>| {
-                    let (category, of_rest) = split_category(variant(other));
-                    category.is_some()
-                        && of_rest == rest
-                        && other.unit.key == item.unit.key
-                        && other.number == item.number
+                let place_of = |unit: &&Unit| {
+                    let variant = unit.variant.clone().unwrap_or_default();
+                    places.get(&(unit.key.as_str(), variant, item.number)).copied()
                 };
-                let near = grouped
-                    .items
-                    .iter()
-                    .enumerate()
-                    .skip(index)
-                    .take_while(|(_, other)| other.unit.key == item.unit.key);
-                grouped.inner.extend(near.filter(|(_, other)| is_form(other)).map(|(at, _)| at));
+                grouped.inner.extend(variants.iter().filter_map(place_of));
             }
             let one = join_category("one", rest);
             let one = variants.iter().find(|unit| unit.variant.as_ref() == Some(&one));

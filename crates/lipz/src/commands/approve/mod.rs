@@ -15,7 +15,7 @@ use clap::Args;
 use lipz_compiler::{Compiler, Input, Options};
 use lipz_diagnostics::escape;
 use lipz_file::locale::split_variant;
-use lipz_texts::{ClipTexts, SourceTexts, Standing, State, TextRecord, texts_of};
+use lipz_texts::{ClipSources, ClipTexts, Standing, State, TextRecord, texts_of};
 use std::fmt::Write;
 
 /// Mark translations and recordings as up to date with their source text.
@@ -196,8 +196,9 @@ impl Approve {
             locale if locale == source_locale => false,
             locale => self.locale.is_empty() || self.locale.iter().any(|wanted| wanted == locale),
         };
+        let all_sources = ClipSources::new(clip, source_locale)?;
         let translations = clip.iter().filter(|(tag, _)| is_wanted(tag)).filter_map(|(locale, texts)| {
-            let from = SourceTexts::of(clip, source_locale, locale).filter(|from| from.texts.len() == texts.len())?;
+            let from = Some(all_sources.of(locale)).filter(|from| from.texts.len() == texts.len())?;
             let (source_locale, sources) = (from.locale.into_owned(), from.texts.into_owned());
             let standings = file.record.standings(&name, &source_locale, locale, &sources, texts);
             // Without the pair of texts in the record, a later merge could combine this translation with another source.

@@ -77,6 +77,6 @@ fn read(file: &NamedFile) -> Result<Font, Report> {
     let name = console::path(file.path());
     Font::read(name.as_str(), input_file::read_named(file)?).map_err(|error| {
         let diagnostic = Diagnostic::new(Code::SettingValue, format!("`{name}` {error}"));
-        file.report(diagnostic.help("name the file with the extension .ttf, .otf or .ttc that the game uses"))
+        file.report(diagnostic.help("name a TrueType or OpenType file (.ttf, .otf, .ttc), or restore the file"))
     })
 }

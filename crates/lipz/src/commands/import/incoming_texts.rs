@@ -21,6 +21,9 @@ pub(super) struct IncomingTexts {
     pub(super) found: Vec<(usize, Diagnostic)>,
 }
 
+const EXTENSIONS: &str = "use a .po, .xlf, .csv, .tsv, .xlsx, .ods or .json file";
+const NAME_STANDARD: &str = "name a file with its extension: `--stdin-filename de-de.po`";
+
 impl IncomingTexts {
     /// Reads all files.
     pub(super) fn read(
@@ -35,11 +38,14 @@ impl IncomingTexts {
             let named = if is_standard { stdio::name() } else { Some(path.clone()) };
             let extension = named.as_deref().and_then(Path::extension).and_then(OsStr::to_str).unwrap_or_default();
             let Some(format) = lipz_texts::Format::of_extension(extension) else {
-                let message = match is_standard {
-                    true => "the format of standard input is not set".to_owned(),
-                    false => format!("`{}` does not have the extension of a supported format", console::path(&path)),
+                let name = console::path(&path);
+                let (message, tip) = match is_standard {
+                    true => ("the format of standard input is not set".to_owned(), NAME_STANDARD),
+                    false if path.is_dir() => {
+                        (format!("`{name}` is a folder"), "name the files in it, as in texts/*.po")
+                    }
+                    false => (format!("`{name}` does not have the extension of a supported format"), EXTENSIONS),
                 };
-                let tip = "use a .po, .xlf, .csv, .tsv, .xlsx, .ods or .json file; name standard input with `--stdin-filename de-de.po`";
                 return Err(reporter.usage(message, tip));
             };
             let name = if is_standard { stdio::input_name() } else { console::path(&path) };

@@ -81,7 +81,6 @@ assets! {
     "web/shape-names.js"
     "web/shapes.js"
     "web/structs.js"
-    "web/variant.js"
     "web/words.js"
 }
 

@@ -166,10 +166,10 @@ namespace Lipz
 
         /// <summary>
         /// Returns the locale for texts of a variant: for <c>pl-pl</c> and the key <c>few</c>, the texts of
-        /// <c>text_pl-pl-x-few</c> in Lipz files. A key has the names of all cases that apply, the plural category
-        /// first: <c>few</c>, or <c>few-fem</c>. If no clip has texts of the variant, names are left out from its end
-        /// (<c>few</c>), then the plural category (<c>fem</c>), and in the end the locale itself is returned. Look
-        /// variants up once per locale.
+        /// <c>text_pl-pl-x-few</c> in Lipz files. A key lists all cases that apply, the plural category first:
+        /// <c>few</c>, or <c>few-fem</c>. The search removes names from the end of the key (<c>few-fem</c>,
+        /// <c>few</c>), and then does the same without the plural category (<c>fem</c>). If no clip has any of these,
+        /// the result is the locale itself. Look variants up once per locale.
         /// </summary>
         public BankLocale Variant(BankLocale locale, string key)
         {

@@ -98,7 +98,7 @@ impl Reader<'_> {
         let known = PluralForms::of(locale);
         let Some(header) = &self.plural_header else {
             if known.is_none() {
-                let message = format!("lipz does not know the plural forms of {locale}, so they are not imported");
+                let message = format!("the plural forms of {locale} are unknown, and are not imported");
                 let diagnostic = Diagnostic::new(Code::ExchangeSyntax, message);
                 self.incoming.diagnostics.push(diagnostic.help("add the header `Plural-Forms`"));
             }

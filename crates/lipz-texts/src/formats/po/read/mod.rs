@@ -133,7 +133,10 @@ impl Reader<'_> {
         // `msgstr[0]` is the text; the others belong to a plural.
         let (field, form, string) = match rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
             Some(("0", string)) => (field, 0, string),
-            Some((form, string)) => (Field::OtherText, form.parse().unwrap_or(usize::MAX), string),
+            Some((form, string)) => match form.parse() {
+                Ok(form) => (Field::OtherText, form, string),
+                Err(_) => return self.wrong(start, end - start, "the number of the plural form cannot be read"),
+            },
             None => (field, 0, rest),
         };
         let string_start = end + rest.len() - string.len() + string.len() - string.trim_start().len();
@@ -231,8 +234,8 @@ impl Reader<'_> {
     fn finish(&mut self) {
         if let Some(first) = self.plurals.first() {
             let message = match self.plurals.len() {
-                1 => "an entry with plural forms names no clip, and is not imported".to_owned(),
-                count => format!("{count} entries with plural forms name no clip, and are not imported"),
+                1 => "an entry with plural forms does not name a clip, and is not imported".to_owned(),
+                count => format!("{count} entries with plural forms do not name a clip, and are not imported"),
             };
             self.incoming.diagnostics.push(Diagnostic::at(Code::UnknownTextKey, *first, message));
         }

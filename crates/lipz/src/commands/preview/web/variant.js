@@ -1,1 +1,0 @@
-../../../../../../packages/lipz-web/variant.js
